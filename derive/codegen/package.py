@@ -17,9 +17,9 @@ from .. import about
 from ..maps import Formula
 from ..maps.chart import Chart
 from ..output import render
-from ..proof import Proof, Proved, theorems
+from ..proof import Proved, theorems
 from .lowered import Lowered, geometry
-from .programs.program import Call, Program, Statement, summary
+from .programs.program import Call, Program, Statement
 from .rows import Table
 
 DIGITS = 40
@@ -27,6 +27,9 @@ DIGITS = 40
 
 WIDTH = 110
 """Largest number of characters in a comment line."""
+
+LETTERS_MAX = 600
+"""Largest number of characters of the polynomials in a header; longer ones are left to the command that shows them."""
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
@@ -150,39 +153,19 @@ class Facts:
         return {name: f"{self.chart.overflow(value)[1]:.1g}" for name, value in most.items()}
 
     def header(self, command: str, template: str) -> list[str]:
-        """Lines of the header: command, formulas, what was proved, operation counts."""
+        """Lines of the header: command, licence, template, φ, polynomials, and the number of proofs."""
         chart = self.chart
-        lines = [*head(command, template), "", f"{chart.title}, v = {self.parameter} u; formulas, x = v.v (CP23):"]
-        lines += [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
-        for item in self.maps:
-            lines.append(f"  {', '.join(filter(None, (item.name, numbers(item.equations))))}:")
-            basis = (symbol.replace(r"\tilde{v}", "skew(v)").replace(r" \otimes ", "(x)") for symbol in item.basis)
-            pairs = zip(basis, item.coefficients, strict=True)
-            lines += [f"    {symbol or '1'}: {_plain(coefficient)}" for symbol, coefficient in pairs]
-        lines += ["", "Proved exactly, besides the theorems in the header of the interface:"]
-        lines += statements(proof for proof in self.proved.proofs if proof not in theorems())
-        lines += ["", "Operations:"]
-        lines += [f"  {name}: {summary(count)}" for name, count in self.lowered.operations.items()]
-        return lines
+        polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
+        if sum(map(len, polynomials)) > LETTERS_MAX:
+            polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
+        own = sum(proof not in theorems() for proof in self.proved.proofs)
+        shared = len(self.proved.proofs) - own
+        general = f" and {shared} theorems for every n" if shared else ""
+        proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
+        return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
 
 
 # ---- comments -------------------------------------------------------------------------------------------------
-
-
-def statements(proofs: Iterable[Proof]) -> list[str]:
-    """Statements that were proved, a line each."""
-    return [f"  [{proof.scope}] {proof.name}: {proof.statement}" for proof in proofs]
-
-
-def operations(lowered: Lowered) -> list[str]:
-    """Lines of the header of a module for another table than that of poses."""
-    counts = ", ".join(f"{name} {count.total()}" for name, count in lowered.operations.items())
-    return ["What was proved is told in the module for poses. Operations:", f"  {counts}"]
-
-
-def theorem_lines() -> list[str]:
-    """Theorems for every order, for the header of files that all charts share."""
-    return ["Proved exactly, for every order n of a Cayley map:", *statements(theorems())]
 
 
 def command(target: str, *charts: Chart) -> str:
@@ -239,7 +222,7 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Digest of the programs of a chart and of the geometry; equal in two packages that compute the same."""
-    lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars), *_program_lines(lowered.own)]
+    lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]

@@ -127,8 +127,8 @@ class Function:
         """Of what its program returns: several results stand side by side."""
         return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
 
-    def traced(self, chart: Chart | None = None) -> Program:
-        """Its program for all charts, or for one.
+    def traced(self) -> Program:
+        """Return its program.
 
         Raises
         ------
@@ -138,9 +138,9 @@ class Function:
         if self.recipe is None:
             raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
         if self.pose is None:
-            return self.recipe(Geometry(chart))
+            return self.recipe(Geometry())
         kept = [array.places for array in self.pose.arguments]
-        return self.recipe(RealGeometry(self.name, kept, self.pose.kept, chart))
+        return self.recipe(RealGeometry(self.name, kept, self.pose.kept))
 
     @property
     def kernel(self) -> str:

@@ -37,14 +37,6 @@ class Bits:
         np.copyto(out, np.equal(a, b))
         return np.negative(out, out)
 
-    def where(self, mask: Array, a: Array, b: Array, out: Array) -> Array:
-        """``b ^ ((a ^ b) & mask)``; out may be a, but not b."""
-        other, bits = b.view(self.integer), out.view(self.integer)
-        np.bitwise_xor(a.view(self.integer), other, bits)
-        np.bitwise_and(bits, mask, bits)
-        np.bitwise_xor(bits, other, bits)
-        return out
-
 
 class Flags:
     """Boolean masks, for numbers of any type."""

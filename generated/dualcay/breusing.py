@@ -117,10 +117,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -141,7 +141,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 30: 9 +, 12 *, 6 /, 1 neg, 2 sqrt
@@ -163,27 +163,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = div(add(sub(below, below, o1), n2, o1), below, o4)
-    above = sub(c, x, o1)
-    size = add(c, x, o2)
-    s = div(above, size, o1)
-    rootc = sqrt(c, o3)
-    w = div(mul(n2, rootc, o3), size, o2)
-    cc = mul(c, c, o3)
-    over = div(n1, add(n1, cc, o3), o3)
-    h = mul(mul(c, mul(n2, w, k1), o4), add(n2, over, k1), o4)
-    rho = mul(n4, mul(w, over, o3), o3)
-    neg(div(mul(rho, w, o3), n2, o3), o3)
-    ww = mul(w, w, k1)
-    sub(div(mul(s, h, o4), n2, o4), mul(w, ww, k1), o4)
-    return o1, o2, o3, o4
-
-
 # operations 26: 10 +, 9 *, 5 /, 2 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -201,27 +180,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     over = 1 / (1 + cc)
     h = c * w_by_2 * (2 + over)
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    n1, n2, n4, n8 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
-    below = add(x, sqrt(add(mul(x, x, o3), n4, o3), o3), o3)
-    c = div(add(sub(below, below, o1), n2, o1), below, o3)
-    above = sub(c, x, o1)
-    size = add(c, x, o2)
-    s = div(above, size, o1)
-    rootc = sqrt(c, k1)
-    w = div(mul(n2, rootc, k1), size, k1)
-    w_by_2 = mul(n2, w, k1)
-    mul(s, w_by_2, o1)
-    mul(n8, div(c, mul(size, size, o2), o2), o2)
-    cc = mul(c, c, k2)
-    over = div(n1, add(n1, cc, k2), k2)
-    mul(mul(c, w_by_2, o3), add(n2, over, k1), o3)
-    return o1, o2, o3
 
 
 # operations 46: 15 +, 22 *, 7 /, 2 sqrt
@@ -249,35 +207,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     hgrowth = share - 5 - 8 * (cc / weight)
     hy = h * decline * hgrowth / 2
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
-    n1, n2, n3, n4, n5, n8 = numbers
-    x = add(add(v11, v22, o1), v33, o1)
-    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = div(add(sub(below, below, o4), n2, o4), below, o6)
-    cc = mul(c, c, o4)
-    over = div(n1, add(n1, cc, o5), o5)
-    share = mul(n4, mul(cc, over, k1), k1)
-    weight = add(n3, mul(n2, cc, o2), o2)
-    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, o4), o4), o4)
-    rootc = sqrt(c, k1)
-    size = add(c, x, o2)
-    w = div(mul(n2, rootc, k1), size, k1)
-    above = sub(c, x, o1)
-    s = div(above, size, o1)
-    g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    w_by_2 = mul(n2, w, o3)
-    f = mul(s, w_by_2, o1)
-    h = mul(mul(c, w_by_2, o3), add(n2, over, k2), o3)
-    decline = mul(n2, mul(c, over, o6), o6)
-    div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
-    rho = mul(n4, mul(w, over, o4), o4)
-    sub(mul(f, h, o5), mul(g, g, k1), o5)
-    sub(h, mul(rho, g, o4), o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 80: 24 +, 43 *, 11 /, 2 sqrt
@@ -317,45 +246,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, *_ = scratch
-    n_minus_2, n1, n2, n3, n4, n5, n8, n48 = numbers
-    x = add(add(v11, v22, o1), v33, o1)
-    below = add(x, sqrt(add(mul(x, x, o7), n4, o7), o7), o7)
-    c = div(add(sub(below, below, o9), n2, o9), below, o7)
-    cc = mul(c, c, o9)
-    over = div(n1, add(n1, cc, o5), o5)
-    share = mul(n4, mul(cc, over, o4), o4)
-    weight = add(n3, mul(n2, cc, o8), o8)
-    hgrowth = sub(sub(share, n5, k1), mul(n8, div(cc, weight, k2), k2), k1)
-    rootc = sqrt(c, k2)
-    size = add(c, x, o2)
-    w = div(mul(n2, rootc, k2), size, k2)
-    above = sub(c, x, o1)
-    s = div(above, size, o1)
-    g = mul(n8, div(c, mul(size, size, o2), o2), o2)
-    w_by_2 = mul(n2, w, o3)
-    f = mul(s, w_by_2, o1)
-    h = mul(mul(c, w_by_2, o3), add(n2, over, o6), o3)
-    decline = mul(n2, mul(c, over, o7), o7)
-    rho = mul(n4, mul(w, over, k2), k2)
-    sharey = mul(n_minus_2, mul(mul(share, over, o5), decline, o5), o5)
-    hy = div(mul(mul(h, decline, o6), hgrowth, o6), n2, o6)
-    decliney = mul(mul(decline, decline, k3), sub(div(share, n2, k4), n1, k4), k3)
-    div(
-        add(mul(mul(hy, decline, k4), hgrowth, k4), mul(h, add(mul(decliney, hgrowth, k1), mul(decline, add(sharey,
-        mul(n48, div(mul(cc, decline, o9), mul(weight, weight, o8), o9), o9), o9), o9), o9), o9), o9), n2, o9
-    )
-    rhogrowth = sub(share, n3, o5)
-    rhoy = div(mul(mul(rho, decline, o7), rhogrowth, o7), n2, o7)
-    gy = sub(mul(f, h, o5), mul(g, g, o4), o5)
-    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o4), o7)
-    fy = sub(h, mul(rho, g, o4), o4)
-    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 24: 7 +, 11 *, 4 /, 2 sqrt
 def _rate(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
@@ -373,39 +263,11 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    n1, n2, n3, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o1), n2, o1), below, o2)
-    rootc = sqrt(c, o1)
-    size = add(c, x, k1)
-    w = div(mul(n2, rootc, o1), size, o1)
-    cc = mul(c, c, k1)
-    over = div(n1, add(n1, cc, k2), k2)
-    rho = mul(n4, mul(w, over, o1), o1)
-    share = mul(n4, mul(cc, over, k1), k1)
-    decline = mul(n2, mul(c, over, o2), o2)
-    rhogrowth = sub(share, n3, k1)
-    div(mul(mul(rho, decline, o2), rhogrowth, o2), n2, o2)
-    return o1, o2
-
-
 # operations 7: 2 +, 2 *, 1 /, 2 sqrt
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     hi = m.sqrt(9 * below / 32)
     return fe, hi
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    n4, n9, n32 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    sqrt(div(mul(n9, below, o2), n32, o2), o2)
-    copy(fe, o1)
-    return o1, o2
 
 
 # operations 10: 4 +, 2 *, 2 /, 2 sqrt
@@ -415,17 +277,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     rootc = m.sqrt(c)
     hi = 3 / (4 * rootc)
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n2, n3, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = div(add(sub(below, below, k1), n2, k1), below, o1)
-    rootc = sqrt(c, o1)
-    div(n3, mul(n4, rootc, o1), o1)
-    return o1,
 
 
 # operations 29: 7 +, 12 *, 7 /, 1 neg, 2 sqrt
@@ -444,27 +295,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     return fe, hi, fiy, hiy
-
-
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n3, n4, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = div(add(sub(below, below, o3), n2, o3), below, o4)
-    rootc = sqrt(c, o3)
-    hi = div(n3, mul(n4, rootc, o2), o2)
-    size = add(c, x, k1)
-    w = div(mul(n2, rootc, o3), size, o3)
-    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
-    cc = mul(c, c, k2)
-    over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(c, mul(n2, w, o3), o3), add(n2, over, k3), o3)
-    neg(div(h, g, o3), o3)
-    decline = mul(n2, mul(c, over, o4), o4)
-    div(mul(hi, decline, o4), n2, o4)
-    copy(fe, o1)
-    return o1, o2, o3, o4
 
 
 # operations 31: 8 +, 12 *, 8 /, 1 neg, 2 sqrt
@@ -486,29 +316,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     decline = 2 * (c * over)
     hiy = hi * decline / 2
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n3, n4, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o4), n4, o4), o4), o4)
-    c = div(add(sub(below, below, o1), n2, o1), below, o4)
-    above = sub(c, x, o1)
-    rootc = sqrt(c, o2)
-    rootc_by_2 = mul(n2, rootc, o3)
-    div(above, rootc_by_2, o1)
-    hi = div(n3, mul(n4, rootc, o2), o2)
-    size = add(c, x, k1)
-    w = div(rootc_by_2, size, o3)
-    g = mul(n8, div(c, mul(size, size, k1), k1), k1)
-    cc = mul(c, c, k2)
-    over = div(n1, add(n1, cc, k2), k2)
-    h = mul(mul(c, mul(n2, w, o3), o3), add(n2, over, k3), o3)
-    neg(div(h, g, o3), o3)
-    decline = mul(n2, mul(c, over, o4), o4)
-    div(mul(hi, decline, o4), n2, o4)
-    return o1, o2, o3, o4
 
 
 # operations 59: 15 +, 26 *, 14 /, 2 neg, 2 sqrt
@@ -543,40 +350,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    n1, n2, n3, n4, n5, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o6), n4, o6), o6), o6)
-    c = div(add(sub(below, below, o5), n2, o5), below, o6)
-    above = sub(c, x, o5)
-    rootc = sqrt(c, o2)
-    rootc_by_2 = mul(n2, rootc, k1)
-    hi = div(n3, mul(n4, rootc, o2), o2)
-    div(above, rootc_by_2, o1)
-    size = add(c, x, k2)
-    w = div(rootc_by_2, size, k1)
-    w_by_2 = mul(n2, w, k1)
-    s = div(above, size, o5)
-    g = mul(n8, div(c, mul(size, size, k2), k2), k2)
-    f = mul(s, w_by_2, o5)
-    cc = mul(c, c, k3)
-    over = div(n1, add(n1, cc, k4), k4)
-    h = mul(mul(c, w_by_2, k1), add(n2, over, o3), k1)
-    decline = mul(n2, mul(c, over, o6), o6)
-    gy = sub(mul(f, h, o5), mul(g, g, o3), o5)
-    share = mul(n4, mul(cc, over, k4), k4)
-    fiy = neg(div(h, g, o3), o3)
-    hiy = div(mul(hi, decline, o4), n2, o4)
-    weight = add(n3, mul(n2, cc, k5), k5)
-    hgrowth = sub(sub(share, n5, k6), mul(n8, div(cc, weight, k3), k3), k3)
-    hy = div(mul(mul(h, decline, k1), hgrowth, k1), n2, k1)
-    neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
-    decliney = mul(mul(decline, decline, k1), sub(div(share, n2, k2), n1, k2), k1)
-    div(add(mul(hiy, decline, o6), mul(hi, decliney, k1), o6), n2, o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 24: 8 +, 9 *, 5 /, 2 sqrt
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
@@ -596,27 +369,6 @@ def _ray(m: Any, x: Any) -> Result:
     return above, b, size, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n4, n8 = numbers
-    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = div(add(sub(below, below, o2), n2, o2), below, o1)
-    rootc = sqrt(c, o2)
-    b = mul(n2, rootc, o2)
-    size = add(c, x, o3)
-    w = div(b, size, o4)
-    w_by_2 = mul(n2, w, o4)
-    cc = mul(c, c, o6)
-    over = div(n1, add(n1, cc, o6), o6)
-    mul(mul(c, w_by_2, o5), add(n2, over, o6), o6)
-    mul(n8, div(c, mul(size, size, o5), o5), o5)
-    above = sub(c, x, o1)
-    s = div(above, size, k1)
-    mul(s, w_by_2, o4)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 11: 1 +, 2 *, 2 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -624,20 +376,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     cos1 = m.sqrt((1 + cos) / 2)
     gain = m.where(negative, -1, 1) / (2 * cos1 * m.sqrt(cos1))
     return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    cos1 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    div(m.where(negative, n_minus_1, n1, k1), mul(mul(n2, cos1, k2), sqrt(cos1, o1), o1), o1)
-    return o1,
 
 
 # operations 17: 4 +, 7 *, 3 /, 3 sqrt
@@ -649,19 +387,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    cos0 = div(e0, size, k1)
-    cos1 = sqrt(div(add(n1, cos0, k1), n2, k1), k1)
-    div(n1, mul(mul(size, mul(n2, cos1, k2), o1), sqrt(cos1, k1), o1), o1)
-    return o1,
-
-
 # operations 14: 1 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
@@ -671,22 +396,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     cos1 = m.sqrt((1 + cos0) / 2)
     gain = m.where(negative, -1, 1) / (size * (2 * cos1) * m.sqrt(cos1))
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    size = mul(size2, size1, k1)
-    cos0 = div(cos, size, o1)
-    cos1 = sqrt(div(add(n1, cos0, o1), n2, o1), o1)
-    div(m.where(negative, n_minus_1, n1, k2), mul(mul(size, mul(n2, cos1, k3), k1), sqrt(cos1, o1), o1), o1)
-    return o1,
 
 
 # operations 28: 9 +, 3 *, 3 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -703,28 +412,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n16 = numbers
-    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = div(add(sub(below, below, k1), n2, k1), below, o1)
-    rootc = sqrt(c, k1)
-    size = add(c, x, k2)
-    w = div(mul(n2, rootc, k1), size, k1)
-    above = sub(c, x, o1)
-    s = div(above, size, o1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
-    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
-    one = add(sub(s, s, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), o1
-    )
-    return o1,
 
 
 # operations 38: 10 +, 8 *, 4 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -747,32 +434,6 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n16 = numbers
-    below = add(x, sqrt(add(mul(x, x, o2), n4, o2), o2), o2)
-    c = div(add(sub(below, below, o1), n2, o1), below, o2)
-    rootc = sqrt(c, o1)
-    size = add(c, x, k1)
-    w = div(mul(n2, rootc, o1), size, o1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
-    above = sub(c, x, k2)
-    s = div(above, size, k1)
-    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
-    cc = mul(c, c, o2)
-    over = div(n1, add(n1, cc, o2), o2)
-    mul(n4, mul(w, over, o2), o2)
-    one = add(sub(s, s, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 11: 4 +, 3 *, 1 /, 2 sqrt, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
@@ -780,17 +441,6 @@ def _unfolded(m: Any, x: Any, r: Any) -> Result:
     sigma = m.sqrt(c)
     own = 4 * m.atan2(r * sigma, c)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n2, n4 = numbers
-    below = add(x, sqrt(add(mul(x, x, o1), n4, o1), o1), o1)
-    c = div(add(sub(below, below, k1), n2, k1), below, o1)
-    sigma = sqrt(c, k1)
-    mul(n4, atan2(mul(r, sigma, k1), c, o1), o1)
-    return o1,
 
 
 # operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -803,21 +453,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     left = 2 * pi - alpha
     within = m.where(left < 0, last, alpha)
     return within,
-
-
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    off = sub(alpha, pi, k1)
-    last = add(mul(n2, atan2(tan(div(off, n2, k1), k1), n1, k1), k1), pi, k1)
-    left = sub(mul(n2, pi, o1), alpha, o1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
 
 
 # operations 35: 8 +, 14 *, 8 /, 3 sqrt, 1 lt, 1 where
@@ -838,45 +473,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    rr = mul(r, r, o2)
-    below = add(rr, sqrt(add(mul(rr, rr, o1), n4, o1), o1), o2)
-    c = div(add(sub(below, below, o1), n2, o1), below, o2)
-    sigma = sqrt(c, o1)
-    s = mul(r, sigma, k1)
-    iroot = div(n1, sigma, o1)
-    further = sub(mul(c, cos, k2), mul(s, sin, k3), k2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k3)
-    sk = mul(side, add(mul(s, cos, k1), mul(c, sin, k4), k1), k1)
-    ck = mul(side, further, k2)
-    irootk = div(n1, sqrt(ck, k3), k3)
-    div(
-        div(mul(div(add(n1, mul(ck, ck, k4), k4), ck, k2), irootk, k2), n2, k2), div(mul(div(add(n1, mul(c, c, k4), k4),
-        c, o2), iroot, o2), n2, o2), o2
-    )
-    mul(sk, irootk, o1)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 21: 3 +, 7 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
@@ -892,24 +492,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     r = sin * iroot
     slope = (1 + cos * cos) / cos * iroot / 2 / 4
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n8 = numbers
-    t = tan(div(alpha, n8, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    sin = mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    iroot = div(n1, sqrt(cos, k1), k1)
-    mul(sin, iroot, o1)
-    div(div(mul(div(add(n1, mul(cos, cos, k2), k2), cos, o2), iroot, o2), n2, o2), n4, o2)
-    return o1, o2
 
 
 # operations 37: 4 +, 10 *, 8 /, 1 neg, 2 abs, 1 sqrt, 1 tan, 1 atan2, 3 lt, 6 where
@@ -934,31 +516,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     return r, slope
 
 
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n8 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n6, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n8, o1), o1)
-    tt = mul(t, t, k1)
-    below = add(n1, tt, k2)
-    crest = div(sub(n1, tt, k1), below, k1)
-    srest = div(mul(n2, t, o1), below, o1)
-    further = m.where(nextto, srest, crest, k2)
-    side = m.where(m.less(further, n0, mask2), n_minus_1, n1, k3)
-    sin = mul(side, mul(sideof, m.where(nextto, crest, srest, k1), o1), o1)
-    cos = mul(side, further, o2)
-    iroot = div(n1, sqrt(cos, k1), k1)
-    mul(sin, iroot, o1)
-    div(div(mul(div(add(n1, mul(cos, cos, k2), k2), cos, o2), iroot, o2), n2, o2), n4, o2)
-    return o1, o2
-
-
 CHART = Chart(
     __name__,
     branches=2,
@@ -975,28 +532,28 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8)),
-        "tangent": Function(_tangent, _tangent_blocks, 2, 0, (1, 2, 3, 4, 5, 8)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 4, 0, (-2, 1, 2, 3, 4, 5, 8, 48)),
-        "rate": Function(_rate, _rate_blocks, 2, 0, (1, 2, 3, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (4, 9, 32)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (2, 3, 4)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 3, 4, 8)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 6, 0, (1, 2, 3, 4, 5, 8)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 8)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 2, 4, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 1, 0, (2, 4)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "turned": Function(_turned, _turned_blocks, 4, 1, (-1, 0, 1, 2, 4)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4, 8)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6, 8)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="505b25b47702a086",

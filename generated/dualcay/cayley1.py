@@ -65,21 +65,21 @@
 # Operations:
 #   quaternion: 30: 8 +, 18 *, 3 /, 1 sqrt
 #   tensor: 87: 35 +, 50 *, 2 /
-#   pose: 44: 20 +, 22 *, 2 /
+#   pose: 60: 26 +, 32 *, 2 /
 #   transform_point: 72: 29 +, 41 *, 2 /
 #   transform_line: 111: 44 +, 65 *, 2 /
 #   inverse: 6: 6 neg
-#   tangent: 36: 8 +, 18 *, 3 /, 7 neg
-#   tangent_inv: 57: 21 +, 21 *, 15 /
-#   body_tangent: 36: 8 +, 18 *, 3 /, 7 neg
-#   body_tangent_inv: 57: 21 +, 21 *, 15 /
-#   twist: 80: 29 +, 47 *, 3 /, 1 neg
+#   tangent: 86: 35 +, 47 *, 3 /, 1 neg
+#   tangent_inv: 77: 33 +, 35 *, 9 /
+#   body_tangent: 86: 35 +, 47 *, 3 /, 1 neg
+#   body_tangent_inv: 77: 33 +, 35 *, 9 /
+#   twist: 120: 46 +, 70 *, 3 /, 1 neg
 #   rate: 109: 44 +, 65 *
-#   tangent_dot: 86: 26 +, 49 *, 4 /, 7 neg
-#   twist_dot: 116: 44 +, 67 *, 4 /, 1 neg
-#   rate_dot: 163: 72 +, 80 *, 11 /
-#   twist_jacobian: 148: 54 +, 89 *, 4 /, 1 neg
-#   rate_jacobian: 85: 34 +, 42 *, 9 /
+#   tangent_dot: 189: 73 +, 109 *, 6 /, 1 neg
+#   twist_dot: 217: 86 +, 126 *, 4 /, 1 neg
+#   rate_dot: 231: 96 +, 128 *, 7 /
+#   twist_jacobian: 219: 89 +, 125 *, 4 /, 1 neg
+#   rate_jacobian: 188: 77 +, 102 *, 9 /
 #   from_quaternion: 64: 22 +, 38 *, 4 /
 #   from_tensor: 125: 42 +, 45 *, 7 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 89: 27 +, 27 *, 4 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -89,8 +89,8 @@
 #   to_exponential: 38: 10 +, 18 *, 4 /, 1 neg, 1 sqrt, 1 atan2, 1 eq, 2 where
 #   from_exponential: 48: 13 +, 19 *, 5 /, 1 sqrt, 2 tan, 2 atan2, 1 lt, 1 eq, 4 where
 #   identity_jacobian: 12: 12 +
-#   compose: 135: 56 +, 71 *, 8 /
-#   between: 141: 56 +, 71 *, 8 /, 6 neg
+#   compose: 185: 68 +, 109 *, 8 /
+#   between: 191: 68 +, 109 *, 8 /, 6 neg
 #   compose_jacobians: 925: 374 +, 493 *, 50 /, 8 neg
 #   between_jacobians: 949: 374 +, 493 *, 50 /, 32 neg
 #   retract: 354: 119 +, 149 *, 38 /, 1 neg, 3 abs, 4 sqrt, 4 tan, 4 atan2, 7 lt, 2 eq, 23 where
@@ -102,7 +102,7 @@
 #   interpolate: 729: 245 +, 317 *, 71 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 87: 35 +, 50 *, 2 /
-#   transform_point_jacobians: 134: 58 +, 63 *, 3 /, 10 neg
+#   transform_point_jacobians: 201: 89 +, 105 *, 3 /, 4 neg
 #   transform_line_jacobians: 300: 122 +, 168 *, 3 /, 7 neg
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
@@ -129,10 +129,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -153,7 +153,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 6: 1 +, 1 *, 3 /, 1 sqrt
@@ -166,37 +166,12 @@ def _quaternion(m: Any, x: Any) -> Result:
     return r, r, sy, sy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n_minus_1, n1 = numbers
-    N = add(n1, x, o3)
-    root = sqrt(N, o1)
-    r = div(div(root, root, k1), root, o1)
-    minus_e = div(n_minus_1, N, o3)
-    mul(r, minus_e, o3)
-    copy(o1, o2)
-    copy(o3, o4)
-    return o1, o2, o3, o4
-
-
 # operations 6: 3 +, 1 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
     r = 2 * (N / N / N)
     return r, r, 0
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, _ = out
-    k1, *_ = scratch
-    n0, n1, n2 = numbers
-    x = add(add(v11, v22, o1), v33, o1)
-    N = add(n1, x, o1)
-    mul(n2, div(div(N, N, k1), N, o1), o1)
-    copy(o1, o2)
-    return o1, o2, n0
 
 
 # operations 9: 3 +, 2 *, 3 /, 1 neg
@@ -210,18 +185,19 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return r, r, 0, fy, fy, 0
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, _, o4, o5, _ = out
-    n0, n1, n2 = numbers
-    x = add(add(v11, v22, o4), v33, o4)
-    N = add(n1, x, o4)
-    r = mul(n2, div(div(N, N, o1), N, o1), o1)
-    e = div(n2, N, o4)
-    eg = mul(e, r, o4)
-    neg(eg, o4)
-    copy(o1, o2)
-    copy(o4, o5)
-    return o1, o2, n0, o4, o5, n0
+# operations 14: 4 +, 5 *, 4 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
+    N = 1 + x
+    r = 2 * (N / N / N)
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    return r, r, 0, fy, fy, 0, fyy, fyy, 0
 
 
 # operations 5: 1 +, 1 *, 2 /, 1 neg
@@ -233,25 +209,9 @@ def _rate(m: Any, x: Any) -> Result:
     return e, ey
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n2, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
-
-
 # operations 0
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return 1, 1
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    n1, = numbers
-    return n1, n1
 
 
 # operations 0
@@ -259,33 +219,23 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return 1,
 
 
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    n1, = numbers
-    return n1,
-
-
 # operations 0
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return 1, 1, 0, 0
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    n0, n1 = numbers
-    return n1, n1, n0, n0
+# operations 2: 2 +
+def _tangent_inv(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
+    return one, one, zero, 0
 
 
 # operations 2: 2 +
-def _tangent_inv(m: Any, x: Any) -> Result:
-    one = x - x + 1
-    return one, one, 0, 0
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, _ = out
-    n0, n1 = numbers
-    add(sub(x, x, o1), n1, o1)
-    copy(o1, o2)
-    return o1, o2, n0, n0
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
+    return one, one, zero, 0, 0, 0
 
 
 # operations 4: 1 +, 1 *, 2 /
@@ -295,29 +245,10 @@ def _ray(m: Any, x: Any) -> Result:
     return 1, 1, 1, r, r, 0
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    _, _, _, o4, o5, _ = out
-    k1, *_ = scratch
-    n0, n1, n2 = numbers
-    N = add(n1, x, o4)
-    mul(n2, div(div(N, N, k1), N, o4), o4)
-    copy(o4, o5)
-    return n1, n1, n1, o4, o5, n0
-
-
 # operations 1: 1 /
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 1 / e0
     return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    n1, = numbers
-    div(n1, e0, o1)
-    return o1,
 
 
 # operations 1: 1 /
@@ -326,58 +257,25 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    n1, = numbers
-    div(n1, e0, o1)
-    return o1,
-
-
 # operations 1: 1 /
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    n1, = numbers
-    div(n1, e0, o1)
-    return o1,
-
-
 # operations 7: 3 +, 2 *, 1 /, 1 atan2
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     angle = 2 * m.atan2(r * one, 1)
     slope = 2 / (1 + x)
     return angle, slope, one
-
-
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    n1, n2 = numbers
-    one = add(sub(x, x, o3), n1, o3)
-    mul(n2, atan2(mul(r, one, o1), n1, o1), o1)
-    div(n2, add(n1, x, o2), o2)
-    return o1, o2, o3
 
 
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 2 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    mul(n2, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -391,33 +289,11 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    left = sub(pi, alpha, o1)
-    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 2)
     slope = (1 + r * r) / 2
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n2 = numbers
-    r = tan(div(alpha, n2, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n2, o2)
-    return o1, o2
 
 
 # operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -433,1508 +309,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     return r, slope
 
 
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n3 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n3, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n2, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n2, o2)
-    return o1, o2
-
-
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 44: 20 +, 22 *, 2 /
-def _own_pose(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * r
-    fv2 = v2 * r
-    fv3 = v3 * r
-    gvv1 = fv1 * v2
-    gvv2 = fv1 * v3
-    gvv3 = fv2 * v3
-    return (
-        1 - r * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        v1o * r + (fv2 * v3o - fv3 * v2o),
-        gvv1 + fv3,
-        1 - r * x13,
-        gvv3 - fv1,
-        v2o * r + (fv3 * v1o - fv1 * v3o),
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - r * x12,
-        v3o * r + (fv1 * v2o - fv2 * v1o),
-        0,
-        0,
-        0,
-        1,
-    )
-
-
-def _own_pose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16 = out
-    k1, k2, k3, k4, k5, k6 = scratch
-    n0, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x13 = add(v11, v33, k1)
-    x23 = add(v22, v33, k2)
-    x = add(x12, v33, k4)
-    N = add(n1, x, k4)
-    r = mul(n2, div(div(N, N, k5), N, k4), k4)
-    sub(n1, mul(r, x12, k3), o11)
-    sub(n1, mul(r, x13, k1), o6)
-    sub(n1, mul(r, x23, k1), o1)
-    fv1 = mul(v1, r, k1)
-    fv2 = mul(v2, r, k2)
-    add(mul(v3o, r, k3), sub(mul(fv1, v2o, k5), mul(fv2, v1o, k6), k5), o12)
-    gvv3 = mul(fv2, v3, k3)
-    add(gvv3, fv1, o10)
-    sub(gvv3, fv1, o7)
-    gvv2 = mul(fv1, v3, k3)
-    sub(gvv2, fv2, o9)
-    add(gvv2, fv2, o3)
-    fv3 = mul(v3, r, k3)
-    add(mul(v1o, r, k5), sub(mul(fv2, v3o, k2), mul(fv3, v2o, k6), k2), o4)
-    add(mul(v2o, r, k2), sub(mul(fv3, v1o, k4), mul(fv1, v3o, k5), k4), o8)
-    gvv1 = mul(fv1, v2, k1)
-    add(gvv1, fv3, o5)
-    sub(gvv1, fv3, o2)
-    copy(n0, o13)
-    copy(n0, o14)
-    copy(n0, o15)
-    copy(n1, o16)
-
-
-# operations 36: 8 +, 18 *, 3 /, 7 neg
-def _own_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    gv1 = v1 * r
-    gv2 = v2 * r
-    gv3 = v3 * r
-    gvo1 = v1o * r + v1 * fo
-    gvo2 = v2o * r + v2 * fo
-    gvo3 = v3o * r + v3 * fo
-    return r, -gv3, gv2, gv3, r, -gv1, -gv2, gv1, r, fo, -gvo3, gvo2, gvo3, fo, -gvo1, -gvo2, gvo1, fo
-
-
-def _own_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), o1)
-    gv3 = mul(v3, r, o4)
-    neg(gv3, o2)
-    gv2 = mul(v2, r, o3)
-    gv1 = mul(v1, r, o8)
-    neg(gv1, o6)
-    neg(gv2, o7)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    fo = mul(fy, y, o10)
-    gvo3 = add(mul(v3o, r, k1), mul(v3, fo, k2), o13)
-    neg(gvo3, o11)
-    gvo2 = add(mul(v2o, r, k1), mul(v2, fo, k2), o12)
-    gvo1 = add(mul(v1o, r, k1), mul(v1, fo, k2), o17)
-    neg(gvo1, o15)
-    neg(gvo2, o16)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 57: 21 +, 21 *, 15 /
-def _own_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    cv1 = v1 / 2
-    cv2 = v2 / 2
-    cv3 = v3 / 2
-    cvo1 = v1o / 2
-    cvo2 = v2o / 2
-    cvo3 = v3o / 2
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        (1 + 2 * (cv1 * v1)) / 2,
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        (1 + 2 * (cv2 * v2)) / 2,
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        (1 + 2 * (cv3 * v3)) / 2,
-        cv1 * v1o + cvo1 * v1,
-        d12o - so3,
-        d13o + so2,
-        d12o + so3,
-        cv2 * v2o + cvo2 * v2,
-        d23o - so1,
-        d13o - so2,
-        d23o + so1,
-        cv3 * v3o + cvo3 * v3,
-    )
-
-
-def _own_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n_minus_2, n1, n2 = numbers
-    cv3 = div(v3, n2, k1)
-    div(add(n1, mul(n2, mul(cv3, v3, k2), k2), k2), n2, o9)
-    cvo3 = div(v3o, n2, k2)
-    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
-    cv2 = div(v2, n2, k1)
-    div(add(n1, mul(n2, mul(cv2, v2, k2), k2), k2), n2, o5)
-    cvo2 = div(v2o, n2, k2)
-    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    d23 = mul(cv2, v3, k1)
-    so1 = div(v1o, n_minus_2, k3)
-    add(d23o, so1, o17)
-    sub(d23o, so1, o15)
-    cv1 = div(v1, n2, k2)
-    div(add(n1, mul(n2, mul(cv1, v1, k3), k3), k3), n2, o1)
-    cvo1 = div(v1o, n2, k3)
-    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
-    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
-    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
-    so2 = div(v2o, n_minus_2, k5)
-    sub(d13o, so2, o16)
-    add(d13o, so2, o12)
-    so3 = div(v3o, n_minus_2, k4)
-    add(d12o, so3, o13)
-    sub(d12o, so3, o11)
-    s1 = div(v1, n_minus_2, k3)
-    add(d23, s1, o8)
-    sub(d23, s1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    s2 = div(v2, n_minus_2, k3)
-    sub(d13, s2, o7)
-    add(d13, s2, o3)
-    s3 = div(v3, n_minus_2, k1)
-    add(d12, s3, o4)
-    sub(d12, s3, o2)
-
-
-# operations 36: 8 +, 18 *, 3 /, 7 neg
-def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    gv1 = v1 * r
-    gv2 = v2 * r
-    gv3 = v3 * r
-    gvo1 = v1o * r + v1 * fo
-    gvo2 = v2o * r + v2 * fo
-    gvo3 = v3o * r + v3 * fo
-    return r, gv3, -gv2, -gv3, r, gv1, gv2, -gv1, r, fo, gvo3, -gvo2, -gvo3, fo, gvo1, gvo2, -gvo1, fo
-
-
-def _own_body_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), o1)
-    gv3 = mul(v3, r, o2)
-    gv2 = mul(v2, r, o7)
-    neg(gv2, o3)
-    neg(gv3, o4)
-    gv1 = mul(v1, r, o6)
-    neg(gv1, o8)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    fo = mul(fy, y, o10)
-    gvo3 = add(mul(v3o, r, k1), mul(v3, fo, k2), o11)
-    gvo2 = add(mul(v2o, r, k1), mul(v2, fo, k2), o16)
-    neg(gvo2, o12)
-    neg(gvo3, o13)
-    gvo1 = add(mul(v1o, r, k1), mul(v1, fo, k2), o15)
-    neg(gvo1, o17)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 57: 21 +, 21 *, 15 /
-def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    cv1 = v1 / 2
-    cv2 = v2 / 2
-    cv3 = v3 / 2
-    cvo1 = v1o / 2
-    cvo2 = v2o / 2
-    cvo3 = v3o / 2
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        (1 + 2 * (cv1 * v1)) / 2,
-        d12 + s3,
-        d13 - s2,
-        d12 - s3,
-        (1 + 2 * (cv2 * v2)) / 2,
-        d23 + s1,
-        d13 + s2,
-        d23 - s1,
-        (1 + 2 * (cv3 * v3)) / 2,
-        cv1 * v1o + cvo1 * v1,
-        d12o + so3,
-        d13o - so2,
-        d12o - so3,
-        cv2 * v2o + cvo2 * v2,
-        d23o + so1,
-        d13o + so2,
-        d23o - so1,
-        cv3 * v3o + cvo3 * v3,
-    )
-
-
-def _own_body_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n_minus_2, n1, n2 = numbers
-    cv3 = div(v3, n2, k1)
-    div(add(n1, mul(n2, mul(cv3, v3, k2), k2), k2), n2, o9)
-    cvo3 = div(v3o, n2, k2)
-    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
-    cv2 = div(v2, n2, k1)
-    div(add(n1, mul(n2, mul(cv2, v2, k2), k2), k2), n2, o5)
-    cvo2 = div(v2o, n2, k2)
-    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    d23 = mul(cv2, v3, k1)
-    so1 = div(v1o, n_minus_2, k3)
-    sub(d23o, so1, o17)
-    add(d23o, so1, o15)
-    cv1 = div(v1, n2, k2)
-    div(add(n1, mul(n2, mul(cv1, v1, k3), k3), k3), n2, o1)
-    cvo1 = div(v1o, n2, k3)
-    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
-    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
-    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
-    so2 = div(v2o, n_minus_2, k5)
-    add(d13o, so2, o16)
-    sub(d13o, so2, o12)
-    so3 = div(v3o, n_minus_2, k4)
-    sub(d12o, so3, o13)
-    add(d12o, so3, o11)
-    s1 = div(v1, n_minus_2, k3)
-    sub(d23, s1, o8)
-    add(d23, s1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    s2 = div(v2, n_minus_2, k3)
-    add(d13, s2, o7)
-    sub(d13, s2, o3)
-    s3 = div(v3, n_minus_2, k1)
-    sub(d12, s3, o4)
-    add(d12, s3, o2)
-
-
-# operations 80: 29 +, 47 *, 3 /, 1 neg
-def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    gs = r * side
-    gso = fo * side
-    gv1 = v1 * gs
-    gv2 = v2 * gs
-    gv3 = v3 * gs
-    gvo1 = v1o * gs + v1 * gso
-    gvo2 = v2o * gs + v2 * gso
-    gvo3 = v3o * gs + v3 * gso
-    return (
-        w1 * r + (gv2 * w3 - gv3 * w2),
-        w2 * r + (gv3 * w1 - gv1 * w3),
-        w3 * r + (gv1 * w2 - gv2 * w1),
-        w1o * r + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
-        w2o * r + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
-        w3o * r + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
-    )
-
-
-def _own_twist_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    gs = mul(r, side, k3)
-    gv2 = mul(v2, gs, k4)
-    gv3 = mul(v3, gs, k5)
-    add(mul(w1, r, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
-    gv1 = mul(v1, gs, k6)
-    add(mul(w2, r, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
-    add(mul(w3, r, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
-    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k8), k7), mul(v3, v3o, k8), k7)
-    fo = mul(fy, y, k1)
-    gso = mul(fo, side, k7)
-    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
-    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
-    gvo1 = add(mul(v1o, gs, k3), mul(v1, gso, k7), k3)
-    add(
-        add(add(mul(w1o, r, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
-        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
-    )
-    add(
-        add(add(mul(w2o, r, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
-        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
-    )
-    add(
-        add(add(mul(w3o, r, k2), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k2), mul(gv2, w1o, k4), k2), k1), sub(mul(gvo1,
-        w2, k2), mul(gvo2, w1, k3), k2), o6
-    )
-
-
-# operations 86: 26 +, 49 *, 4 /, 7 neg
-def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    go = fy * y
-    fyo = fyy * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = fy * vw
-    gto = fy * vwo + fyo * vw
-    gw1 = w1 * r
-    gw1o = w1 * go + w1o * r
-    gw2 = w2 * r
-    gw2o = w2 * go + w2o * r
-    gw3 = w3 * r
-    gw3o = w3 * go + w3o * r
-    s1 = (v1 * gt + gw1) * side
-    s1o = (v1 * gto + v1o * gt + gw1o) * side
-    s2 = (v2 * gt + gw2) * side
-    s2o = (v2 * gto + v2o * gt + gw2o) * side
-    s3 = (v3 * gt + gw3) * side
-    s3o = (v3 * gto + v3o * gt + gw3o) * side
-    return gt, -s3, s2, s3, gt, -s1, -s2, s1, gt, gto, -s3o, s2o, s3o, gto, -s1o, -s2o, s1o, gto
-
-
-def _own_tangent_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k5), k3), mul(v3, v3o, k5), k3)
-    fyo = mul(fyy, y, k1)
-    go = mul(fy, y, k3)
-    vwo = add(
-        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
-        w3o, k6), mul(v3o, w3, k7), k6), k5
-    )
-    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
-    gto = add(mul(fy, vwo, k5), mul(fyo, vw, k1), o10)
-    gt = mul(fy, vw, o1)
-    gw1o = add(mul(w1, go, k1), mul(w1o, r, k4), k1)
-    s1o = mul(add(add(mul(v1, gto, k4), mul(v1o, gt, k5), k4), gw1o, k1), side, o17)
-    neg(s1o, o15)
-    gw2o = add(mul(w2, go, k1), mul(w2o, r, k4), k1)
-    s2o = mul(add(add(mul(v2, gto, k4), mul(v2o, gt, k5), k4), gw2o, k1), side, o12)
-    neg(s2o, o16)
-    gw3o = add(mul(w3, go, k1), mul(w3o, r, k3), k1)
-    s3o = mul(add(add(mul(v3, gto, k3), mul(v3o, gt, k4), k3), gw3o, k1), side, o13)
-    neg(s3o, o11)
-    gw1 = mul(w1, r, k1)
-    s1 = mul(add(mul(v1, gt, k3), gw1, k1), side, o8)
-    neg(s1, o6)
-    gw2 = mul(w2, r, k1)
-    s2 = mul(add(mul(v2, gt, k3), gw2, k1), side, o3)
-    neg(s2, o7)
-    gw3 = mul(w3, r, k1)
-    s3 = mul(add(mul(v3, gt, k2), gw3, k1), side, o4)
-    neg(s3, o2)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 116: 44 +, 67 *, 4 /, 1 neg
-def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    fyo = fyy * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = fy * vw
-    gto = fy * vwo + fyo * vw
-    gz1 = z1 * r + w1 * gt
-    gz1o = z1 * fo + z1o * r + (w1 * gto + w1o * gt)
-    gz2 = z2 * r + w2 * gt
-    gz2o = z2 * fo + z2o * r + (w2 * gto + w2o * gt)
-    gz3 = z3 * r + w3 * gt
-    gz3o = z3 * fo + z3o * r + (w3 * gto + w3o * gt)
-    s1 = gz1 * side
-    s1o = gz1o * side
-    s2 = gz2 * side
-    s2o = gz2o * side
-    s3 = gz3 * side
-    s3o = gz3o * side
-    return (
-        gz1 + (v2 * s3 - v3 * s2),
-        gz2 + (v3 * s1 - v1 * s3),
-        gz3 + (v1 * s2 - v2 * s1),
-        gz1o + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
-        gz2o + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
-        gz3o + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
-    )
-
-
-def _own_twist_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    vw = add(add(mul(v1, w1, k3), mul(v2, w2, k5), k3), mul(v3, w3, k5), k3)
-    gt = mul(fy, vw, k5)
-    gz1 = add(mul(z1, r, k6), mul(w1, gt, k7), k6)
-    gz3 = add(mul(z3, r, k7), mul(w3, gt, k8), k7)
-    s3 = mul(gz3, side, k8)
-    gz2 = add(mul(z2, r, k9), mul(w2, gt, k10), k9)
-    s2 = mul(gz2, side, k10)
-    add(gz1, sub(mul(v2, s3, k11), mul(v3, s2, k12), k11), o1)
-    s1 = mul(gz1, side, k6)
-    add(gz2, sub(mul(v3, s1, k11), mul(v1, s3, k12), k11), o2)
-    add(gz3, sub(mul(v1, s2, k9), mul(v2, s1, k11), k9), o3)
-    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
-    fyo = mul(fyy, y, k1)
-    fo = mul(fy, y, k7)
-    vwo = add(
-        add(add(mul(v1, w1o, k9), mul(v1o, w1, k11), k9), add(mul(v2, w2o, k11), mul(v2o, w2, k12), k11), k9),
-        add(mul(v3, w3o, k11), mul(v3o, w3, k12), k11), k9
-    )
-    gto = add(mul(fy, vwo, k4), mul(fyo, vw, k1), k1)
-    gz1o = add(add(mul(z1, fo, k3), mul(z1o, r, k4), k3), add(mul(w1, gto, k4), mul(w1o, gt, k9), k4), k3)
-    gz3o = add(add(mul(z3, fo, k4), mul(z3o, r, k9), k4), add(mul(w3, gto, k9), mul(w3o, gt, k11), k9), k4)
-    gz2o = add(add(mul(z2, fo, k7), mul(z2o, r, k2), k2), add(mul(w2, gto, k1), mul(w2o, gt, k5), k1), k1)
-    s3o = mul(gz3o, side, k2)
-    s2o = mul(gz2o, side, k5)
-    add(gz1o, sub(add(mul(v2, s3o, k7), mul(v2o, s3, k9), k7), add(mul(v3, s2o, k9), mul(v3o, s2, k11), k9), k7), o4)
-    s1o = mul(gz1o, side, k3)
-    add(gz2o, sub(add(mul(v3, s1o, k7), mul(v3o, s1, k9), k7), add(mul(v1, s3o, k2), mul(v1o, s3, k8), k2), k2), o5)
-    add(gz3o, sub(add(mul(v1, s2o, k1), mul(v1o, s2, k2), k1), add(mul(v2, s1o, k2), mul(v2o, s1, k3), k2), k1), o6)
-
-
-# operations 163: 72 +, 80 *, 11 /
-def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    ww = w1 * w1 + w2 * w2 + w3 * w3
-    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
-    hs = side / 2
-    vw_vwo = vw * vwo
-    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + vw * vw) + ww
-    pullo = 2 * (v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (vw_vwo + vw_vwo)) + wwo
-    ft = (vw + vw) / 4
-    fto = (vwo + vwo) / 4
-    cvv = (pull - ww) / 4
-    cvvo = (pullo - wwo) / 4
-    s1 = z1 + w1 * vw
-    s1o = z1o + (w1 * vwo + w1o * vw)
-    s2 = z2 + w2 * vw
-    s2o = z2o + (w2 * vwo + w2o * vw)
-    s3 = z3 + w3 * vw
-    s3o = z3o + (w3 * vwo + w3o * vw)
-    return (
-        z1 / 2 + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
-        z2 / 2 + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
-        z3 / 2 + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
-        z1o / 2 + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo + v1o * cvv),
-        z2o / 2 + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo + v2o * cvv),
-        z3o / 2 + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo + v3o * cvv),
-    )
-
-
-def _own_rate_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
-    n2, n4 = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    ww = add(add(mul(w1, w1, k2), mul(w2, w2, k3), k2), mul(w3, w3, k3), k2)
-    pull = add(
-        mul(n2, add(add(add(mul(v1, z1, k3), mul(v2, z2, k4), k3), mul(v3, z3, k4), k3), mul(vw, vw, k4), k3), k3), ww,
-        k3
-    )
-    cvv = div(sub(pull, ww, k2), n4, k2)
-    ft = div(add(vw, vw, k3), n4, k3)
-    s2 = add(z2, mul(w2, vw, k4), k4)
-    s3 = add(z3, mul(w3, vw, k5), k5)
-    hs = div(side, n2, k6)
-    add(
-        add(add(div(z1, n2, k7), mul(w1, ft, k8), k7), mul(sub(mul(s2, v3, k8), mul(s3, v2, k9), k8), hs, k8), k7),
-        mul(v1, cvv, k8), o1
-    )
-    s1 = add(z1, mul(w1, vw, k7), k7)
-    add(
-        add(add(div(z2, n2, k8), mul(w2, ft, k9), k8), mul(sub(mul(s3, v1, k9), mul(s1, v3, k10), k9), hs, k9), k8),
-        mul(v2, cvv, k9), o2
-    )
-    add(
-        add(add(div(z3, n2, k8), mul(w3, ft, k9), k8), mul(sub(mul(s1, v2, k9), mul(s2, v1, k10), k9), hs, k9), k8),
-        mul(v3, cvv, k9), o3
-    )
-    vwo = add(
-        add(add(mul(v1, w1o, k8), mul(v1o, w1, k9), k8), add(mul(v2, w2o, k9), mul(v2o, w2, k10), k9), k8), add(mul(v3,
-        w3o, k9), mul(v3o, w3, k10), k9), k8
-    )
-    vw_vwo = mul(vw, vwo, k9)
-    wwo = mul(n2, add(add(mul(w1, w1o, k10), mul(w2, w2o, k11), k10), mul(w3, w3o, k11), k10), k10)
-    pullo = add(
-        mul(n2, add(add(add(add(mul(v1, z1o, k11), mul(v1o, z1, k12), k11), add(mul(v2, z2o, k12), mul(v2o, z2, k13),
-        k12), k11), add(mul(v3, z3o, k12), mul(v3o, z3, k13), k12), k11), add(vw_vwo, vw_vwo, k9), k9), k9), wwo, k9
-    )
-    cvvo = div(sub(pullo, wwo, k9), n4, k9)
-    fto = div(add(vwo, vwo, k10), n4, k10)
-    s2o = add(z2o, add(mul(w2, vwo, k11), mul(w2o, vw, k12), k11), k11)
-    s3o = add(z3o, add(mul(w3, vwo, k12), mul(w3o, vw, k13), k12), k12)
-    s1o = add(z1o, add(mul(w1, vwo, k8), mul(w1o, vw, k1), k1), k1)
-    add(
-        add(add(div(z1o, n2, k8), add(mul(w1, fto, k13), mul(w1o, ft, k14), k13), k8), mul(sub(add(mul(s2, v3o, k13),
-        mul(s2o, v3, k14), k13), add(mul(s3, v2o, k14), mul(s3o, v2, k15), k14), k13), hs, k13), k8), add(mul(v1, cvvo,
-        k13), mul(v1o, cvv, k14), k13), o4
-    )
-    add(
-        add(add(div(z2o, n2, k8), add(mul(w2, fto, k13), mul(w2o, ft, k14), k13), k8), mul(sub(add(mul(s3, v1o, k5),
-        mul(s3o, v1, k12), k5), add(mul(s1, v3o, k12), mul(s1o, v3, k13), k12), k5), hs, k5), k5), add(mul(v2, cvvo,
-        k8), mul(v2o, cvv, k12), k8), o5
-    )
-    add(
-        add(add(div(z3o, n2, k5), add(mul(w3, fto, k8), mul(w3o, ft, k3), k3), k3), mul(sub(add(mul(s1, v2o, k5),
-        mul(s1o, v2, k1), k1), add(mul(s2, v1o, k4), mul(s2o, v1, k5), k4), k1), hs, k1), k1), add(mul(v3, cvvo, k3),
-        mul(v3o, cvv, k2), k2), o6
-    )
-
-
-# operations 148: 54 +, 89 *, 4 /, 1 neg
-def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    N = 1 + x
-    r = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    go = fy * y
-    fyo = fyy * y
-    t1 = v2 * w3 - v3 * w2
-    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
-    t2 = v3 * w1 - v1 * w3
-    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
-    t3 = v1 * w2 - v2 * w1
-    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
-    gs = r * side
-    gso = go * side
-    gt = fy * side
-    gto = fyo * side
-    b1 = w1 * fy + t1 * gt
-    b1o = w1 * fyo + w1o * fy + (t1 * gto + t1o * gt)
-    b2 = w2 * fy + t2 * gt
-    b2o = w2 * fyo + w2o * fy + (t2 * gto + t2o * gt)
-    b3 = w3 * fy + t3 * gt
-    b3o = w3 * fyo + w3o * fy + (t3 * gto + t3o * gt)
-    s1 = w1 * gs
-    s1o = w1 * gso + w1o * gs
-    s2 = w2 * gs
-    s2o = w2 * gso + w2o * gs
-    s3 = w3 * gs
-    s3o = w3 * gso + w3o * gs
-    J11 = b1 * v1
-    J22 = b2 * v2
-    J33 = b3 * v3
-    J12 = b1 * v2 + s3
-    J13 = b1 * v3 - s2
-    J21 = b2 * v1 - s3
-    J23 = b2 * v3 + s1
-    J31 = b3 * v1 + s2
-    J32 = b3 * v2 - s1
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        b1 * v1o + b1o * v1,
-        b1 * v2o + b1o * v2 + s3o,
-        b1 * v3o + b1o * v3 - s2o,
-        J11,
-        J12,
-        J13,
-        b2 * v1o + b2o * v1 - s3o,
-        b2 * v2o + b2o * v2,
-        b2 * v3o + b2o * v3 + s1o,
-        J21,
-        J22,
-        J23,
-        b3 * v1o + b3o * v1 + s2o,
-        b3 * v2o + b3o * v2 - s1o,
-        b3 * v3o + b3o * v3,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_twist_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n0, n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    N = add(n1, x, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    gs = mul(r, side, k2)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    gt = mul(fy, side, k3)
-    t3 = sub(mul(v1, w2, k5), mul(v2, w1, k6), k5)
-    b3 = add(mul(w3, fy, k6), mul(t3, gt, k7), k6)
-    mul(b3, v3, o15)
-    s1 = mul(w1, gs, k7)
-    sub(mul(b3, v2, k8), s1, o14)
-    s2 = mul(w2, gs, k8)
-    add(mul(b3, v1, k9), s2, o13)
-    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
-    fyo = mul(fyy, y, k1)
-    go = mul(fy, y, k9)
-    gso = mul(go, side, k9)
-    gto = mul(fyo, side, k10)
-    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
-    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy, k13), k12), add(mul(t3, gto, k5), mul(t3o, gt, k11), k5), k5)
-    add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
-    s1o = add(mul(w1, gso, k11), mul(w1o, gs, k12), k11)
-    sub(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
-    s2o = add(mul(w2, gso, k12), mul(w2o, gs, k13), k12)
-    add(add(mul(b3, v1o, k6), mul(b3o, v1, k5), k5), s2o, o31)
-    s3o = add(mul(w3, gso, k5), mul(w3o, gs, k6), k5)
-    s3 = mul(w3, gs, k2)
-    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k9), k6)
-    b2 = add(mul(w2, fy, k9), mul(t2, gt, k13), k9)
-    add(mul(b2, v3, k13), s1, o9)
-    mul(b2, v2, o8)
-    sub(mul(b2, v1, k7), s3, o7)
-    t2o = sub(add(mul(v3, w1o, k7), mul(v3o, w1, k13), k7), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k7)
-    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy, k14), k13), add(mul(t2, gto, k6), mul(t2o, gt, k7), k6), k6)
-    add(add(mul(b2, v3o, k7), mul(b2o, v3, k13), k7), s1o, o27)
-    add(mul(b2, v2o, k7), mul(b2o, v2, k11), o26)
-    sub(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
-    t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
-    b1 = add(mul(w1, fy, k7), mul(t1, gt, k9), k7)
-    sub(mul(b1, v3, k9), s2, o3)
-    add(mul(b1, v2, k8), s3, o2)
-    mul(b1, v1, o1)
-    t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
-    b1o = add(add(mul(w1, fyo, k1), mul(w1o, fy, k4), k1), add(mul(t1, gto, k4), mul(t1o, gt, k2), k2), k1)
-    sub(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
-    add(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
-    add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 85: 34 +, 42 *, 9 /
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    hs = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    b1 = w1 / 2
-    b1o = w1o / 2
-    b2 = w2 / 2
-    b2o = w2o / 2
-    b3 = w3 / 2
-    b3o = w3o / 2
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
-    ha = vw / 2
-    hao = vwo / 2
-    J11 = v1 * b1 + ha
-    J12 = v1 * b2 - s3
-    J13 = v1 * b3 + s2
-    J21 = v2 * b1 + s3
-    J22 = v2 * b2 + ha
-    J23 = v2 * b3 - s1
-    J31 = v3 * b1 - s2
-    J32 = v3 * b2 + s1
-    J33 = v3 * b3 + ha
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        v1 * b1o + v1o * b1 + hao,
-        v1 * b2o + v1o * b2 - s3o,
-        v1 * b3o + v1o * b3 + s2o,
-        J11,
-        J12,
-        J13,
-        v2 * b1o + v2o * b1 + s3o,
-        v2 * b2o + v2o * b2 + hao,
-        v2 * b3o + v2o * b3 - s1o,
-        J21,
-        J22,
-        J23,
-        v3 * b1o + v3o * b1 - s2o,
-        v3 * b2o + v3o * b2 + s1o,
-        v3 * b3o + v3o * b3 + hao,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
-    n0, n2 = numbers
-    b1 = div(w1, n2, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    ha = div(vw, n2, k2)
-    add(mul(v1, b1, k3), ha, o1)
-    b2 = div(w2, n2, k3)
-    add(mul(v2, b2, k4), ha, o8)
-    hs = div(side, n2, k4)
-    s3 = mul(w3, hs, k5)
-    sub(mul(v1, b2, k6), s3, o2)
-    add(mul(v2, b1, k6), s3, o7)
-    b3 = div(w3, n2, k5)
-    add(mul(v3, b3, k6), ha, o15)
-    s2 = mul(w2, hs, k2)
-    add(mul(v1, b3, k6), s2, o3)
-    sub(mul(v3, b1, k6), s2, o13)
-    s1 = mul(w1, hs, k2)
-    sub(mul(v2, b3, k6), s1, o9)
-    add(mul(v3, b2, k6), s1, o14)
-    b1o = div(w1o, n2, k2)
-    vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
-        w3o, k7), mul(v3o, w3, k8), k7), k6
-    )
-    hao = div(vwo, n2, k6)
-    add(add(mul(v1, b1o, k7), mul(v1o, b1, k8), k7), hao, o19)
-    b2o = div(w2o, n2, k7)
-    add(add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), hao, o26)
-    s3o = mul(w3o, hs, k8)
-    sub(add(mul(v1, b2o, k9), mul(v1o, b2, k10), k9), s3o, o20)
-    add(add(mul(v2, b1o, k9), mul(v2o, b1, k10), k9), s3o, o25)
-    b3o = div(w3o, n2, k8)
-    add(add(mul(v3, b3o, k9), mul(v3o, b3, k10), k9), hao, o33)
-    s2o = mul(w2o, hs, k6)
-    sub(add(mul(v3, b1o, k2), mul(v3o, b1, k1), k1), s2o, o31)
-    add(add(mul(v1, b3o, k1), mul(v1o, b3, k2), k1), s2o, o21)
-    s1o = mul(w1o, hs, k1)
-    sub(add(mul(v2, b3o, k2), mul(v2o, b3, k4), k2), s1o, o27)
-    add(add(mul(v3, b2o, k2), mul(v3o, b2, k3), k2), s1o, o32)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 135: 56 +, 71 *, 8 /
-def _own_compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    Nb = 1 + xb
-    rb = 2 * (Nb / Nb / Nb)
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    Na = 1 + xa
-    ra = 2 * (Na / Na / Na)
-    z0 = 1 - (b1 * a1 + b2 * a2 + b3 * a3)
-    z1 = a1 + b1 + (b2 * a3 - b3 * a2)
-    z2 = a2 + b2 + (b3 * a1 - b1 * a3)
-    z3 = a3 + b3 + (b1 * a2 - b2 * a1)
-    gva1 = a1 * ra
-    gva2 = a2 * ra
-    gva3 = a3 * ra
-    rhoa1 = a1o * ra + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * ra + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * ra + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * rb
-    gv_rho2 = v_rho2 * rb
-    gv_rho3 = v_rho3 * rb
-    gvb1 = b1 * rb
-    gvb2 = b2 * rb
-    gvb3 = b3 * rb
-    rho1 = rhoa1 + (gv_rho1 + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * rb + (gvb2 * b3o - gvb3 * b2o))
-    rho2 = rhoa2 + (gv_rho2 + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * rb + (gvb3 * b1o - gvb1 * b3o))
-    rho3 = rhoa3 + (gv_rho3 + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * rb + (gvb1 * b2o - gvb2 * b1o))
-    gain = 1 / z0
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_compose_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, b: Rows, a: Rows
-) -> None:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12 = scratch
-    n1, n2 = numbers
-    z1 = add(add(a1, b1, k1), sub(mul(b2, a3, k2), mul(b3, a2, k3), k2), k1)
-    z0 = sub(n1, add(add(mul(b1, a1, k2), mul(b2, a2, k3), k2), mul(b3, a3, k3), k2), k2)
-    gain = div(n1, z0, k2)
-    v1 = mul(z1, gain, o1)
-    z2 = add(add(a2, b2, k1), sub(mul(b3, a1, k3), mul(b1, a3, k4), k3), k1)
-    v2 = mul(z2, gain, o2)
-    z3 = add(add(a3, b3, k1), sub(mul(b1, a2, k3), mul(b2, a1, k4), k3), k1)
-    v3 = mul(z3, gain, o3)
-    v11a = mul(a1, a1, k1)
-    v22a = mul(a2, a2, k2)
-    v33a = mul(a3, a3, k3)
-    xa = add(add(v11a, v22a, k1), v33a, k1)
-    Na = add(n1, xa, k1)
-    ra = mul(n2, div(div(Na, Na, k2), Na, k1), k1)
-    gva1 = mul(a1, ra, k2)
-    gva2 = mul(a2, ra, k3)
-    rhoa3 = add(mul(a3o, ra, k4), sub(mul(gva1, a2o, k5), mul(gva2, a1o, k6), k5), k4)
-    gva3 = mul(a3, ra, k5)
-    rhoa2 = add(mul(a2o, ra, k6), sub(mul(gva3, a1o, k7), mul(gva1, a3o, k2), k2), k2)
-    rhoa1 = add(mul(a1o, ra, k1), sub(mul(gva2, a3o, k3), mul(gva3, a2o, k5), k3), k1)
-    v_rho1 = sub(mul(b2, rhoa3, k3), mul(b3, rhoa2, k5), k3)
-    v11b = mul(b1, b1, k5)
-    v22b = mul(b2, b2, k6)
-    v33b = mul(b3, b3, k7)
-    xb = add(add(v11b, v22b, k5), v33b, k5)
-    Nb = add(n1, xb, k5)
-    rb = mul(n2, div(div(Nb, Nb, k6), Nb, k5), k5)
-    gv_rho1 = mul(v_rho1, rb, k3)
-    v_rho3 = sub(mul(b1, rhoa2, k6), mul(b2, rhoa1, k7), k6)
-    gv_rho3 = mul(v_rho3, rb, k6)
-    v_rho2 = sub(mul(b3, rhoa1, k7), mul(b1, rhoa3, k8), k7)
-    gv_rho2 = mul(v_rho2, rb, k7)
-    gvb2 = mul(b2, rb, k8)
-    gvb3 = mul(b3, rb, k9)
-    rho1 = add(
-        add(rhoa1, add(gv_rho1, sub(mul(b2, gv_rho3, k10), mul(b3, gv_rho2, k11), k10), k10), k1), add(mul(b1o, rb,
-        k10), sub(mul(gvb2, b3o, k11), mul(gvb3, b2o, k12), k11), k10), k1
-    )
-    gvb1 = mul(b1, rb, k10)
-    rho2 = add(
-        add(rhoa2, add(gv_rho2, sub(mul(b3, gv_rho1, k11), mul(b1, gv_rho3, k12), k11), k11), k2), add(mul(b2o, rb,
-        k11), sub(mul(gvb3, b1o, k9), mul(gvb1, b3o, k12), k9), k9), k2
-    )
-    rho3 = add(
-        add(rhoa3, add(gv_rho3, sub(mul(b1, gv_rho2, k7), mul(b2, gv_rho1, k3), k3), k3), k3), add(mul(b3o, rb, k4),
-        sub(mul(gvb1, b2o, k5), mul(gvb2, b1o, k6), k5), k4), k3
-    )
-    hvr = add(add(mul(v1, rho1, k4), mul(v2, rho2, k5), k4), mul(v3, rho3, k5), k4)
-    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(rho3, sub(mul(v1, rho2, k2), mul(v2, rho1, k1), k1), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 141: 56 +, 71 *, 8 /, 6 neg
-def _own_between(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    Nb = 1 + xb
-    rb = 2 * (Nb / Nb / Nb)
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    Na = 1 + xa
-    ra = 2 * (Na / Na / Na)
-    z0 = 1 - (minus_b1 * a1 + minus_b2 * a2 + minus_b3 * a3)
-    z1 = a1 + minus_b1 + (minus_b2 * a3 - minus_b3 * a2)
-    z2 = a2 + minus_b2 + (minus_b3 * a1 - minus_b1 * a3)
-    z3 = a3 + minus_b3 + (minus_b1 * a2 - minus_b2 * a1)
-    gva1 = a1 * ra
-    gva2 = a2 * ra
-    gva3 = a3 * ra
-    rhoa1 = a1o * ra + (gva2 * a3o - gva3 * a2o)
-    rhoa2 = a2o * ra + (gva3 * a1o - gva1 * a3o)
-    rhoa3 = a3o * ra + (gva1 * a2o - gva2 * a1o)
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * rb
-    gv_rho2 = v_rho2 * rb
-    gv_rho3 = v_rho3 * rb
-    gvb1 = minus_b1 * rb
-    gvb2 = minus_b2 * rb
-    gvb3 = minus_b3 * rb
-    rho1 = (
-        rhoa1 + (gv_rho1 + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * rb + (gvb2 * minus_b6 - gvb3
-        * minus_b5))
-    )
-    rho2 = (
-        rhoa2 + (gv_rho2 + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * rb + (gvb3 * minus_b4 - gvb1
-        * minus_b6))
-    )
-    rho3 = (
-        rhoa3 + (gv_rho3 + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * rb + (gvb1 * minus_b5 - gvb2
-        * minus_b4))
-    )
-    gain = 1 / z0
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    hvr = v1 * rho1 + v2 * rho2 + v3 * rho3
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-def _own_between_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, a: Rows, b: Rows
-) -> None:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18 = scratch
-    n1, n2 = numbers
-    minus_b1 = neg(b1, k1)
-    minus_b2 = neg(b2, k2)
-    minus_b3 = neg(b3, k3)
-    z1 = add(add(a1, minus_b1, k4), sub(mul(minus_b2, a3, k5), mul(minus_b3, a2, k6), k5), k4)
-    z0 = sub(n1, add(add(mul(minus_b1, a1, k5), mul(minus_b2, a2, k6), k5), mul(minus_b3, a3, k6), k5), k5)
-    gain = div(n1, z0, k5)
-    v1 = mul(z1, gain, o1)
-    z2 = add(add(a2, minus_b2, k4), sub(mul(minus_b3, a1, k6), mul(minus_b1, a3, k7), k6), k4)
-    v2 = mul(z2, gain, o2)
-    z3 = add(add(a3, minus_b3, k4), sub(mul(minus_b1, a2, k6), mul(minus_b2, a1, k7), k6), k4)
-    v3 = mul(z3, gain, o3)
-    v11a = mul(a1, a1, k4)
-    v22a = mul(a2, a2, k5)
-    v33a = mul(a3, a3, k6)
-    xa = add(add(v11a, v22a, k4), v33a, k4)
-    Na = add(n1, xa, k4)
-    ra = mul(n2, div(div(Na, Na, k5), Na, k4), k4)
-    gva1 = mul(a1, ra, k5)
-    gva2 = mul(a2, ra, k6)
-    rhoa3 = add(mul(a3o, ra, k7), sub(mul(gva1, a2o, k8), mul(gva2, a1o, k9), k8), k7)
-    gva3 = mul(a3, ra, k8)
-    rhoa2 = add(mul(a2o, ra, k9), sub(mul(gva3, a1o, k10), mul(gva1, a3o, k5), k5), k5)
-    rhoa1 = add(mul(a1o, ra, k4), sub(mul(gva2, a3o, k6), mul(gva3, a2o, k8), k6), k4)
-    v_rho1 = sub(mul(minus_b2, rhoa3, k6), mul(minus_b3, rhoa2, k8), k6)
-    v11b = mul(minus_b1, minus_b1, k8)
-    v22b = mul(minus_b2, minus_b2, k9)
-    v33b = mul(minus_b3, minus_b3, k10)
-    xb = add(add(v11b, v22b, k8), v33b, k8)
-    Nb = add(n1, xb, k8)
-    rb = mul(n2, div(div(Nb, Nb, k9), Nb, k8), k8)
-    gv_rho1 = mul(v_rho1, rb, k6)
-    v_rho3 = sub(mul(minus_b1, rhoa2, k9), mul(minus_b2, rhoa1, k10), k9)
-    gv_rho3 = mul(v_rho3, rb, k9)
-    v_rho2 = sub(mul(minus_b3, rhoa1, k10), mul(minus_b1, rhoa3, k11), k10)
-    gv_rho2 = mul(v_rho2, rb, k10)
-    gvb2 = mul(minus_b2, rb, k11)
-    gvb3 = mul(minus_b3, rb, k12)
-    minus_b4 = neg(b1o, k13)
-    minus_b6 = neg(b3o, k14)
-    minus_b5 = neg(b2o, k15)
-    rho1 = add(
-        add(rhoa1, add(gv_rho1, sub(mul(minus_b2, gv_rho3, k16), mul(minus_b3, gv_rho2, k17), k16), k16), k4),
-        add(mul(minus_b4, rb, k16), sub(mul(gvb2, minus_b6, k17), mul(gvb3, minus_b5, k18), k17), k16), k4
-    )
-    gvb1 = mul(minus_b1, rb, k16)
-    rho2 = add(
-        add(rhoa2, add(gv_rho2, sub(mul(minus_b3, gv_rho1, k3), mul(minus_b1, gv_rho3, k17), k3), k3), k3),
-        add(mul(minus_b5, rb, k5), sub(mul(gvb3, minus_b4, k12), mul(gvb1, minus_b6, k17), k12), k5), k3
-    )
-    rho3 = add(
-        add(rhoa3, add(gv_rho3, sub(mul(minus_b1, gv_rho2, k1), mul(minus_b2, gv_rho1, k2), k1), k1), k1),
-        add(mul(minus_b6, rb, k2), sub(mul(gvb1, minus_b5, k5), mul(gvb2, minus_b4, k6), k5), k2), k1
-    )
-    hvr = add(add(mul(v1, rho1, k2), mul(v2, rho2, k5), k2), mul(v3, rho3, k5), k2)
-    div(add(sub(rho1, sub(mul(v2, rho3, k5), mul(v3, rho2, k6), k5), k5), mul(v1, hvr, k6), k5), n2, o4)
-    div(add(sub(rho2, sub(mul(v3, rho1, k5), mul(v1, rho3, k6), k5), k5), mul(v2, hvr, k6), k5), n2, o5)
-    div(add(sub(rho3, sub(mul(v1, rho2, k3), mul(v2, rho1, k4), k3), k1), mul(v3, hvr, k2), k1), n2, o6)
-
-
-# operations 134: 58 +, 63 *, 3 /, 10 neg
-def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    N = 1 + x
-    r_ = 2 * (N / N / N)
-    e = 2 / N
-    eg = e * r_
-    fy = -eg
-    gv1 = v1 * r_
-    gv2 = v2 * r_
-    gv3 = v3 * r_
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    v1o_r_ = v1o * r_
-    v2o_r_ = v2o * r_
-    v3o_r_ = v3o * r_
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * r_
-    gv_r2 = v_r2 * r_
-    gv_r3 = v_r3 * r_
-    moved1 = r1 + (gv_r1 + (v2 * gv_r3 - v3 * gv_r2)) + (v1o_r_ + (gv2 * v3o - gv3 * v2o))
-    moved2 = r2 + (gv_r2 + (v3 * gv_r1 - v1 * gv_r3)) + (v2o_r_ + (gv3 * v1o - gv1 * v3o))
-    moved3 = r3 + (gv_r3 + (v1 * gv_r2 - v2 * gv_r1)) + (v3o_r_ + (gv1 * v2o - gv2 * v1o))
-    fo = fy * y
-    gvo1 = v1o_r_ + v1 * fo
-    gvo2 = v2o_r_ + v2 * fo
-    gvo3 = v3o_r_ + v3 * fo
-    T12 = -gv3
-    T23 = -gv1
-    T31 = -gv2
-    T12o = -gvo3
-    T23o = -gvo1
-    T31o = -gvo2
-    minus_moved3 = -moved3
-    minus_moved1 = -moved1
-    minus_moved2 = -moved2
-    x23 = v22 + v33
-    x13 = v11 + v33
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    return (
-        fo - (minus_moved3 * gv3 + moved2 * T31),
-        T12o - (minus_moved3 * r_ + moved2 * gv1),
-        gvo2 - (minus_moved3 * T23 + moved2 * r_),
-        r_,
-        T12,
-        gv2,
-        gvo3 - (moved3 * r_ + minus_moved1 * T31),
-        fo - (moved3 * T12 + minus_moved1 * gv1),
-        T23o - (moved3 * gv2 + minus_moved1 * r_),
-        gv3,
-        r_,
-        T23,
-        T31o - (minus_moved2 * r_ + moved1 * gv3),
-        gvo1 - (minus_moved2 * T12 + moved1 * r_),
-        fo - (minus_moved2 * gv2 + moved1 * T23),
-        T31,
-        gv1,
-        r_,
-        1 - r_ * x23,
-        gvv1 - gv3,
-        gvv2 + gv2,
-        gvv1 + gv3,
-        1 - r_ * x13,
-        gvv3 - gv1,
-        gvv2 - gv2,
-        gvv3 + gv1,
-        1 - r_ * x12,
-    )
-
-
-def _own_transform_point_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    N = add(n1, x, k4)
-    r_ = mul(n2, div(div(N, N, k5), N, k5), o4)
-    sub(n1, mul(r_, x23, k2), o19)
-    sub(n1, mul(r_, x13, k1), o23)
-    sub(n1, mul(r_, x12, k1), o27)
-    gv1 = mul(v1, r_, o17)
-    gv2 = mul(v2, r_, o6)
-    gv3 = mul(v3, r_, o10)
-    e = div(n2, N, k1)
-    eg = mul(e, r_, k1)
-    fy = neg(eg, k1)
-    T31 = neg(gv2, o16)
-    T23 = neg(gv1, o12)
-    T12 = neg(gv3, o5)
-    v_r3 = sub(mul(v1, r2, k2), mul(v2, r1, k3), k2)
-    gv_r3 = mul(v_r3, r_, k2)
-    v_r2 = sub(mul(v3, r1, k3), mul(v1, r3, k4), k3)
-    gv_r2 = mul(v_r2, r_, k3)
-    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k5), k4)
-    gv_r1 = mul(v_r1, r_, k4)
-    v3o_r_ = mul(v3o, r_, k5)
-    moved3 = add(
-        add(r3, add(gv_r3, sub(mul(v1, gv_r2, k6), mul(v2, gv_r1, k7), k6), k6), k6), add(v3o_r_, sub(mul(gv1, v2o, k7),
-        mul(gv2, v1o, k8), k7), k7), k6
-    )
-    minus_moved3 = neg(moved3, k7)
-    v2o_r_ = mul(v2o, r_, k8)
-    moved2 = add(
-        add(r2, add(gv_r2, sub(mul(v3, gv_r1, k9), mul(v1, gv_r3, k10), k9), k9), k9), add(v2o_r_, sub(mul(gv3, v1o,
-        k10), mul(gv1, v3o, k11), k10), k10), k9
-    )
-    y = add(add(mul(v1, v1o, k10), mul(v2, v2o, k11), k10), mul(v3, v3o, k11), k10)
-    fo = mul(fy, y, k1)
-    sub(fo, add(mul(minus_moved3, gv3, k10), mul(moved2, T31, k11), k10), o1)
-    gvo3 = add(v3o_r_, mul(v3, fo, k10), k5)
-    gvo2 = add(v2o_r_, mul(v2, fo, k10), k8)
-    sub(gvo2, add(mul(minus_moved3, T23, k10), mul(moved2, r_, k11), k10), o3)
-    T31o = neg(gvo2, k8)
-    T12o = neg(gvo3, k10)
-    sub(T12o, add(mul(minus_moved3, r_, k7), mul(moved2, gv1, k11), k7), o2)
-    minus_moved2 = neg(moved2, k7)
-    v1o_r_ = mul(v1o, r_, k9)
-    moved1 = add(
-        add(r1, add(gv_r1, sub(mul(v2, gv_r3, k2), mul(v3, gv_r2, k3), k2), k2), k2), add(v1o_r_, sub(mul(gv2, v3o, k3),
-        mul(gv3, v2o, k4), k3), k3), k2
-    )
-    sub(T31o, add(mul(minus_moved2, r_, k3), mul(moved1, gv3, k4), k3), o13)
-    gvo1 = add(v1o_r_, mul(v1, fo, k3), k3)
-    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, r_, k8), k4), o14)
-    sub(fo, add(mul(minus_moved2, gv2, k4), mul(moved1, T23, k7), k4), o15)
-    minus_moved1 = neg(moved1, k2)
-    sub(gvo3, add(mul(moved3, r_, k4), mul(minus_moved1, T31, k7), k4), o7)
-    sub(fo, add(mul(moved3, T12, k4), mul(minus_moved1, gv1, k5), k4), o8)
-    T23o = neg(gvo1, k1)
-    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, r_, k2), k2), o9)
-    gvv1 = mul(gv1, v2, k1)
-    sub(gvv1, gv3, o20)
-    add(gvv1, gv3, o22)
-    gvv2 = mul(gv1, v3, k1)
-    add(gvv2, gv2, o21)
-    sub(gvv2, gv2, o25)
-    gvv3 = mul(gv2, v3, k1)
-    sub(gvv3, gv1, o24)
-    add(gvv3, gv1, o26)
-    copy(o4, o11)
-    copy(o4, o18)
-
-
 CHART = Chart(
     __name__,
     branches=1,
@@ -1947,182 +321,28 @@ CHART = Chart(
     returns=(
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-1, 1)),
-        "pose": Function(_pose, _pose_blocks, 1, 0, (0, 1, 2)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1,)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1,)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (0, 1, 2)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1,)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1,)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 0, 0, (1,)),
-        "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 3)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
-    kernels={
-        **SHARED,
-        "pose": Kernel(
-        _own_pose,
-        _own_pose_blocks,
-        (("v", (6,)),),
-        (4, 4),
-        registers=6,
-        masks=0,
-        numbers=(0, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "tangent": Kernel(
-        _own_tangent,
-        _own_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=3,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "tangent_inv": Kernel(
-        _own_tangent_inv,
-        _own_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent": Kernel(
-        _own_body_tangent,
-        _own_body_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=3,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent_inv": Kernel(
-        _own_body_tangent_inv,
-        _own_body_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "twist": Kernel(
-        _own_twist,
-        _own_twist_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "tangent_dot": Kernel(
-        _own_tangent_dot,
-        _own_tangent_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (2, 3, 3),
-        registers=7,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "twist_dot": Kernel(
-        _own_twist_dot,
-        _own_twist_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        registers=12,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "rate_dot": Kernel(
-        _own_rate_dot,
-        _own_rate_dot_blocks,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
-        (6,),
-        registers=15,
-        masks=0,
-        numbers=(2, 4),
-        lent=(),
-        real=False,
-    ),
-        "twist_jacobian": Kernel(
-        _own_twist_jacobian,
-        _own_twist_jacobian_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6, 6),
-        registers=14,
-        masks=0,
-        numbers=(0, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        registers=10,
-        masks=0,
-        numbers=(0, 2),
-        lent=(),
-        real=False,
-    ),
-        "compose": Kernel(
-        _own_compose,
-        _own_compose_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=12,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=True,
-    ),
-        "between": Kernel(
-        _own_between,
-        _own_between_blocks,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        registers=18,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=True,
-    ),
-        "transform_point_jacobians": Kernel(
-        _own_transform_point_jacobians,
-        _own_transform_point_jacobians_blocks,
-        (("v", (6,)), ("r", (3,)),),
-        (27,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-    },
-    programs="aad1daaae7d0a3fd",
+    kernels=SHARED,
+    programs="9a340c20e4169f31",
 )
 
 KERNELS = PoseKernels(CHART)

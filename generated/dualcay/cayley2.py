@@ -80,7 +80,7 @@
 #   twist_dot: 227: 91 +, 131 *, 4 /, 1 neg
 #   rate_dot: 234: 97 +, 128 *, 8 /, 1 neg
 #   twist_jacobian: 229: 94 +, 130 *, 4 /, 1 neg
-#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
+#   rate_jacobian: 191: 78 +, 102 *, 10 /, 1 neg
 #   from_quaternion: 71: 24 +, 38 *, 5 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 136: 47 +, 49 *, 8 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 100: 32 +, 31 *, 5 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -134,10 +134,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -158,7 +158,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 8: 2 +, 3 *, 3 /
@@ -173,20 +173,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, sy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_2, n1, n2 = numbers
-    root = add(n1, x, o3)
-    r = div(div(root, root, o2), root, o2)
-    minus_e = div(n_minus_2, root, o3)
-    p = sub(n1, x, o1)
-    mul(p, r, o1)
-    w = mul(n2, r, o2)
-    mul(w, minus_e, o3)
-    copy(o3, o4)
-    return o1, o2, o3, o4
-
-
 # operations 12: 4 +, 6 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -196,20 +182,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f = 2 * p * r
     g = 4 * r
     return f, g, g
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
-    p = sub(n1, x, o1)
-    N = add(mul(p, p, k1), mul(n4, x, o2), o2)
-    r = mul(n2, div(div(N, N, k1), N, o2), o2)
-    mul(mul(n2, p, o1), r, o1)
-    mul(n4, r, o2)
-    copy(o2, o3)
-    return o1, o2, o3
 
 
 # operations 17: 6 +, 7 *, 3 /, 1 neg
@@ -226,25 +198,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     fy = g - eg
     gy = -eg
     return f, g, g, fy, gy, gy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n1, n2, n4 = numbers
-    x = add(add(v11, v22, o5), v33, o5)
-    p = sub(n1, x, o1)
-    N = add(mul(p, p, o2), mul(n4, x, o4), o2)
-    r = mul(n2, div(div(N, N, o4), N, o2), o2)
-    mul(mul(n2, p, o1), r, o1)
-    g = mul(n4, r, o2)
-    x1 = add(n1, x, o5)
-    e = div(n4, x1, o5)
-    eg = mul(e, g, o5)
-    sub(g, eg, o4)
-    neg(eg, o5)
-    copy(o2, o3)
-    copy(o5, o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 24: 9 +, 10 *, 4 /, 1 neg
@@ -268,32 +221,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, g, fy, gy, gy, fyy, gyy, gyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
-    x = add(add(v11, v22, o8), v33, o8)
-    p = sub(n1, x, o1)
-    N = add(mul(p, p, o2), mul(n4, x, k1), o2)
-    r = mul(n2, div(div(N, N, k1), N, o2), o2)
-    mul(mul(n2, p, o1), r, o1)
-    g = mul(n4, r, o2)
-    x1 = add(n1, x, o8)
-    e = div(n4, x1, k1)
-    ee = div(mul(n2, e, o5), x1, o8)
-    eeg = mul(ee, g, o8)
-    eg = mul(e, g, o5)
-    sub(g, eg, o4)
-    gy = neg(eg, o5)
-    egy = mul(e, gy, k1)
-    add(sub(gy, egy, o7), eeg, o7)
-    sub(eeg, egy, o8)
-    copy(o2, o3)
-    copy(o5, o6)
-    copy(o8, o9)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -303,17 +230,6 @@ def _rate(m: Any, x: Any) -> Result:
     return e, ey
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n4, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
-
-
 # operations 2: 1 +, 1 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     p = 1 - x
@@ -321,22 +237,9 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, 1
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, _ = out
-    n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    return o1, n1
-
-
 # operations 0
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return 1,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    n1, = numbers
-    return n1,
 
 
 # operations 2: 1 +, 1 /
@@ -346,50 +249,24 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, 1, -1, 0
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, _, _, _ = out
-    n_minus_1, n0, n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    return o1, n1, n_minus_1, n0
-
-
 # operations 5: 3 +, 1 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     fiy = -one
     return fi, one, fiy, 0
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, _ = out
-    n0, n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    neg(one, o3)
-    return o1, o2, o3, n0
 
 
 # operations 5: 3 +, 1 /, 1 neg
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     fiy = -one
     return fi, one, fiy, 0, 0, 0
-
-
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, _, _, _ = out
-    n0, n1, n2 = numbers
-    p = sub(n1, x, o1)
-    div(p, n2, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    neg(one, o3)
-    return o1, o2, o3, n0, n0, n0
 
 
 # operations 11: 3 +, 6 *, 2 /
@@ -403,19 +280,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, 2, root, f, g, g
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, o3, o4, o5, o6 = out
-    n1, n2, n4 = numbers
-    p = sub(n1, x, o1)
-    add(n1, x, o3)
-    N = add(mul(p, p, o5), mul(n4, x, o4), o5)
-    r = mul(n2, div(div(N, N, o4), N, o5), o5)
-    mul(mul(n2, p, o4), r, o4)
-    mul(n4, r, o5)
-    copy(o5, o6)
-    return o1, n2, o3, o4, o5, o6
-
-
 # operations 6: 1 +, 1 /, 1 neg, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -424,35 +288,11 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    div(m.where(negative, n_minus_1, n1, k1), add(n1, cos, o1), o1)
-    return o1,
-
-
 # operations 10: 4 +, 4 *, 1 /, 1 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     gain = 1 / (size + e0)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    div(n1, add(size, e0, o1), o1)
-    return o1,
 
 
 # operations 7: 1 +, 1 *, 1 /, 1 neg, 1 lt, 2 where
@@ -464,20 +304,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    size = mul(size2, size1, o1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    div(m.where(negative, n_minus_1, n1, k2), add(size, cos, o1), o1)
-    return o1,
-
-
 # operations 12: 5 +, 2 *, 1 /, 2 lt, 2 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     rq = 2 * r
@@ -487,20 +313,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n16 = numbers
-    rq = mul(n2, r, o1)
-    p = sub(n1, x, k1)
-    either = add(rq, p, k2)
-    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
-    return o1,
 
 
 # operations 18: 6 +, 4 *, 2 /, 1 abs, 1 atan2, 2 lt, 2 where
@@ -516,33 +328,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    rq = mul(n2, r, o1)
-    p = sub(n1, x, o3)
-    either = add(rq, p, o2)
-    one = add(sub(either, either, o2), n1, o2)
-    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, k1)
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
-    div(n4, add(n1, x, o2), o2)
-    return o1, o2, o3
-
-
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 4 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n4 = numbers
-    mul(n4, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -557,21 +346,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    off = sub(alpha, pi, k1)
-    last = add(mul(n2, atan2(tan(div(off, n2, k1), k1), n1, k1), k1), pi, k1)
-    left = sub(mul(n2, pi, o1), alpha, o1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
@@ -580,30 +354,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 5: 1 +, 1 *, 2 /, 1 tan
@@ -611,14 +365,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 4)
     slope = (1 + r * r) / 4
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n4 = numbers
-    r = tan(div(alpha, n4, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n4, o2)
-    return o1, o2
 
 
 # operations 22: 2 +, 4 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -632,152 +378,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 4
     return r, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n6, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n4, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n4, o2)
-    return o1, o2
-
-
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 73: 25 +, 33 *, 9 /, 6 neg
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    hs = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    t1 = w2 * v3 - w3 * v2
-    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
-    t2 = w3 * v1 - w1 * v3
-    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
-    t3 = w1 * v2 - w2 * v1
-    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
-    s1 = w1 * hs + t1 / 2
-    s1o = w1o * hs + t1o / 2
-    s2 = w2 * hs + t2 / 2
-    s2o = w2o * hs + t2o / 2
-    s3 = w3 * hs + t3 / 2
-    s3o = w3o * hs + t3o / 2
-    ha = vw / 2
-    hao = vwo / 2
-    J12 = -s3
-    J23 = -s1
-    J31 = -s2
-    return (
-        ha,
-        J12,
-        s2,
-        0,
-        0,
-        0,
-        s3,
-        ha,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        s1,
-        ha,
-        0,
-        0,
-        0,
-        hao,
-        -s3o,
-        s2o,
-        ha,
-        J12,
-        s2,
-        s3o,
-        hao,
-        -s1o,
-        s3,
-        ha,
-        J23,
-        -s2o,
-        s1o,
-        hao,
-        J31,
-        s1,
-        ha,
-    )
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4 = scratch
-    n0, n2 = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    div(vw, n2, o1)
-    hs = div(side, n2, k1)
-    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k3), k2)
-    s3 = add(mul(w3, hs, k3), div(t3, n2, k2), o7)
-    neg(s3, o2)
-    t2 = sub(mul(w3, v1, k2), mul(w1, v3, k3), k2)
-    s2 = add(mul(w2, hs, k3), div(t2, n2, k2), o3)
-    neg(s2, o13)
-    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k3), k2)
-    s1 = add(mul(w1, hs, k3), div(t1, n2, k2), o14)
-    neg(s1, o9)
-    vwo = add(
-        add(add(mul(v1, w1o, k2), mul(v1o, w1, k3), k2), add(mul(v2, w2o, k3), mul(v2o, w2, k4), k3), k2), add(mul(v3,
-        w3o, k3), mul(v3o, w3, k4), k3), k2
-    )
-    div(vwo, n2, o19)
-    t3o = sub(add(mul(w1, v2o, k2), mul(w1o, v2, k3), k2), add(mul(w2, v1o, k3), mul(w2o, v1, k4), k3), k2)
-    s3o = add(mul(w3o, hs, k3), div(t3o, n2, k2), o25)
-    neg(s3o, o20)
-    t2o = sub(add(mul(w3, v1o, k2), mul(w3o, v1, k3), k2), add(mul(w1, v3o, k3), mul(w1o, v3, k4), k3), k2)
-    s2o = add(mul(w2o, hs, k3), div(t2o, n2, k2), o21)
-    neg(s2o, o31)
-    t1o = sub(add(mul(w2, v3o, k2), mul(w2o, v3, k3), k2), add(mul(w3, v2o, k3), mul(w3o, v2, k4), k3), k2)
-    s1o = add(mul(w1o, hs, k1), div(t1o, n2, k2), o32)
-    neg(s1o, o27)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(o1, o8)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(o1, o15)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o19, o26)
-    copy(o7, o28)
-    copy(o1, o29)
-    copy(o9, o30)
-    copy(o19, o33)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o1, o36)
 
 
 CHART = Chart(
@@ -796,44 +396,31 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-2, 1, 2)),
-        "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 4)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 4)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1,)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (-1, 0, 1, 2)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1)),
-        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 16)),
-        "natural": Function(_natural, _natural_blocks, 1, 1, (-2, -1, 0, 1, 2, 4, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
-    kernels={
-        **SHARED,
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        registers=4,
-        masks=0,
-        numbers=(0, 2),
-        lent=(),
-        real=False,
-    ),
-    },
-    programs="4c179d8ea42e30b0",
+    kernels=SHARED,
+    programs="905f7a0e3c50cd22",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -131,10 +131,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -155,7 +155,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 17: 5 +, 8 *, 3 /, 1 sqrt
@@ -174,23 +174,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_3, n1, n2, n3 = numbers
-    q = sub(n3, x, o2)
-    qq = mul(q, q, o4)
-    p = sub(n1, mul(n3, x, o1), o1)
-    N = add(mul(p, p, o3), mul(x, qq, o4), o4)
-    root = sqrt(N, o4)
-    r = div(div(root, root, o3), root, o4)
-    mul(p, r, o1)
-    w = mul(q, r, o2)
-    minus_e = div(n_minus_3, add(n1, x, o3), o3)
-    sy = mul(w, minus_e, o3)
-    sub(sy, mul(n2, r, o4), o4)
-    return o1, o2, o3, o4
-
-
 # operations 16: 5 +, 9 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -203,22 +186,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     g = qq * r
     h = 16 * r
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    n1, n2, n3, n16 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    q = sub(n3, x, o1)
-    qq = mul(q, q, o2)
-    p = sub(n1, mul(n3, x, k1), k1)
-    N = add(mul(p, p, k2), mul(x, qq, o3), o3)
-    r = mul(n2, div(div(N, N, k2), N, o3), o3)
-    mul(mul(p, q, o1), r, o1)
-    mul(qq, r, o2)
-    mul(n16, r, o3)
-    return o1, o2, o3
 
 
 # operations 25: 8 +, 13 *, 3 /, 1 neg
@@ -240,28 +207,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     gy = qr - eg
     hy = -(e * h)
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n_minus_4, n1, n2, n3, n6, n16 = numbers
-    x = add(add(v11, v22, o6), v33, o6)
-    q = sub(n3, x, o5)
-    qq = mul(q, q, o2)
-    p = sub(n1, mul(n3, x, o1), o1)
-    N = add(mul(p, p, o3), mul(x, qq, o4), o3)
-    r = mul(n2, div(div(N, N, o4), N, o3), o3)
-    mul(mul(p, q, o1), r, o1)
-    g = mul(qq, r, o2)
-    x1 = add(n1, x, o6)
-    e = div(n6, x1, o6)
-    eg = mul(e, g, o4)
-    qr = mul(n_minus_4, mul(q, r, o5), o5)
-    h = mul(n16, r, o3)
-    sub(qr, eg, o5)
-    sub(h, eg, o4)
-    neg(mul(e, h, o6), o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 39: 14 +, 20 *, 4 /, 1 neg
@@ -291,35 +236,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, *_ = scratch
-    n_minus_4, n1, n2, n3, n6, n8, n16 = numbers
-    x = add(add(v11, v22, o9), v33, o9)
-    q = sub(n3, x, o8)
-    qq = mul(q, q, o2)
-    p = sub(n1, mul(n3, x, o1), o1)
-    N = add(mul(p, p, o6), mul(x, qq, o3), o6)
-    r = mul(n2, div(div(N, N, o3), N, o6), o6)
-    mul(mul(p, q, o1), r, o1)
-    g = mul(qq, r, o2)
-    x1 = add(n1, x, o9)
-    qr = mul(n_minus_4, mul(q, r, o8), o8)
-    h = mul(n16, r, o3)
-    e = div(n6, x1, o7)
-    ee = div(mul(n2, e, o5), x1, o9)
-    eg = mul(e, g, o5)
-    eeg = mul(ee, g, k1)
-    sub(h, eg, o4)
-    gy = sub(qr, eg, o5)
-    egy = mul(e, gy, k2)
-    add(sub(mul(n8, r, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
-    hy = neg(mul(e, h, o6), o6)
-    sub(mul(ee, h, o9), mul(e, hy, o7), o9)
-    add(sub(hy, egy, o7), eeg, o7)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -327,17 +243,6 @@ def _rate(m: Any, x: Any) -> Result:
     ee = 2 * e / x1
     ey = -ee
     return e, ey
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n6 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n6, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
 
 
 # operations 8: 3 +, 3 *, 2 /
@@ -352,20 +257,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n3, n11 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n11, x, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n3, o2)
-    return o1, o2
-
-
 # operations 5: 2 +, 1 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = 11 - x
@@ -374,18 +265,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     diq = d * iq
     hi = diq / 3
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n3, n11 = numbers
-    d = sub(n11, x, o1)
-    q = sub(n3, x, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n3, o1)
-    return o1,
 
 
 # operations 15: 4 +, 7 *, 3 /, 1 neg
@@ -402,21 +281,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n1, n2, n3, n11, n16 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o3)
-    iq = div(n1, q, o3)
-    mul(p, iq, o1)
-    d = sub(n11, x, o4)
-    diq = mul(d, iq, o4)
-    div(diq, n3, o2)
-    div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    return o1, o2, o3, o4
-
-
 # operations 15: 4 +, 7 *, 3 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
@@ -429,21 +293,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n1, n2, n3, n11, n16 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o3)
-    iq = div(n1, q, o3)
-    mul(p, iq, o1)
-    d = sub(n11, x, o4)
-    diq = mul(d, iq, o4)
-    div(diq, n3, o2)
-    div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    return o1, o2, o3, o4
 
 
 # operations 22: 4 +, 12 *, 3 /, 3 neg
@@ -463,25 +312,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n11, n16, n64 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o5)
-    iq = div(n1, q, o5)
-    mul(p, iq, o1)
-    d = sub(n11, x, o4)
-    diq = mul(d, iq, o4)
-    div(diq, n3, o2)
-    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    dqiq = neg(iq, o6)
-    mul(mul(mul(n64, dqiq, k1), iq, k1), iq, o5)
-    neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 14: 3 +, 9 *, 2 /
 def _ray(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
@@ -495,20 +325,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, 1, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    n1, n2, n3, n16 = numbers
-    p = sub(n1, mul(n3, x, o1), o1)
-    q = sub(n3, x, o2)
-    qq = mul(q, q, o5)
-    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    mul(mul(p, q, o4), r, o4)
-    mul(qq, r, o5)
-    mul(n16, r, o6)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 20: 2 +, 5 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -520,25 +336,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    mul(
-        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n3, k3), k3), k4),
-        m.where(still, mul(n3, cos, k1), sin, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 15: 2 +, 4 *, 2 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -546,20 +343,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    div(m.where(still, n1, tan(div(atan2(sin, e0, k1), n3, k1), k1), k2), m.where(still, mul(n3, e0, k1), sin, k1), o1)
-    return o1,
 
 
 # operations 21: 2 +, 5 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -574,26 +357,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n3 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), k2)
-    sinq = div(ss, sin, o1)
-    mul(
-        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sinq, cos, k3), n3, k3), k3), k4),
-        m.where(still, mul(n3, cos, k1), sinq, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 22: 6 +, 3 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = 3 - x
@@ -606,26 +369,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n16 = numbers
-    q = sub(n3, x, o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, k1), k1)
-    kept = m.where(qneg, n0, rq, k2)
-    p = sub(n1, mul(n3, x, k3), k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, k1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
-    )
-    return o1,
 
 
 # operations 28: 7 +, 5 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -644,39 +387,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6, n16 = numbers
-    q = sub(n3, x, o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, o1), o1)
-    kept = m.where(qneg, n0, rq, o2)
-    p = sub(n1, mul(n3, x, k1), k1)
-    qp = m.where(m.less(add(kept, div(p, n16, k2), k2), kept, mask1), neg(q, o2), q, o2)
-    either = add(rq, p, k2)
-    one = add(sub(either, either, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o2), o1), o1)
-    div(n6, add(n1, x, o2), o2)
-    return o1, o2, o3
-
-
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 6 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n6 = numbers
-    mul(n6, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -692,22 +406,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_2 = mul(n2, pi, k1)
-    left = sub(mul(n3, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_2, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_2, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
@@ -716,30 +414,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 5: 1 +, 1 *, 2 /, 1 tan
@@ -747,14 +425,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 6)
     slope = (1 + r * r) / 6
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n6 = numbers
-    r = tan(div(alpha, n6, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n6, o2)
-    return o1, o2
 
 
 # operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -768,22 +438,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 6
     return r, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n6, n9 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n9, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n6, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n6, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -803,28 +457,28 @@ CHART = Chart(
         "-0.8660254037844386467637231707529361834714",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-3, 1, 2, 3)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 16)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 2, 0, (-4, 1, 2, 3, 6, 8, 16)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 11)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 3, 11)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (1, 2, 3, 11, 16)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 11, 16)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 1, 0, (1, 2, 3, 4, 11, 16, 64)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 16)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 3, 6, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 6)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="4bad99e9aa999b0e",

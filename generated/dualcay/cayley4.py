@@ -131,10 +131,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -155,7 +155,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 17: 7 +, 7 *, 3 /
@@ -174,23 +174,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_4, n1, n4, n6, n8 = numbers
-    ph = sub(n1, x, o4)
-    x_by_4 = mul(n4, x, o2)
-    root = add(mul(ph, ph, o4), x_by_4, o4)
-    r = div(div(root, root, o1), root, o4)
-    q = sub(n4, x_by_4, o2)
-    w = mul(q, r, o2)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    mul(p, r, o1)
-    minus_e = div(n_minus_4, add(n1, x, o3), o3)
-    sy = mul(w, minus_e, o3)
-    sub(sy, mul(n8, r, o4), o4)
-    return o1, o2, o3, o4
-
-
 # operations 22: 8 +, 12 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -204,23 +187,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     c = (8 * x - 16) * x + 40
     h = c * r
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n6, n8, n16, n40 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o2), o2)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    mul(mul(p, q, o1), r, o1)
-    mul(qq, r, o2)
-    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, o3), n40, o3)
-    mul(c, r, o3)
-    return o1, o2, o3
 
 
 # operations 35: 13 +, 19 *, 3 /
@@ -245,32 +211,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     cr = 2 * dc * r
     hy = cr - e * h
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
-    x = add(add(v11, v22, o4), v33, o4)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o5), o5)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, o3), mul(x, qq, o6), o3)
-    r = mul(n2, div(div(N, N, o6), N, o3), o3)
-    g = mul(qq, r, o2)
-    mul(mul(p, q, o1), r, o1)
-    qr = mul(n_minus_16, mul(q, r, o5), o5)
-    dc = sub(mul(n16, x, o6), n16, o6)
-    cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, k1), n40, k1)
-    h = mul(c, r, o3)
-    x1 = add(n1, x, o4)
-    e = div(n8, x1, o4)
-    sub(cr, mul(e, h, k1), o6)
-    eg = mul(e, g, o4)
-    sub(qr, eg, o5)
-    sub(h, eg, o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 53: 21 +, 28 *, 4 /
@@ -304,39 +244,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, *_ = scratch
-    n_minus_16, n1, n2, n4, n6, n8, n16, n40 = numbers
-    x = add(add(v11, v22, o7), v33, o7)
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o8), o8)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, k1), mul(x, qq, o9), k1)
-    r = mul(n2, div(div(N, N, o9), N, k1), k1)
-    g = mul(qq, r, o2)
-    mul(mul(p, q, o1), r, o1)
-    qr = mul(n_minus_16, mul(q, r, o8), o8)
-    dc = sub(mul(n16, x, o9), n16, o9)
-    cr = mul(mul(n2, dc, o9), r, o9)
-    c = add(mul(sub(mul(n8, x, o3), n16, o3), x, o3), n40, o3)
-    h = mul(c, r, o3)
-    x1 = add(n1, x, o7)
-    r_by_16 = mul(n16, r, k1)
-    e = div(n8, x1, k2)
-    ee = div(mul(n2, e, o6), x1, o7)
-    hy = sub(cr, mul(e, h, o6), o6)
-    add(sub(mul(n4, r_by_16, o5), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o5), o9)
-    eeg = mul(ee, g, o7)
-    eg = mul(e, g, o5)
-    sub(h, eg, o4)
-    gy = sub(qr, eg, o5)
-    egy = mul(e, gy, k3)
-    add(sub(mul(n8, r_by_16, k1), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
-    add(sub(hy, egy, k1), eeg, o7)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -344,17 +251,6 @@ def _rate(m: Any, x: Any) -> Result:
     ee = 2 * e / x1
     ey = -ee
     return e, ey
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n8 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n8, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
 
 
 # operations 11: 4 +, 5 *, 2 /
@@ -369,20 +265,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n24 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o2), o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = sub(n24, mul(n8, x, k1), k1)
-    diq = mul(d, iq, o2)
-    div(diq, n4, o2)
-    return o1, o2
-
-
 # operations 7: 2 +, 3 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = 24 - 8 * x
@@ -391,18 +273,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     diq = d * iq
     hi = diq / 4
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n4, n8, n24 = numbers
-    d = sub(n24, mul(n8, x, o1), o1)
-    q = sub(n4, mul(n4, x, k1), k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n4, o1)
-    return o1,
 
 
 # operations 21: 7 +, 10 *, 3 /, 1 neg
@@ -421,24 +291,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n16, n24, n40 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o4), o4)
-    iq = div(n1, q, o4)
-    mul(p, iq, o1)
-    x_by_8 = mul(n8, x, o3)
-    d = sub(n24, x_by_8, o2)
-    diq = mul(d, iq, o2)
-    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
-    div(diq, n4, o2)
-    return o1, o2, o3, o4
-
-
 # operations 21: 7 +, 10 *, 3 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = (x - 6) * x + 1
@@ -453,24 +305,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     fiy = -(c * (iq * iq))
     hiy = (8 * diq - 16) * iq / 4
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n16, n24, n40 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    q = sub(n4, mul(n4, x, o4), o4)
-    iq = div(n1, q, o4)
-    mul(p, iq, o1)
-    x_by_8 = mul(n8, x, o3)
-    d = sub(n24, x_by_8, o2)
-    diq = mul(d, iq, o2)
-    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
-    div(diq, n4, o2)
-    return o1, o2, o3, o4
 
 
 # operations 33: 9 +, 19 *, 3 /, 2 neg
@@ -493,28 +327,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
-    n_minus_4, n1, n2, n4, n6, n8, n16, n24, n40 = numbers
-    x_by_8 = mul(n8, x, o3)
-    d = sub(n24, x_by_8, o2)
-    c = add(mul(sub(x_by_8, n16, o3), x, o3), n40, o3)
-    q = sub(n4, mul(n4, x, o1), o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    hiy = div(mul(sub(mul(n8, diq, o4), n16, o4), iq, o4), n4, o4)
-    div(diq, n4, o2)
-    dqiq = mul(n_minus_4, iq, o5)
-    neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
-    dc = sub(mul(n16, x, k1), n16, k1)
-    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 23: 8 +, 13 *, 2 /
 def _ray(m: Any, x: Any) -> Result:
     p = (x - 6) * x + 1
@@ -532,25 +344,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, root, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n4, n6, n8, n16, n40 = numbers
-    p = add(mul(sub(x, n6, o1), x, o1), n1, o1)
-    x_by_4 = mul(n4, x, o3)
-    q = sub(n4, x_by_4, o2)
-    ph = sub(n1, x, o5)
-    add(mul(ph, ph, o5), x_by_4, o3)
-    qq = mul(q, q, o5)
-    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    mul(mul(p, q, o4), r, o4)
-    mul(qq, r, o5)
-    c = add(mul(sub(mul(n8, x, k1), n16, k1), x, k1), n40, k1)
-    mul(c, r, o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 11: 2 +, 2 *, 2 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -558,20 +351,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     cos2 = m.sqrt((1 + cos) / 2)
     gain = m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2))
     return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    cos2 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    div(m.where(negative, n_minus_1, n1, k1), mul(mul(n2, cos2, k2), add(n1, cos2, o1), o1), o1)
-    return o1,
 
 
 # operations 17: 5 +, 7 *, 3 /, 2 sqrt
@@ -583,19 +362,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    cos1 = div(e0, size, k1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    div(n1, mul(mul(mul(n2, cos2, k2), add(n1, cos2, k1), k1), size, o1), o1)
-    return o1,
-
-
 # operations 14: 2 +, 4 *, 3 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
@@ -605,22 +371,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     cos2 = m.sqrt((1 + cos1) / 2)
     gain = m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2) * size)
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    size = mul(size2, size1, k1)
-    cos1 = div(cos, size, o1)
-    cos2 = sqrt(div(add(n1, cos1, o1), n2, o1), o1)
-    div(m.where(negative, n_minus_1, n1, k2), mul(mul(mul(n2, cos2, k3), add(n1, cos2, o1), o1), size, o1), o1)
-    return o1,
 
 
 # operations 24: 7 +, 4 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -635,26 +385,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n6, n16 = numbers
-    q = sub(n4, mul(n4, x, o1), o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, k1), k1)
-    kept = m.where(qneg, n0, rq, k2)
-    p = add(mul(sub(x, n6, k3), x, k3), n1, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, k1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
-    )
-    return o1,
 
 
 # operations 30: 8 +, 6 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -673,39 +403,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n8, n16 = numbers
-    q = sub(n4, mul(n4, x, o3), o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, o1), o1)
-    kept = m.where(qneg, n0, rq, o2)
-    p = add(mul(sub(x, n6, k1), x, k1), n1, k1)
-    qp = m.where(m.less(add(kept, div(p, n16, k2), k2), kept, mask1), neg(q, o2), q, o2)
-    either = add(rq, p, k2)
-    one = add(sub(either, either, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o2), o1), o1)
-    div(n8, add(n1, x, o2), o2)
-    return o1, o2, o3
-
-
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 8 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n8 = numbers
-    mul(n8, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -721,37 +422,12 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3, n4 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_3 = mul(n3, pi, k1)
-    left = sub(mul(n4, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_3, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_3, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     slope = iden * iden
     return rk, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 7: 2 +, 1 /, 2 lt, 2 where
@@ -763,32 +439,11 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine2, sine2
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
-) -> Result:
-    o1, o2, o3 = out
-    _, mask2, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond2 = m.less(limit2, x, mask2)
-    m.where(beyond2, cos2, cos1, o2)
-    m.where(beyond2, sin2, sin1, o3)
-    return o1, o2, o3
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 8)
     slope = (1 + r * r) / 8
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n8 = numbers
-    r = tan(div(alpha, n8, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n8, o2)
-    return o1, o2
 
 
 # operations 22: 2 +, 4 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -802,22 +457,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 8
     return r, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n8, n13 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n13, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n8, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n8, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -841,28 +480,28 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40)),
-        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 8, 24)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 40)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 4, 6, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 6, 8, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 8)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3, 4)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="f187e3984fba07e9",

@@ -131,10 +131,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -155,7 +155,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 24: 8 +, 12 *, 3 /, 1 sqrt
@@ -175,25 +175,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n_minus_5, n1, n2, n5, n10 = numbers
-    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
-    qq = mul(q, q, o4)
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o3), mul(x, qq, o4), o4)
-    root = sqrt(N, o4)
-    r = div(div(root, root, o3), root, o4)
-    mul(p, r, o1)
-    w = mul(q, r, o2)
-    minus_e = div(n_minus_5, add(n1, x, o3), o3)
-    sy = mul(w, minus_e, o3)
-    dq = sub(mul(n2, x, k1), n10, k1)
-    add(mul(mul(n2, dq, k1), r, o4), sy, o4)
-    return o1, o2, o3, o4
-
-
 # operations 24: 9 +, 13 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -207,23 +188,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     c = (80 * x - 96) * x + 80
     h = c * r
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n5, n10, n80, n96 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    mul(mul(p, q, o1), r, o1)
-    mul(qq, r, o2)
-    c = add(mul(sub(mul(n80, x, k1), n96, k1), x, o3), n80, o3)
-    mul(c, r, o3)
-    return o1, o2, o3
 
 
 # operations 40: 15 +, 22 *, 3 /
@@ -249,33 +213,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     cr = 2 * dc * r
     hy = cr - e * h
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n5, n10, n80, n96, n160 = numbers
-    x = add(add(v11, v22, o5), v33, o5)
-    q = add(mul(sub(x, n10, o4), x, o4), n5, o4)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    N = add(mul(p, p, k1), mul(x, qq, o6), k1)
-    r = mul(n2, div(div(N, N, o6), N, k1), k1)
-    g = mul(qq, r, o2)
-    mul(mul(p, q, o1), r, o1)
-    dc = sub(mul(n160, x, o6), n96, o6)
-    cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
-    h = mul(c, r, o3)
-    x1 = add(n1, x, k2)
-    e = div(n10, x1, k2)
-    sub(cr, mul(e, h, k3), o6)
-    eg = mul(e, g, k2)
-    dq = sub(mul(n2, x, o5), n10, o5)
-    qr = mul(mul(n4, dq, o5), mul(q, r, o4), o5)
-    sub(qr, eg, o5)
-    sub(h, eg, o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 62: 24 +, 34 *, 4 /
@@ -309,42 +246,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    n1, n2, n4, n5, n8, n10, n80, n96, n160 = numbers
-    x = add(add(v11, v22, o9), v33, o9)
-    q = add(mul(sub(x, n10, o8), x, o8), n5, o8)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    N = add(mul(p, p, o7), mul(x, qq, o3), o7)
-    r = mul(n2, div(div(N, N, o3), N, o7), o7)
-    mul(mul(p, q, o1), r, o1)
-    g = mul(qq, r, o2)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
-    h = mul(c, r, o3)
-    x1 = add(n1, x, k1)
-    e = div(n10, x1, k2)
-    ee = div(mul(n2, e, o5), x1, k1)
-    eg = mul(e, g, o5)
-    eeg = mul(ee, g, k3)
-    sub(h, eg, o4)
-    dq = sub(mul(n2, x, o6), n10, o6)
-    dc = sub(mul(n160, x, o9), n96, o9)
-    cr = mul(mul(n2, dc, o9), r, o9)
-    qr = mul(mul(n4, dq, k4), mul(q, r, k5), k4)
-    gy = sub(qr, eg, o5)
-    egy = mul(e, gy, k5)
-    add(
-        sub(mul(n8, mul(add(mul(n2, q, o8), mul(dq, dq, o6), o8), r, o8), o8), add(egy, mul(e, qr, o6), o6), o8), eeg,
-        o8
-    )
-    hy = sub(cr, mul(e, h, o6), o6)
-    add(sub(mul(n4, mul(n160, r, o7), o7), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o7), o9)
-    add(sub(hy, egy, o7), eeg, o7)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -352,17 +253,6 @@ def _rate(m: Any, x: Any) -> Result:
     ee = 2 * e / x1
     ey = -ee
     return e, ey
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n10 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n10, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
 
 
 # operations 14: 6 +, 6 *, 2 /
@@ -377,20 +267,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n5, n10, n34, n45 = numbers
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(x, n34, k1), x, k1), n45, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n5, o2)
-    return o1, o2
-
-
 # operations 9: 4 +, 3 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = (x - 34) * x + 45
@@ -399,18 +275,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     diq = d * iq
     hi = diq / 5
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n5, n10, n34, n45 = numbers
-    d = add(mul(sub(x, n34, o1), x, o1), n45, o1)
-    q = add(mul(sub(x, n10, k1), x, k1), n5, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n5, o1)
-    return o1,
 
 
 # operations 30: 11 +, 15 *, 3 /, 1 neg
@@ -431,26 +295,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n2, n5, n10, n34, n45, n80, n96 = numbers
-    d = add(mul(sub(x, n34, o2), x, o2), n45, o2)
-    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    x_by_2 = mul(n2, x, o4)
-    dd = sub(x_by_2, n34, o3)
-    dq = sub(x_by_2, n10, o4)
-    div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
-    div(diq, n5, o2)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4
-
-
 # operations 30: 11 +, 15 *, 3 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
@@ -467,26 +311,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     dq = x_by_2 - 10
     hiy = (2 * dd - 2 * dq * diq) * iq / 5
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n2, n5, n10, n34, n45, n80, n96 = numbers
-    d = add(mul(sub(x, n34, o2), x, o2), n45, o2)
-    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    x_by_2 = mul(n2, x, o4)
-    dd = sub(x_by_2, n34, o3)
-    dq = sub(x_by_2, n10, o4)
-    div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
-    div(diq, n5, o2)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4
 
 
 # operations 47: 15 +, 27 *, 4 /, 1 neg
@@ -511,30 +335,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
-    n1, n2, n4, n5, n10, n34, n45, n80, n96, n160 = numbers
-    d = add(mul(sub(x, n34, o2), x, o2), n45, o2)
-    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    x_by_2 = mul(n2, x, o5)
-    dd = sub(x_by_2, n34, o4)
-    dq = sub(x_by_2, n10, o5)
-    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, o6), diq, o6), o4), iq, o4), n5, o4)
-    dqiq = mul(dq, iq, o5)
-    sub(div(mul(n4, mul(sub(n2, mul(n2, diq, o6), o6), iq, o6), o6), n5, o6), mul(mul(n4, dqiq, o3), hiy, o3), o6)
-    div(diq, n5, o2)
-    c = add(mul(sub(mul(n80, x, o3), n96, o3), x, o3), n80, o3)
-    dc = sub(mul(n160, x, k1), n96, k1)
-    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 22: 7 +, 13 *, 2 /
 def _ray(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
@@ -549,22 +349,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, 1, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n5, n10, n80, n96 = numbers
-    p = add(mul(sub(mul(n5, x, o1), n10, o1), x, o1), n1, o1)
-    q = add(mul(sub(x, n10, o2), x, o2), n5, o2)
-    qq = mul(q, q, o5)
-    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    mul(mul(p, q, o4), r, o4)
-    mul(qq, r, o5)
-    c = add(mul(sub(mul(n80, x, k1), n96, k1), x, k1), n80, k1)
-    mul(c, r, o6)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 20: 2 +, 5 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -576,25 +360,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n5 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    mul(
-        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n5, k3), k3), k4),
-        m.where(still, mul(n5, cos, k1), sin, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 15: 2 +, 4 *, 2 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -602,20 +367,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     sin = m.sqrt(m.where(still, e0, ss))
     gain = m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n5 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    div(m.where(still, n1, tan(div(atan2(sin, e0, k1), n5, k1), k1), k2), m.where(still, mul(n5, e0, k1), sin, k1), o1)
-    return o1,
 
 
 # operations 21: 2 +, 5 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -630,26 +381,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n5 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), k2)
-    sinq = div(ss, sin, o1)
-    mul(
-        m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sinq, cos, k3), n5, k3), k3), k4),
-        m.where(still, mul(n5, cos, k1), sinq, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 26: 8 +, 5 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = (x - 10) * x + 5
@@ -662,26 +393,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n5, n10, n16 = numbers
-    q = add(mul(sub(x, n10, o1), x, o1), n5, o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, k1), k1)
-    kept = m.where(qneg, n0, rq, k2)
-    p = add(mul(sub(mul(n5, x, k3), n10, k3), x, k3), n1, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, k1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
-    )
-    return o1,
 
 
 # operations 32: 9 +, 7 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -700,39 +411,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n5, n10, n16 = numbers
-    q = add(mul(sub(x, n10, o3), x, o3), n5, o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, o1), o1)
-    kept = m.where(qneg, n0, rq, o2)
-    p = add(mul(sub(mul(n5, x, k1), n10, k1), x, k1), n1, k1)
-    qp = m.where(m.less(add(kept, div(p, n16, k2), k2), kept, mask1), neg(q, o2), q, o2)
-    either = add(rq, p, k2)
-    one = add(sub(either, either, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o2), o1), o1)
-    div(n10, add(n1, x, o2), o2)
-    return o1, o2, o3
-
-
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 10 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n10 = numbers
-    mul(n10, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -748,37 +430,12 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n4, n5 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_4 = mul(n4, pi, k1)
-    left = sub(mul(n5, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_4, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_4, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     slope = iden * iden
     return rk, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 7: 2 +, 1 /, 2 lt, 2 where
@@ -790,32 +447,11 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine2, sine2
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
-) -> Result:
-    o1, o2, o3 = out
-    _, mask2, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond2 = m.less(limit2, x, mask2)
-    m.where(beyond2, cos2, cos1, o2)
-    m.where(beyond2, sin2, sin1, o3)
-    return o1, o2, o3
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 10)
     slope = (1 + r * r) / 10
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n10 = numbers
-    r = tan(div(alpha, n10, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n10, o2)
-    return o1, o2
 
 
 # operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -829,22 +465,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 10
     return r, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n10, n16 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n16, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n10, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n10, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -869,28 +489,28 @@ CHART = Chart(
         "-0.9510565162951535721164393333793821434057",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-5, 1, 2, 5, 10)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 5, 10, 80, 96)),
-        "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 160)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 160)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 5, 10, 34, 45)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 5, 10, 34, 45)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 2, 5, 10, 34, 45, 80, 96)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 5, 10, 34, 45, 80, 96)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 160)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 5)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 5)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 5)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 5, 10, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 5, 10, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 10)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 4, 5)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="7d58654f59eed7d7",

@@ -131,10 +131,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -155,7 +155,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 36: 15 +, 18 *, 3 /
@@ -175,25 +175,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n_minus_8, n1, n2, n4, n6, n8, n24, n28, n56, n70, n112 = numbers
-    ph = add(mul(sub(x, n6, o4), x, o4), n1, o4)
-    qh = sub(n4, mul(n4, x, o1), o1)
-    root = add(mul(ph, ph, o4), mul(x, mul(qh, qh, o1), o1), o4)
-    r = div(div(root, root, o1), root, o4)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    mul(p, r, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    w = mul(q, r, o2)
-    minus_e = div(n_minus_8, add(n1, x, o3), o3)
-    sy = mul(w, minus_e, o3)
-    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
-    add(mul(mul(n2, dq, k1), r, o4), sy, o4)
-    return o1, o2, o3, o4
-
-
 # operations 38: 16 +, 20 *, 2 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -207,26 +188,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
     h = c * r
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(x, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    mul(mul(p, q, o1), r, o1)
-    mul(qq, r, o2)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
-        k1), n6000, k1), x, k1), n2016, k1), x, o3), n336, o3
-    )
-    mul(c, r, o3)
-    return o1, o2, o3
 
 
 # operations 64: 27 +, 34 *, 3 /
@@ -252,42 +213,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     cr = 2 * dc * r
     hy = cr - e * h
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
-    (
-        n1, n2, n4, n8, n16, n24, n28, n56, n70, n96, n112, n224, n336, n1120, n2016, n2352, n5440, n6000, n9408,
-        n12000, n16320,
-    ) = numbers
-    x = add(add(v11, v22, o5), v33, o5)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o4), o4), x, o4), n56, o4), x, o4), n8, o4)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, k1), mul(x, qq, o6), k1)
-    r = mul(n2, div(div(N, N, o6), N, k1), k1)
-    g = mul(qq, r, o2)
-    mul(mul(p, q, o1), r, o1)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, o6), n1120, o6), x, o6), n9408, o6), x, o6), n16320, o6), x, o6),
-        n12000, o6), x, o6), n2016, o6
-    )
-    cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
-        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
-    )
-    h = mul(c, r, o3)
-    x1 = add(n1, x, k2)
-    e = div(n16, x1, k2)
-    sub(cr, mul(e, h, k3), o6)
-    eg = mul(e, g, k2)
-    dq = sub(mul(sub(n112, mul(n24, x, k3), k3), x, o5), n56, o5)
-    qr = mul(mul(n4, dq, o5), mul(q, r, o4), o5)
-    sub(qr, eg, o5)
-    sub(h, eg, o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 96: 41 +, 51 *, 4 /
@@ -323,56 +248,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, *_ = scratch
-    (
-        n1, n2, n4, n8, n16, n24, n28, n48, n56, n70, n96, n112, n224, n336, n480, n1120, n2016, n2352, n4480, n5440,
-        n6000, n9408, n12000, n16320, n28224, n32640,
-    ) = numbers
-    x = add(add(v11, v22, o8), v33, o8)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o7), o7), x, o7), n56, o7), x, o7), n8, o7)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, k1), mul(x, qq, o9), k1)
-    r = mul(n2, div(div(N, N, o9), N, k1), k1)
-    g = mul(qq, r, o2)
-    mul(mul(p, q, o1), r, o1)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(mul(n96, x, o9), n1120, o9), x, o9), n9408, o9), x, o9), n16320, o9), x, o9),
-        n12000, o9), x, o9), n2016, o9
-    )
-    cr = mul(mul(n2, dc, o9), r, o9)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, o3), n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x,
-        o3), n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
-    )
-    h = mul(c, r, o3)
-    x1 = add(n1, x, k2)
-    e = div(n16, x1, k3)
-    ee = div(mul(n2, e, o6), x1, k2)
-    hy = sub(cr, mul(e, h, o6), o6)
-    ddc = add(
-        mul(sub(mul(add(mul(sub(mul(n480, x, o5), n4480, o5), x, o5), n28224, o5), x, o5), n32640, o5), x, o5), n12000,
-        o5
-    )
-    add(sub(mul(n4, mul(ddc, r, o5), o5), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o5), o9)
-    eeg = mul(ee, g, k2)
-    eg = mul(e, g, o5)
-    sub(h, eg, o4)
-    dq = sub(mul(sub(n112, mul(n24, x, k4), k4), x, k4), n56, k4)
-    ddq = sub(n112, mul(n48, x, o8), o8)
-    qr = mul(mul(n4, dq, k5), mul(q, r, k6), k5)
-    gy = sub(qr, eg, o5)
-    egy = mul(e, gy, k6)
-    add(
-        sub(mul(n8, mul(add(mul(q, ddq, o8), mul(dq, dq, o7), o8), r, o8), o8), add(egy, mul(e, qr, o7), o7), o8), eeg,
-        o8
-    )
-    add(sub(hy, egy, o7), eeg, o7)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
@@ -380,17 +255,6 @@ def _rate(m: Any, x: Any) -> Result:
     ee = 2 * e / x1
     ey = -ee
     return e, ey
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n16 = numbers
-    x1 = add(n1, x, o2)
-    e = div(n16, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    neg(ee, o2)
-    return o1, o2
 
 
 # operations 23: 10 +, 11 *, 2 /
@@ -405,20 +269,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n8, n16, n28, n56, n70, n176, n272, n560 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    iq = div(n1, q, o2)
-    mul(p, iq, o1)
-    d = add(mul(sub(mul(sub(n272, mul(n16, x, k1), k1), x, k1), n560, k1), x, k1), n176, k1)
-    diq = mul(d, iq, o2)
-    div(diq, n8, o2)
-    return o1, o2
-
-
 # operations 15: 6 +, 7 *, 2 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = ((272 - 16 * x) * x - 560) * x + 176
@@ -427,18 +277,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     diq = d * iq
     hi = diq / 8
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n8, n16, n56, n176, n272, n560 = numbers
-    d = add(mul(sub(mul(sub(n272, mul(n16, x, o1), o1), x, o1), n560, o1), x, o1), n176, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, k1), k1), x, k1), n56, k1), x, k1), n8, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o1)
-    div(diq, n8, o1)
-    return o1,
 
 
 # operations 51: 21 +, 26 *, 3 /, 1 neg
@@ -459,31 +297,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    (
-        n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352, n5440, n6000,
-    ) = numbers
-    x_by_16 = mul(n16, x, o3)
-    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
-        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
-    )
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    neg(mul(c, mul(iq, iq, o4), o3), o3)
-    dd = sub(mul(sub(n544, mul(n48, x, o4), o4), x, o4), n560, o4)
-    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
-    div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
-    div(diq, n8, o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4
-
-
 # operations 51: 21 +, 26 *, 3 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -500,31 +313,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     dq = (112 - 24 * x) * x - 56
     hiy = (2 * dd - 2 * dq * diq) * iq / 8
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    (
-        n1, n2, n8, n16, n24, n28, n48, n56, n70, n112, n176, n224, n272, n336, n544, n560, n2016, n2352, n5440, n6000,
-    ) = numbers
-    x_by_16 = mul(n16, x, o3)
-    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
-        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
-    )
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    neg(mul(c, mul(iq, iq, o4), o3), o3)
-    dd = sub(mul(sub(n544, mul(n48, x, o4), o4), x, o4), n560, o4)
-    dq = sub(mul(sub(n112, mul(n24, x, k1), k1), x, k1), n56, k1)
-    div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
-    div(diq, n8, o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4
 
 
 # operations 78: 31 +, 42 *, 4 /, 1 neg
@@ -553,43 +341,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
-    (
-        n1, n2, n4, n8, n16, n24, n28, n48, n56, n70, n96, n112, n176, n224, n272, n336, n544, n560, n1120, n2016,
-        n2352, n5440, n6000, n9408, n12000, n16320,
-    ) = numbers
-    x_by_16 = mul(n16, x, o3)
-    d = add(mul(sub(mul(sub(n272, x_by_16, o2), x, o2), n560, o2), x, o2), n176, o2)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(x_by_16, n224, o3), x, o3), n2352, o3), x, o3), n5440, o3), x, o3),
-        n6000, o3), x, o3), n2016, o3), x, o3), n336, o3
-    )
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o2)
-    x_by_48 = mul(n48, x, o6)
-    dd = sub(mul(sub(n544, x_by_48, o4), x, o4), n560, o4)
-    ddq = sub(n112, x_by_48, o6)
-    dq = sub(mul(sub(n112, mul(n24, x, o5), o5), x, o5), n56, o5)
-    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, k1), diq, k1), o4), iq, o4), n8, o4)
-    dqiq = mul(dq, iq, o5)
-    x_by_96 = mul(n96, x, k1)
-    ddd = sub(n544, x_by_96, k2)
-    sub(div(mul(n4, mul(sub(ddd, mul(ddq, diq, o6), o6), iq, o6), o6), n8, o6), mul(mul(n4, dqiq, k2), hiy, k2), o6)
-    dc = sub(
-        mul(add(mul(sub(mul(add(mul(sub(x_by_96, n1120, k1), x, k1), n9408, k1), x, k1), n16320, k1), x, k1), n12000,
-        k1), x, k1), n2016, k1
-    )
-    mul(mul(sub(mul(mul(n4, c, k2), dqiq, o5), mul(n2, dc, k1), o5), iq, o5), iq, o5)
-    neg(mul(c, mul(iq, iq, k1), o3), o3)
-    div(diq, n8, o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    mul(p, iq, o1)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 45: 18 +, 25 *, 2 /
 def _ray(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -607,28 +358,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, root, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n4, n6, n8, n16, n28, n56, n70, n224, n336, n2016, n2352, n5440, n6000 = numbers
-    p = add(mul(sub(mul(add(mul(sub(x, n28, o1), x, o1), n70, o1), x, o1), n28, o1), x, o1), n1, o1)
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o2), o2), x, o2), n56, o2), x, o2), n8, o2)
-    ph = add(mul(sub(x, n6, o3), x, o3), n1, o3)
-    qh = sub(n4, mul(n4, x, o5), o5)
-    add(mul(ph, ph, o3), mul(x, mul(qh, qh, o5), o5), o3)
-    qq = mul(q, q, o5)
-    N = add(mul(p, p, o6), mul(x, qq, o4), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    mul(mul(p, q, o4), r, o4)
-    mul(qq, r, o5)
-    c = add(
-        mul(sub(mul(add(mul(sub(mul(add(mul(sub(mul(n16, x, k1), n224, k1), x, k1), n2352, k1), x, k1), n5440, k1), x,
-        k1), n6000, k1), x, k1), n2016, k1), x, k1), n336, k1
-    )
-    mul(c, r, o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 16: 3 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -639,24 +368,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    cos2 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    cos3 = sqrt(div(add(n1, cos2, k1), n2, k1), k1)
-    div(
-        m.where(negative, n_minus_1, n1, k2), mul(mul(mul(n2, cos2, o1), mul(n2, cos3, k3), o1), add(n1, cos3, k1), o1),
-        o1
-    )
-    return o1,
-
-
 # operations 22: 6 +, 9 *, 4 /, 3 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
@@ -665,20 +376,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     cos3 = m.sqrt((1 + cos2) / 2)
     gain = 1 / (2 * cos2 * (2 * cos3) * (1 + cos3) * size)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    cos1 = div(e0, size, k1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
-    div(n1, mul(mul(mul(mul(n2, cos2, k1), mul(n2, cos3, k3), k1), add(n1, cos3, k2), k1), size, o1), o1)
-    return o1,
 
 
 # operations 19: 3 +, 6 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
@@ -693,26 +390,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    size = mul(size2, size1, k1)
-    cos1 = div(cos, size, o1)
-    cos2 = sqrt(div(add(n1, cos1, o1), n2, o1), o1)
-    cos3 = sqrt(div(add(n1, cos2, k2), n2, k2), k2)
-    div(
-        m.where(negative, n_minus_1, n1, k3), mul(mul(mul(mul(n2, cos2, o1), mul(n2, cos3, k4), o1), add(n1, cos3, k2),
-        o1), size, o1), o1
-    )
-    return o1,
-
-
 # operations 32: 11 +, 8 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -725,26 +402,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n8, n16, n28, n56, n70 = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o1), o1), x, o1), n56, o1), x, o1), n8, o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, k1), k1)
-    kept = m.where(qneg, n0, rq, k2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k3), x, k3), n70, k3), x, k3), n28, k3), x, k3), n1, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k2), q, k2)
-    either = add(rq, p, k1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o1), o1
-    )
-    return o1,
 
 
 # operations 38: 12 +, 10 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -763,39 +420,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n8, n16, n28, n56, n70 = numbers
-    q = add(mul(sub(mul(sub(n56, mul(n8, x, o3), o3), x, o3), n56, o3), x, o3), n8, o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(r, absolute(q, o1), o1)
-    kept = m.where(qneg, n0, rq, o2)
-    p = add(mul(sub(mul(add(mul(sub(x, n28, k1), x, k1), n70, k1), x, k1), n28, k1), x, k1), n1, k1)
-    qp = m.where(m.less(add(kept, div(p, n16, k2), k2), kept, mask1), neg(q, o2), q, o2)
-    either = add(rq, p, k2)
-    one = add(sub(either, either, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o2), o1), o1)
-    div(n16, add(n1, x, o2), o2)
-    return o1, o2, o3
-
-
 # operations 2: 1 *, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 16 * m.atan2(r, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n16 = numbers
-    mul(n16, atan2(r, n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -811,37 +439,12 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n7, n8 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_7 = mul(n7, pi, k1)
-    left = sub(mul(n8, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_7, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_7, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 2 +, 4 *, 1 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
     rk = (r * cos + sin) * iden
     slope = iden * iden
     return rk, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, = numbers
-    iden = div(n1, sub(cos, mul(r, sin, o2), o2), o2)
-    mul(add(mul(r, cos, o1), sin, o1), iden, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 13: 2 +, 1 /, 4 lt, 6 where
@@ -859,39 +462,11 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine4, sine4
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any, limit3: Any, cos3: Any, sin3: Any, limit4: Any, cos4: Any, sin4: Any
-) -> Result:
-    o1, o2, o3 = out
-    k1, *_ = scratch
-    _, mask2, mask3, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond3 = m.less(limit3, x, mask2)
-    beyond2 = m.less(limit2, x, mask3)
-    cosine2 = m.where(beyond2, cos2, cos1, o2)
-    cosine3 = m.where(beyond3, cos3, cosine2, o3)
-    sine2 = m.where(beyond2, sin2, sin1, o2)
-    sine3 = m.where(beyond3, sin3, sine2, k1)
-    beyond4 = m.less(limit4, x, mask2)
-    m.where(beyond4, cos4, cosine3, o2)
-    m.where(beyond4, sin4, sine3, o3)
-    return o1, o2, o3
-
-
 # operations 5: 1 +, 1 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 16)
     slope = (1 + r * r) / 16
     return r, slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n16 = numbers
-    r = tan(div(alpha, n16, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n16, o2)
-    return o1, o2
 
 
 # operations 22: 2 +, 4 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -905,22 +480,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     r = sideof * m.where(nextto, 1, t) / m.where(nextto, t, 1)
     slope = (1 + r * r) / 16
     return r, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n16, n25 = numbers
-    size = absolute(alpha, o1)
-    nextto = m.less(absolute(sub(size, n25, o2), o2), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o2)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n16, o1), o1)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o2), m.where(nextto, t, n1, o1), o1)
-    div(add(n1, mul(r, r, o2), o2), n16, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -954,28 +513,28 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-8, 1, 2, 4, 6, 8, 24, 28, 56, 70, 112)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
-        "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 8, 16, 24, 28, 56, 70, 96, 112, 224, 336, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 6, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 224, 336, 480, 1120, 2016, 2352, 4480, 5440, 6000, 9408, 12000, 16320, 28224, 32640)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 16)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 8, 16, 28, 56, 70, 176, 272, 560)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 8, 16, 56, 176, 272, 560)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 2, 8, 16, 24, 28, 48, 56, 70, 112, 176, 224, 272, 336, 544, 560, 2016, 2352, 5440, 6000)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 2, 0, (1, 2, 4, 8, 16, 24, 28, 48, 56, 70, 96, 112, 176, 224, 272, 336, 544, 560, 1120, 2016, 2352, 5440, 6000, 9408, 12000, 16320)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 4, 6, 8, 16, 28, 56, 70, 224, 336, 2016, 2352, 5440, 6000)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 3, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 3, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 8, 16, 28, 56, 70)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 8, 16, 28, 56, 70)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 16)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 7, 8)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 3, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 16)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 16, 25)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="6b5f64f5569053ce",

@@ -115,10 +115,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -139,13 +139,14 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 96: 28 +, 28 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
 def _quaternion(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -178,50 +179,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
-
-
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), o4), n4, o1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o4), o4), o4), n212520, o4), o4), o4), o4), o4), n93024,
-        o4), o4), o4), o4), o4), o4), o4), n3603600, o4), o4), o4), n72, o4), n5040, o4
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o4), o4), o4), n120, o4)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o4), o4), o4), n6, o4)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, o3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k1)
-    C2 = div(CC1, C01, o3)
-    xx = m.where(near, add(n6, x, k1), x, k1)
-    alpha = sqrt(xx, k2)
-    thalf = tan(div(alpha, n2, k3), k3)
-    tthalf = mul(thalf, thalf, k4)
-    belowhalf = add(n1, tthalf, k5)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k4), belowhalf, k4), sub(n2, div(n2, belowhalf, k6), k6), k4
-    )
-    sine = div(mul(n2, thalf, k3), belowhalf, k3)
-    beside = sub(alpha, n4, k5)
-    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
-    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, k4), k4), k3), alpha, k3), k4)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o4), n4, o4), div(sub(n1, f, o3), xx, o3), o4)
-    t = tan(div(alpha, n4, o3), o3)
-    tt = mul(t, t, k1)
-    below = add(n1, tt, k3)
-    w = m.where(near, div(C1, n2, o2), div(div(mul(n2, t, o3), below, o3), alpha, o3), o2)
-    s = m.where(near, C0, div(sub(n1, tt, o3), below, o3), o1)
-    ww = mul(w, w, o3)
-    sub(div(mul(s, h, o4), n2, o4), mul(w, ww, o3), o4)
-    neg(div(w, n2, o3), o3)
-    return o1, o2, o3, o4
 
 
 # operations 96: 40 +, 24 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
@@ -260,51 +217,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    part = add(v11, v22, o3)
-    x = add(part, v33, o2)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, k1), k2), n4, k1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k2), k2), k2), n212520, k2), k2), k2), k2), k2), n93024,
-        k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
-    C1 = sub(n1, mul(z, C3, k3), k3)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, k1), k1), k1)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    beside = sub(alpha, n4, k7)
-    v33_in = sub(x, part, o1)
-    v22_in = sub(part, v11, k8)
-    left = add(
-        sub(sub(sub(xx, n16, k9), mul(n8, beside, k10), k9), mul(beside, beside, k7), k7), add(add(sub(v11, sub(part,
-        v22_in, k9), k9), sub(v22, v22_in, k8), k8), add(sub(part, sub(x, v33_in, o2), o3), sub(v33, v33_in, o2), o3),
-        o3), o3
-    )
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o3), mul(n2, alpha, o2), o3)
-    thalf = tan(div(alpha, n2, o2), o2)
-    tthalf = mul(thalf, thalf, k7)
-    belowhalf = add(n1, tthalf, o1)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k7), belowhalf, k7), sub(n2, div(n2, belowhalf, k8), k8), k7
-    )
-    sine = div(mul(n2, thalf, o2), belowhalf, o2)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k8), alpha, k6), o1)
-    m.where(near, div(CC1, n2, k6), div(add(versine, mul(lost, sine, o3), o3), xx, o3), o2)
-    C01 = add(n1, C0, o3)
-    C2 = div(CC1, C01, o3)
-    m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, k1), xx, k1), o3)
-    return o1, o2, o3
 
 
 # operations 121: 49 +, 35 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
@@ -350,58 +262,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     c4 = C3 * (1 + C1) / 8
     hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    part = add(v11, v22, o6)
-    x = add(part, v33, o2)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, k1), k2), n4, k1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k2), k2), k2), n212520, k2), k2), k2), k2), k2), n93024,
-        k2), k2), k2), k2), k2), k2), k2), n3603600, k2), k2), k2), n72, k2), n5040, k2
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
-    C1 = sub(n1, mul(z, C3, k4), k4)
-    CC1 = mul(C1, C1, k5)
-    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, k6), x, k6)
-    alpha = sqrt(xx, o5)
-    beside = sub(alpha, n4, o4)
-    v33_in = sub(x, part, o1)
-    v22_in = sub(part, v11, k7)
-    left = add(
-        sub(sub(sub(xx, n16, k8), mul(n8, beside, k9), k8), mul(beside, beside, o4), o4), add(add(sub(v11, sub(part,
-        v22_in, k8), k8), sub(v22, v22_in, k7), k7), add(sub(part, sub(x, v33_in, o2), o6), sub(v33, v33_in, o2), o6),
-        o6), o6
-    )
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o6), mul(n2, alpha, o2), o6)
-    thalf = tan(div(alpha, n2, o2), o2)
-    tthalf = mul(thalf, thalf, o4)
-    belowhalf = add(n1, tthalf, o1)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, k7), k7), o4
-    )
-    sine = div(mul(n2, thalf, o2), belowhalf, o2)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k7), k7), k7), alpha, o5), o1)
-    g = m.where(near, div(CC1, n2, o5), div(add(versine, mul(lost, sine, o6), o6), xx, o6), o2)
-    C01 = add(n1, C0, o6)
-    C2 = div(CC1, C01, k5)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o5), xx, o5), o3)
-    sub(mul(f, h, o5), mul(g, g, o4), o5)
-    c4 = div(mul(C3, add(n1, C1, k4), k4), n8, k4)
-    sub(h, g, o4)
-    CC3 = mul(C3, C3, k7)
-    C4 = div(sub(sub(mul(n4, C3, k8), C2, k8), mul(n2, mul(z, CC3, k1), k1), k1), mul(n2, C01, o6), o6)
-    c5 = div(add(add(C5, C4, o6), mul(C2, C3, k1), o6), n16, o6)
-    m.where(near, sub(mul(n3, c5, o6), c4, o6), div(sub(g, mul(n3, h, k1), k1), xx, k1), o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 153: 62 +, 48 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
@@ -454,86 +314,18 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, *_ = scratch
-    mask1, mask2, *_ = masks
-    (
-        n0, n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
-        n212520, n3603600,
-    ) = numbers
-    part = add(v11, v22, o9)
-    x = add(part, v33, o2)
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o7), k1), n4, o7)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k2), k2), k2), n120, k2)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k3), k3), k3), n6, k3)
-    C1 = sub(n1, mul(z, C3, o6), o6)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, o4)
-    beside = sub(alpha, n4, o5)
-    v33_in = sub(x, part, o1)
-    v22_in = sub(part, v11, k6)
-    left = add(
-        sub(sub(sub(xx, n16, o8), mul(n8, beside, k7), o8), mul(beside, beside, o5), o5), add(add(sub(v11, sub(part,
-        v22_in, o8), o8), sub(v22, v22_in, k6), k6), add(sub(part, sub(x, v33_in, o2), o9), sub(v33, v33_in, o2), o9),
-        o9), o9
-    )
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, o9), mul(n2, alpha, o2), o9)
-    thalf = tan(div(alpha, n2, o2), o2)
-    tthalf = mul(thalf, thalf, o5)
-    belowhalf = add(n1, tthalf, o1)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o5), belowhalf, o5), sub(n2, div(n2, belowhalf, k6), k6), o5
-    )
-    sine = div(mul(n2, thalf, o2), belowhalf, o2)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k6), k6), k6), alpha, o4), o1)
-    g = m.where(near, div(CC1, n2, o4), div(add(versine, mul(lost, sine, o9), o9), xx, o9), o2)
-    C01 = add(n1, C0, o9)
-    C2 = div(CC1, C01, k4)
-    h = m.where(near, div(add(C3, mul(C1, C2, o3), o3), n4, o3), div(sub(n1, f, o4), xx, o4), o3)
-    c4 = div(mul(C3, add(n1, C1, o6), o6), n8, o6)
-    fy = sub(h, g, o4)
-    gy = sub(mul(f, h, o5), mul(g, g, k6), o5)
-    CC3 = mul(C3, C3, k6)
-    C4 = div(sub(sub(mul(n4, C3, o8), C2, o8), mul(n2, mul(z, CC3, o7), o7), o7), mul(n2, C01, o9), o9)
-    c5 = div(add(add(C5, C4, o7), mul(C2, C3, o8), o7), n16, o7)
-    hy = m.where(near, sub(mul(n3, c5, o8), c4, o6), div(sub(g, mul(n3, h, o8), o8), xx, o8), o6)
-    sub(add(mul(fy, h, o8), mul(f, hy, k7), o8), mul(n2, mul(g, gy, k7), k7), o8)
-    C6 = div(sub(sub(add(mul(n4, C5, k7), mul(n2, CC3, k8), k7), C4, k7), mul(n2, mul(C2, C4, k4), k4), k4), n4, k4)
-    c6 = div(add(mul(n2, C5, k7), CC3, k6), n32, k6)
-    m.where(
-        near, add(sub(mul(n15, div(add(add(add(C7, C6, k1), mul(C3, C4, o9), o9), div(C5, n2, k1), o9), n64, o9), o9),
-        mul(n7, c6, k1), o9), c5, o9), div(sub(gy, mul(n5, hy, o7), o7), xx, o7), o9
-    )
-    sub(hy, gy, o7)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 2: 2 +
 def _rate(m: Any, x: Any) -> Result:
-    one = x - x + 1
-    return one, 0
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _ = out
-    n0, n1 = numbers
-    add(sub(x, x, o1), n1, o1)
-    return o1, n0
+    zero = x - x
+    one = zero + 1
+    return one, zero
 
 
 # operations 97: 29 +, 27 *, 25 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -568,55 +360,11 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o2), k1), n4, o2)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k2), k2)
-    CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o2), o2), o2)
-    C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k4)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    thalf = tan(div(alpha, n2, k7), k7)
-    tthalf = mul(thalf, thalf, k8)
-    belowhalf = add(n1, tthalf, k9)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
-    )
-    sine = div(mul(n2, thalf, k7), belowhalf, k7)
-    beside = sub(alpha, n4, k9)
-    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
-    g = m.where(near, div(CC1, n2, k3), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k3)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
-    h = m.where(near, div(add(C3, mul(C1, C2, k4), k1), n4, k1), div(sub(n1, f, k4), xx, k4), k1)
-    t = tan(div(alpha, n4, k4), k4)
-    tt = mul(t, t, k5)
-    below = add(n1, tt, k7)
-    w = m.where(near, div(C1, n2, k2), div(div(mul(n2, t, k4), below, k4), alpha, k4), k2)
-    s = m.where(near, C0, div(sub(n1, tt, k4), below, k4), o2)
-    fi = div(s, w, o2)
-    sub(g, mul(fi, h, o2), o2)
-    copy(fe, o1)
-    return o1, o2
-
-
 # operations 84: 27 +, 25 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -645,48 +393,11 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k2), k2)
-    CC1 = mul(C1, C1, k3)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k4)
-    C2 = div(CC1, C01, k4)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    thalf = tan(div(alpha, n2, k7), k7)
-    tthalf = mul(thalf, thalf, k8)
-    belowhalf = add(n1, tthalf, k9)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
-    )
-    sine = div(mul(n2, thalf, k7), belowhalf, k7)
-    beside = sub(alpha, n4, k9)
-    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
-    f = m.where(near, mul(C0, C1, o1), div(add(sine, mul(lost, sub(n1, versine, k10), k10), k10), alpha, k6), o1)
-    h = m.where(near, div(add(C3, mul(C1, C2, k2), k1), n4, k1), div(sub(n1, f, o1), xx, o1), k1)
-    g = m.where(near, div(CC1, n2, o1), div(add(versine, mul(lost, sine, k2), k2), xx, k2), o1)
-    sub(g, mul(fe, h, k1), o1)
-    return o1,
-
-
 # operations 114: 37 +, 38 *, 24 /, 1 neg, 2 sqrt, 1 tan, 3 lt, 8 where
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -723,57 +434,11 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o4), k1), n4, o4)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k2), k2), k2), n6, k2)
-    C1 = sub(n1, mul(z, C3, k3), k3)
-    CC1 = mul(C1, C1, k4)
-    C0 = sqrt(sub(n1, mul(z, CC1, k5), k5), k5)
-    C01 = add(n1, C0, k6)
-    C2 = div(CC1, C01, k7)
-    xx = m.where(near, add(n6, x, k8), x, k8)
-    alpha = sqrt(xx, k9)
-    thalf = tan(div(alpha, n2, o2), o2)
-    tthalf = mul(thalf, thalf, o3)
-    belowhalf = add(n1, tthalf, k10)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o3), belowhalf, o3), sub(n2, div(n2, belowhalf, k11), k11), o3
-    )
-    sine = div(mul(n2, thalf, o2), belowhalf, o2)
-    beside = sub(alpha, n4, k10)
-    left = sub(sub(sub(xx, n16, k11), mul(n8, beside, k12), k11), mul(beside, beside, k10), k10)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k10), mul(n2, alpha, k11), k10)
-    f = m.where(near, mul(C0, C1, k5), div(add(sine, mul(lost, sub(n1, versine, k11), k11), k11), alpha, k9), k5)
-    g = m.where(near, div(CC1, n2, k4), div(add(versine, mul(lost, sine, k9), k9), xx, k9), k4)
-    h = m.where(near, div(add(C3, mul(C1, C2, k9), k9), n4, k9), div(sub(n1, f, o2), xx, o2), k9)
-    gy = sub(mul(f, h, k5), mul(g, g, o2), k5)
-    c4 = div(mul(C3, add(n1, C1, k3), k3), n8, k3)
-    sub(g, mul(fe, h, o2), o2)
-    fiy = neg(div(h, g, o3), o3)
-    CC3 = mul(C3, C3, k10)
-    C4 = div(sub(sub(mul(n4, C3, k11), C2, k11), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k6), o4)
-    c5 = div(add(add(C5, C4, o4), mul(C2, C3, k1), o4), n16, o4)
-    hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, k1), k1), xx, k1), o4)
-    sub(sub(gy, mul(fiy, h, k1), k1), mul(fe, hy, o4), o4)
-    copy(fe, o1)
-    return o1, o2, o3, o4
-
-
 # operations 127: 39 +, 40 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
 def _tangent_inv(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -816,62 +481,11 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n3, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o4), o3), n4, o4)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o3), o3), o3), n212520, o3), o3), o3), o3), o3), n93024,
-        o3), o3), o3), o3), o3), o3), o3), n3603600, o3), o3), o3), n72, o3), n5040, o3
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o1), o1), o1), n6, o1)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, k1)
-    C0 = sqrt(sub(n1, mul(z, CC1, k2), k2), k2)
-    C01 = add(n1, C0, k3)
-    C2 = div(CC1, C01, k4)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    thalf = tan(div(alpha, n2, k7), k7)
-    tthalf = mul(thalf, thalf, k8)
-    belowhalf = add(n1, tthalf, k9)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
-    )
-    sine = div(mul(n2, thalf, k7), belowhalf, k7)
-    beside = sub(alpha, n4, k9)
-    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
-    g = m.where(near, div(CC1, n2, k1), div(add(versine, mul(lost, sine, k10), k10), xx, k10), k1)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
-    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
-    gy = sub(mul(f, h, k8), mul(g, g, k9), k8)
-    CC3 = mul(C3, C3, k9)
-    C4 = div(sub(sub(mul(n4, C3, k10), C2, k10), mul(n2, mul(z, CC3, o4), o4), o4), mul(n2, C01, k3), o4)
-    c5 = div(add(add(C5, C4, o4), mul(C2, C3, o3), o4), n16, o4)
-    c4 = div(mul(C3, add(n1, C1, o3), o3), n8, o3)
-    hy = m.where(near, sub(mul(n3, c5, o4), c4, o4), div(sub(g, mul(n3, h, o3), o3), xx, o3), o4)
-    fiy = neg(div(h, g, o3), o3)
-    t = tan(div(alpha, n4, o1), o1)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k4)
-    w = m.where(near, div(C1, n2, o2), div(div(mul(n2, t, o1), below, o1), alpha, o1), o2)
-    s = m.where(near, C0, div(sub(n1, tt, o1), below, o1), k2)
-    fi = div(s, w, o1)
-    sub(sub(gy, mul(fiy, h, o2), o2), mul(fi, hy, o4), o4)
-    sub(g, mul(fi, h, o2), o2)
-    return o1, o2, o3, o4
-
-
 # operations 170: 56 +, 58 *, 36 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -921,75 +535,11 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, *_ = scratch
-    mask1, mask2, *_ = masks
-    (
-        n0, n1, n2, n3, n4, n5, n6, n7, n8, n15, n16, n32, n64, n72, n120, n210, n342, n506, n5040, n32760, n93024,
-        n212520, n3603600,
-    ) = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o6), o4), n4, o6)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o4), o4), o4), n212520, o4), o4), o4), o4), o4), n93024,
-        o4), o4), o4), o4), o4), o4), o4), n3603600, o4), o4), o4), n72, o4), n5040, o4
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o3), o3), o3), n120, o3)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o5), o5), o5), n6, o5)
-    C1 = sub(n1, mul(z, C3, o1), o1)
-    CC1 = mul(C1, C1, o2)
-    C0 = sqrt(sub(n1, mul(z, CC1, k1), k1), k1)
-    C01 = add(n1, C0, k2)
-    C2 = div(CC1, C01, k3)
-    CC3 = mul(C3, C3, k4)
-    C4 = div(sub(sub(mul(n4, C3, k5), C2, k5), mul(n2, mul(z, CC3, o6), o6), o6), mul(n2, C01, k2), o6)
-    C6 = div(sub(sub(add(mul(n4, C5, k2), mul(n2, CC3, k5), k2), C4, k2), mul(n2, mul(C2, C4, k5), k5), k2), n4, k2)
-    c6 = div(add(mul(n2, C5, k5), CC3, k4), n32, k4)
-    xx = m.where(near, add(n6, x, k5), x, k5)
-    alpha = sqrt(xx, k6)
-    thalf = tan(div(alpha, n2, k7), k7)
-    tthalf = mul(thalf, thalf, k8)
-    belowhalf = add(n1, tthalf, k9)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, k8), belowhalf, k8), sub(n2, div(n2, belowhalf, k10), k10), k8
-    )
-    sine = div(mul(n2, thalf, k7), belowhalf, k7)
-    beside = sub(alpha, n4, k9)
-    left = sub(sub(sub(xx, n16, k10), mul(n8, beside, k11), k10), mul(beside, beside, k9), k9)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k9), mul(n2, alpha, k10), k9)
-    g = m.where(near, div(CC1, n2, o2), div(add(versine, mul(lost, sine, k10), k10), xx, k10), o2)
-    f = m.where(near, mul(C0, C1, k10), div(add(sine, mul(lost, sub(n1, versine, k8), k8), k7), alpha, k7), k8)
-    h = m.where(near, div(add(C3, mul(C1, C2, k7), k7), n4, k7), div(sub(n1, f, k9), xx, k9), k7)
-    c5 = div(add(add(C5, C4, k9), mul(C2, C3, k3), k3), n16, k3)
-    gy = sub(mul(f, h, k9), mul(g, g, k10), k9)
-    c4 = div(mul(C3, add(n1, C1, k10), k10), n8, k10)
-    hy = m.where(near, sub(mul(n3, c5, k11), c4, k10), div(sub(g, mul(n3, h, k11), k11), xx, k11), k10)
-    hyy = m.where(
-        near, add(sub(mul(n15, div(add(add(add(C7, C6, o4), mul(C3, C4, o6), o6), div(C5, n2, o4), o6), n64, o6), o6),
-        mul(n7, c6, o4), o6), c5, o6), div(sub(gy, mul(n5, hy, o4), o4), xx, o4), o6
-    )
-    fy = sub(h, g, o4)
-    gyy = sub(add(mul(fy, h, o4), mul(f, hy, o3), o4), mul(n2, mul(g, gy, o3), o3), o4)
-    fiy = neg(div(h, g, o3), o3)
-    fiyy = neg(div(add(hy, mul(fiy, gy, o5), o5), g, o5), o5)
-    t = tan(div(alpha, n4, k2), k2)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k4)
-    w = m.where(near, div(C1, n2, o1), div(div(mul(n2, t, k2), below, k2), alpha, k2), o1)
-    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), k1)
-    fi = div(s, w, o1)
-    sub(gyy, add(add(mul(fiyy, h, k1), mul(n2, mul(fiy, hy, k2), k2), k1), mul(fi, hyy, o6), o6), o6)
-    sub(sub(gy, mul(fiy, h, o4), o4), mul(fi, hy, k1), o4)
-    sub(g, mul(fi, h, k1), o2)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 94: 28 +, 26 *, 24 /, 2 sqrt, 2 tan, 3 lt, 9 where
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1022,48 +572,6 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, 1, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
-    mask1, mask2, *_ = masks
-    n0, n1, n2, n4, n6, n8, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), o6), n4, o1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, o6), o6), o6), n212520, o6), o6), o6), o6), o6), n93024,
-        o6), o6), o6), o6), o6), o6), o6), n3603600, o6), o6), o6), n72, o6), n5040, o6
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, o6), o6), o6), n120, o6)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, o6), o6), o6), n6, o6)
-    C1 = sub(n1, mul(z, C3, o2), o2)
-    CC1 = mul(C1, C1, o5)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    C01 = add(n1, C0, k1)
-    C2 = div(CC1, C01, k1)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k3)
-    thalf = tan(div(alpha, n2, k4), k4)
-    tthalf = mul(thalf, thalf, o4)
-    belowhalf = add(n1, tthalf, k5)
-    versine = m.where(
-        m.less(tthalf, n16, mask2), div(mul(n2, tthalf, o4), belowhalf, o4), sub(n2, div(n2, belowhalf, k6), k6), o4
-    )
-    sine = div(mul(n2, thalf, k4), belowhalf, k4)
-    beside = sub(alpha, n4, k5)
-    left = sub(sub(sub(xx, n16, k6), mul(n8, beside, k7), k6), mul(beside, beside, k5), k5)
-    lost = div(m.where(m.less(alpha, n8, mask2), left, n0, k5), mul(n2, alpha, k6), k5)
-    m.where(near, div(CC1, n2, o5), div(add(versine, mul(lost, sine, k6), k6), xx, k6), o5)
-    f = m.where(near, mul(C0, C1, k6), div(add(sine, mul(lost, sub(n1, versine, o4), o4), k4), alpha, k4), o4)
-    m.where(near, div(add(C3, mul(C1, C2, k1), o6), n4, o6), div(sub(n1, f, k1), xx, k1), o6)
-    t = tan(div(alpha, n4, k1), k1)
-    tt = mul(t, t, k2)
-    below = add(n1, tt, k4)
-    m.where(near, div(C1, n2, o2), div(div(mul(n2, t, k1), below, k1), alpha, k1), o2)
-    m.where(near, C0, div(sub(n1, tt, k1), below, k1), o1)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -1076,26 +584,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    angle = mul(n2, atan2(sin, cos, k2), k2)
-    mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, mul(n2, cos, k4), angle, k4), m.where(still, mul(cos,
-        cos, k1), sin, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 15: 2 +, 6 *, 1 /, 1 sqrt, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -1104,21 +592,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     angle = 2 * m.atan2(sin, e0)
     gain = m.where(still, 2 * e0, angle) / m.where(still, e0 * e0, sin)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n2 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    angle = mul(n2, atan2(sin, e0, k1), k1)
-    div(m.where(still, mul(n2, e0, k2), angle, k2), m.where(still, mul(e0, e0, k1), sin, k1), o1)
-    return o1,
 
 
 # operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
@@ -1133,30 +606,11 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    angle = mul(n2, atan2(sin, cos, k2), k2)
-    mul(
-        m.where(negative, n_minus_1, n1, k3), div(m.where(still, mul(n2, cos, k4), angle, k4), m.where(still, mul(cos,
-        cos, k1), sin, k1), o1), o1
-    )
-    return o1,
-
-
 # operations 68: 19 +, 17 *, 13 /, 1 neg, 2 sqrt, 1 tan, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1180,44 +634,11 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o1), k1), n4, o1)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, k2)
-    C0 = sqrt(sub(n1, mul(z, CC1, o1), o1), o1)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k2)
-    t = tan(div(alpha, n4, k3), k3)
-    tt = mul(t, t, k4)
-    below = add(n1, tt, k5)
-    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k3), below, k3), alpha, k2), k1)
-    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), o1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
-    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
-    one = add(sub(s, s, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), o1
-    )
-    return o1,
-
-
 # operations 73: 19 +, 19 *, 13 /, 1 neg, 2 abs, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 7 where
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1242,61 +663,14 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, 1, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, _, o3 = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    near = m.less(x, n6, mask1)
-    z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, o1)
-    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, o1), x, o1)
-    alpha = sqrt(xx, o1)
-    t = tan(div(alpha, n4, k2), k2)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k4)
-    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k2), below, k2), alpha, o1), k1)
-    s = m.where(near, C0, div(sub(n1, tt, o1), below, o1), o3)
-    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k2), o1), o1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
-    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
-    one = add(sub(s, s, o3), n1, o3)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), o3
-    )
-    return o1, n1, o3
-
-
 # operations 0
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     return r,
 
 
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    copy(r, o1)
-    return o1,
-
-
 # operations 0
 def _reached(m: Any, alpha: Any) -> Result:
     return alpha,
-
-
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    copy(alpha, o1)
-    return o1,
 
 
 # operations 1: 1 +
@@ -1305,19 +679,13 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return alphak, 1
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, _ = out
-    n1, = numbers
-    add(r, sin, o1)
-    return o1, n1
-
-
 # operations 66: 19 +, 20 *, 14 /, 3 sqrt, 1 tan, 1 atan2, 3 lt, 5 where
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
     near = x < 6
-    z = m.where(near, x, x - x) / 4
+    zero = x - x
+    z = m.where(near, x, zero) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -1340,62 +708,14 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, cos1, back
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, o3 = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    _, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n16, n72, n120, n210, n342, n506, n5040, n32760, n93024, n212520, n3603600 = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o3), n16, o3), o3), o1)
-    near = m.less(x, n6, mask2)
-    z = div(m.where(near, x, sub(x, x, o3), k1), n4, o3)
-    C7 = div(
-        div(sub(n72, mul(z, div(sub(n3603600, mul(z, sub(n32760, mul(z, sub(n210, mul(z, div(sub(n93024, mul(z,
-        sub(n342, mul(z, div(sub(n212520, mul(z, sub(n506, z, k1), k1), k1), n212520, k1), k1), k1), k1), k1), n93024,
-        k1), k1), k1), k1), k1), k1), k1), n3603600, k1), k1), k1), n72, k1), n5040, k1
-    )
-    C5 = div(sub(n1, mul(n120, mul(z, C7, k1), k1), k1), n120, k1)
-    C3 = div(sub(n1, mul(n6, mul(z, C5, k1), k1), k1), n6, k1)
-    C1 = sub(n1, mul(z, C3, k1), k1)
-    CC1 = mul(C1, C1, k2)
-    C0 = sqrt(sub(n1, mul(z, CC1, o3), o3), o3)
-    xx = m.where(near, add(n6, x, k2), x, k2)
-    alpha = sqrt(xx, k2)
-    t = tan(div(alpha, n4, k3), k3)
-    tt = mul(t, t, k4)
-    below = add(n1, tt, k5)
-    w = m.where(near, div(C1, n2, k1), div(div(mul(n2, t, k3), below, k3), alpha, k2), k1)
-    s = m.where(near, C0, div(sub(n1, tt, k2), below, k2), o3)
-    side = m.where(m.less(s, n0, mask2), n_minus_1, n1, k2)
-    rx = sqrt(x, k3)
-    sine = mul(w, rx, k1)
-    sub(mul(n2, atan2(mul(side, sine, k1), mul(side, s, o3), o3), o3), rx, o3)
-    return o1, cos1, o3
-
-
 # operations 0
 def _coefficient(m: Any, alpha: Any) -> Result:
     return alpha, 1
 
 
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, _ = out
-    n1, = numbers
-    copy(alpha, o1)
-    return o1, n1
-
-
 # operations 0
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     return alpha, 1
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, _ = out
-    n1, = numbers
-    copy(alpha, o1)
-    return o1, n1
 
 
 CHART = Chart(
@@ -1413,31 +733,31 @@ CHART = Chart(
         "0.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 7, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "pose": Function(_pose, _pose_blocks, 10, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent": Function(_tangent, _tangent_blocks, 9, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 8, 2, (0, 1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "rate": Function(_rate, _rate_blocks, 0, 0, (0, 1)),
-        "inverse": Function(_inverse, _inverse_blocks, 11, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 11, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 12, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 11, 2, (0, 1, 2, 3, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 11, 2, (0, 1, 2, 3, 4, 5, 6, 7, 8, 15, 16, 32, 64, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "ray": Function(_ray, _ray_blocks, 7, 2, (0, 1, 2, 4, 6, 8, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 5, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "natural": Function(_natural, _natural_blocks, 4, 3, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, ()),
-        "reached": Function(_reached, _reached_blocks, 0, 0, ()),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1,)),
-        "beyond": Function(_beyond, _beyond_blocks, 5, 2, (-1, 0, 1, 2, 4, 6, 16, 72, 120, 210, 342, 506, 5040, 32760, 93024, 212520, 3603600)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1,)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 0, 0, (1,)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="f23cbc638aed059c",
+    programs="1e87430bb77d4e49",
 )
 
 KERNELS = PoseKernels(CHART)

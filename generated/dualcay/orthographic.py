@@ -39,17 +39,17 @@
 #   transform_line: 111: 44 +, 65 *, 1 /, 1 sqrt
 #   inverse: 6: 6 neg
 #   tangent: 88: 37 +, 48 *, 2 /, 1 sqrt
-#   tangent_inv: 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
+#   tangent_inv: 81: 33 +, 35 *, 11 /, 1 neg, 1 sqrt
 #   body_tangent: 88: 37 +, 48 *, 2 /, 1 sqrt
-#   body_tangent_inv: 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
+#   body_tangent_inv: 81: 33 +, 35 *, 11 /, 1 neg, 1 sqrt
 #   twist: 122: 48 +, 71 *, 2 /, 1 sqrt
-#   rate: 72: 26 +, 42 *, 2 /, 1 neg, 1 sqrt
+#   rate: 113: 44 +, 65 *, 2 /, 1 neg, 1 sqrt
 #   tangent_dot: 198: 78 +, 114 *, 5 /, 1 sqrt
 #   twist_dot: 226: 91 +, 131 *, 3 /, 1 sqrt
-#   rate_dot: 161: 61 +, 84 *, 11 /, 4 neg, 1 sqrt
+#   rate_dot: 243: 98 +, 131 *, 11 /, 2 neg, 1 sqrt
 #   twist_jacobian: 228: 94 +, 130 *, 3 /, 1 sqrt
-#   rate_jacobian: 141: 52 +, 79 *, 7 /, 2 neg, 1 sqrt
-#   from_quaternion: 48: 15 +, 28 *, 3 /, 1 lt, 1 where
+#   rate_jacobian: 200: 79 +, 105 *, 13 /, 2 neg, 1 sqrt
+#   from_quaternion: 65: 22 +, 38 *, 3 /, 1 lt, 1 where
 #   from_tensor: 133: 45 +, 49 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 97: 30 +, 31 *, 4 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_screw: 26: 5 +, 14 *, 4 /, 1 tan, 1 lt, 1 where
@@ -60,8 +60,8 @@
 #   identity_jacobian: 12: 12 +
 #   compose: 192: 72 +, 110 *, 6 /, 2 sqrt, 1 lt, 1 where
 #   between: 198: 72 +, 110 *, 6 /, 6 neg, 2 sqrt, 1 lt, 1 where
-#   compose_jacobians: 939: 381 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
-#   between_jacobians: 963: 381 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
+#   compose_jacobians: 940: 382 +, 496 *, 48 /, 7 neg, 5 sqrt, 1 lt, 1 where
+#   between_jacobians: 964: 382 +, 496 *, 48 /, 31 neg, 5 sqrt, 1 lt, 1 where
 #   retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   body_retract: 363: 125 +, 151 *, 41 /, 1 neg, 2 abs, 6 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 20 where
 #   retract_jacobians: 1130: 441 +, 548 *, 86 /, 8 neg, 2 abs, 7 sqrt, 5 tan, 3 atan2, 7 lt, 2 eq, 21 where
@@ -97,10 +97,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -121,7 +121,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 8: 2 +, 1 *, 3 /, 1 neg, 1 sqrt
@@ -134,17 +134,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return c, 1, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, o3, o4 = out
-    n1, n2 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    rho = div(n2, c, o3)
-    sub(div(mul(c, rho, o4), n2, o4), n1, o4)
-    neg(div(rho, n2, o3), o3)
-    return o1, n1, o3, o4
-
-
 # operations 6: 3 +, 1 *, 1 /, 1 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -153,17 +142,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f = 2 * c
     h = 2 / c
     return f, 2, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, _, o3 = out
-    n1, n2 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    cc = sub(n1, x, o3)
-    c = sqrt(cc, o3)
-    mul(n2, c, o1)
-    div(n2, c, o3)
-    return o1, n2, o3
 
 
 # operations 11: 5 +, 3 *, 2 /, 1 sqrt
@@ -177,20 +155,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     gy = f * h - 4
     hy = h / cc
     return f, 2, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, _, o3, o4, o5, o6 = out
-    n1, n2, n4 = numbers
-    x = add(add(v11, v22, o6), v33, o6)
-    cc = sub(n1, x, o6)
-    c = sqrt(cc, o3)
-    f = mul(n2, c, o1)
-    h = div(n2, c, o3)
-    sub(mul(f, h, o5), n4, o5)
-    div(h, cc, o6)
-    sub(h, mul(n2, h, o4), o4)
-    return o1, n2, o3, o4, o5, o6
 
 
 # operations 23: 9 +, 10 *, 3 /, 1 sqrt
@@ -209,24 +173,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, _, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4 = numbers
-    x = add(add(v11, v22, o9), v33, o9)
-    cc = sub(n1, x, o9)
-    c = sqrt(cc, o3)
-    f = mul(n2, c, o1)
-    h = div(n2, c, o3)
-    fy = sub(h, mul(n2, h, o4), o4)
-    gy = sub(mul(f, h, o5), n4, o5)
-    hy = div(h, cc, o6)
-    sub(add(mul(fy, h, o8), mul(f, hy, o7), o8), mul(n2, mul(n2, gy, o7), o7), o8)
-    sub(sub(hy, mul(n2, hy, o7), o7), mul(h, gy, k1), o7)
-    div(mul(n3, hy, k1), cc, o9)
-    return o1, n2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 4: 1 +, 2 /, 1 sqrt
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
@@ -236,26 +182,9 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    n1, n2 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o1)
-    rho = div(n2, c, o1)
-    div(rho, cc, o2)
-    return o1, o2
-
-
 # operations 0
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, 0
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, _ = out
-    n0, = numbers
-    copy(fe, o1)
-    return o1, n0
 
 
 # operations 11: 3 +, 2 *, 4 /, 1 abs, 1 tan
@@ -267,19 +196,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     h = 2 / c
     hi = (2 - fe * h) / h
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n2, n4 = numbers
-    t = tan(div(angle, n4, o1), o1)
-    tt = mul(t, t, o1)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
-    h = div(n2, c, o1)
-    div(sub(n2, mul(fe, h, k1), k1), h, o1)
-    return o1,
 
 
 # operations 25: 7 +, 8 *, 7 /, 1 neg, 1 abs, 1 tan
@@ -299,43 +215,28 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4 = numbers
-    t = tan(div(angle, n4, o4), o4)
-    tt = mul(t, t, o4)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
-    h = div(n2, c, k1)
-    hi = div(sub(n2, mul(fe, h, o2), o2), h, o2)
-    fiy = neg(div(h, n2, o3), o3)
-    f = mul(n2, c, k2)
-    gy = sub(mul(f, h, k2), n4, k2)
-    cc = mul(c, c, o4)
-    hy = div(h, cc, o4)
-    div(sub(sub(sub(gy, mul(fiy, h, k3), k2), mul(fe, hy, k3), k2), mul(hi, hy, o4), o4), h, o4)
-    copy(fe, o1)
-    return o1, o2, o3, o4
-
-
-# operations 5: 1 +, 2 /, 1 neg, 1 sqrt
+# operations 6: 2 +, 2 /, 1 neg, 1 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    return c, 0, fiy, 0
+    zero = x - x
+    return c, zero, fiy, 0
 
 
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, o3, _ = out
-    n0, n1, n2 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    h = div(n2, c, o3)
-    neg(div(h, n2, o3), o3)
-    return o1, n0, o3, n0
+# operations 14: 4 +, 3 *, 4 /, 2 neg, 1 sqrt
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    cc = 1 - x
+    c = m.sqrt(cc)
+    h = 2 / c
+    fiy = -(h / 2)
+    hy = h / cc
+    f = 2 * c
+    gy = f * h - 4
+    fiyy = -((hy + fiy * gy) / 2)
+    zero = x - x
+    return c, zero, fiy, 0, fiyy, 0
 
 
 # operations 6: 3 +, 1 *, 1 /, 1 sqrt
@@ -344,19 +245,16 @@ def _ray(m: Any, x: Any) -> Result:
     c = m.sqrt(cc)
     f = 2 * c
     h = 2 / c
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     return c, 1, one, f, 2, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, _, o3, o4, _, o6 = out
-    n1, n2 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    add(sub(x, x, o3), n1, o3)
-    mul(n2, c, o4)
-    div(n2, c, o6)
-    return o1, n1, o3, o4, n2, o6
+# operations 2: 1 lt, 1 where
+def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
+    negative = e0 < 0
+    gain = m.where(negative, -1, 1)
+    return gain,
 
 
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
@@ -366,36 +264,12 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    div(n1, size, o1)
-    return o1,
-
-
 # operations 4: 1 *, 1 /, 1 lt, 1 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
     gain = m.where(negative, -1, 1) / size
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    negative = m.less(e0, n0, mask1)
-    size = mul(size2, size1, o1)
-    div(m.where(negative, n_minus_1, n1, k1), size, o1)
-    return o1,
 
 
 # operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
@@ -410,34 +284,11 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n16 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    one = add(sub(c, c, o3), n1, o3)
-    turned = m.where(m.less(add(n16, c, o2), n16, mask1), n_minus_1, n1, o2)
-    mul(one, m.where(m.less(turned, n0, mask1), n_minus_1, n1, o2), o3)
-    div(n2, c, o2)
-    mul(n2, atan2(r, absolute(c, o1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 2 * m.atan2(r, c)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    mask1, *_ = masks
-    n1, n2 = numbers
-    c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
-    mul(n2, atan2(r, c, o1), o1)
-    return o1,
 
 
 # operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -449,20 +300,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     left = pi - alpha
     within = m.where(left < 0, last, alpha)
     return within,
-
-
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    left = sub(pi, alpha, o1)
-    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
 
 
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
@@ -478,22 +315,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    t = tan(div(alpha, n4, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n2, o2)
-    return o1, o2
-
-
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 4)
@@ -505,553 +326,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     cos = side * further
     slope = cos / 2
     return sin, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n4 = numbers
-    t = tan(div(alpha, n4, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n2, o2)
-    return o1, o2
-
-
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
-def _own_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    h = 2 / c
-    fiy = -(h / 2)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = c / 2
-    fio = fiy * yh
-    return fih, -s3, s2, s3, fih, -s1, -s2, s1, fih, fio, -so3, so2, so3, fio, -so1, -so2, so1, fio
-
-
-def _own_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3 = scratch
-    n_minus_2, n1, n2 = numbers
-    s3 = div(v3, n_minus_2, o4)
-    neg(s3, o2)
-    s2 = div(v2, n_minus_2, o3)
-    s1 = div(v1, n_minus_2, o8)
-    neg(s1, o6)
-    neg(s2, o7)
-    so3 = div(v3o, n_minus_2, o13)
-    neg(so3, o11)
-    so2 = div(v2o, n_minus_2, o12)
-    so1 = div(v1o, n_minus_2, o17)
-    neg(so1, o15)
-    neg(so2, o16)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k1)
-    div(c, n2, o1)
-    h = div(n2, c, k1)
-    fiy = neg(div(h, n2, k1), k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    yh = div(y, n2, k2)
-    mul(fiy, yh, o10)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 30: 5 +, 7 *, 10 /, 7 neg, 1 sqrt
-def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    h = 2 / c
-    fiy = -(h / 2)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = c / 2
-    fio = fiy * yh
-    return fih, s3, -s2, -s3, fih, s1, s2, -s1, fih, fio, so3, -so2, -so3, fio, so1, so2, -so1, fio
-
-
-def _own_body_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3 = scratch
-    n_minus_2, n1, n2 = numbers
-    s3 = div(v3, n_minus_2, o2)
-    s2 = div(v2, n_minus_2, o7)
-    neg(s2, o3)
-    neg(s3, o4)
-    s1 = div(v1, n_minus_2, o6)
-    neg(s1, o8)
-    so3 = div(v3o, n_minus_2, o11)
-    so2 = div(v2o, n_minus_2, o16)
-    neg(so2, o12)
-    neg(so3, o13)
-    so1 = div(v1o, n_minus_2, o15)
-    neg(so1, o17)
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k1)
-    div(c, n2, o1)
-    h = div(n2, c, k1)
-    fiy = neg(div(h, n2, k1), k1)
-    y = add(add(mul(v1, v1o, k2), mul(v2, v2o, k3), k2), mul(v3, v3o, k3), k2)
-    yh = div(y, n2, k2)
-    mul(fiy, yh, o10)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 72: 26 +, 42 *, 2 /, 1 neg, 1 sqrt
-def _own_rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    h = 2 / c
-    fiy = -(h / 2)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    ys = y * side
-    fis = c * side
-    fio = fiy * ys
-    return (
-        (w1 * fis + (w2 * v3 - w3 * v2)) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3)) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1)) * half,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o)) * half,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o)) * half,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o)) * half,
-    )
-
-
-def _own_rate_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, half = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5 = scratch
-    n1, n2 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k1)
-    fis = mul(c, side, k2)
-    mul(add(mul(w1, fis, k3), sub(mul(w2, v3, k4), mul(w3, v2, k5), k4), k3), half, o1)
-    mul(add(mul(w2, fis, k3), sub(mul(w3, v1, k4), mul(w1, v3, k5), k4), k3), half, o2)
-    mul(add(mul(w3, fis, k3), sub(mul(w1, v2, k4), mul(w2, v1, k5), k4), k3), half, o3)
-    h = div(n2, c, k1)
-    fiy = neg(div(h, n2, k1), k1)
-    y = add(add(mul(v1, v1o, k3), mul(v2, v2o, k4), k3), mul(v3, v3o, k4), k3)
-    ys = mul(y, side, k3)
-    fio = mul(fiy, ys, k1)
-    mul(
-        add(add(add(mul(w1o, fis, k3), mul(w1, fio, k4), k3), sub(mul(w2o, v3, k4), mul(w3o, v2, k5), k4), k3),
-        sub(mul(w2, v3o, k4), mul(w3, v2o, k5), k4), k3), half, o4
-    )
-    mul(
-        add(add(add(mul(w2o, fis, k3), mul(w2, fio, k4), k3), sub(mul(w3o, v1, k4), mul(w1o, v3, k5), k4), k3),
-        sub(mul(w3, v1o, k4), mul(w1, v3o, k5), k4), k3), half, o5
-    )
-    mul(
-        add(add(add(mul(w3o, fis, k2), mul(w3, fio, k1), k1), sub(mul(w1o, v2, k2), mul(w2o, v1, k3), k2), k1),
-        sub(mul(w1, v2o, k2), mul(w2, v1o, k3), k2), k1), half, o6
-    )
-
-
-# operations 161: 61 +, 84 *, 11 /, 4 neg, 1 sqrt
-def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    h = 2 / c
-    fiy = -(h / 2)
-    hy = h / cc
-    f = 2 * c
-    gy = f * h - 4
-    fiyy = -((hy + fiy * gy) / 2)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fio = fiy * y
-    fiyo = fiyy * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    ww = w1 * w1 + w2 * w2 + w3 * w3
-    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
-    hs = side / 2
-    fvw = c * vw
-    fvwo = c * vwo + fio * vw
-    ft = (fiy * fvw + vw) / 4
-    fto = (fiy * fvwo + fiyo * fvw + vwo) / 4
-    cvv = -ww / 4
-    cvvo = -wwo / 4
-    fih = c / 2
-    fiho = fio / 2
-    return (
-        z1 * fih + w1 * ft + (z2 * v3 - z3 * v2) * hs + v1 * cvv,
-        z2 * fih + w2 * ft + (z3 * v1 - z1 * v3) * hs + v2 * cvv,
-        z3 * fih + w3 * ft + (z1 * v2 - z2 * v1) * hs + v3 * cvv,
-        z1 * fiho + z1o * fih + (w1 * fto + w1o * ft) + (z2 * v3o + z2o * v3 - (z3 * v2o + z3o * v2)) * hs + (v1 * cvvo
-        + v1o * cvv),
-        z2 * fiho + z2o * fih + (w2 * fto + w2o * ft) + (z3 * v1o + z3o * v1 - (z1 * v3o + z1o * v3)) * hs + (v2 * cvvo
-        + v2o * cvv),
-        z3 * fiho + z3o * fih + (w3 * fto + w3o * ft) + (z1 * v2o + z1o * v2 - (z2 * v1o + z2o * v1)) * hs + (v3 * cvvo
-        + v3o * cvv),
-    )
-
-
-def _own_rate_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k2)
-    h = div(n2, c, k3)
-    hy = div(h, cc, k1)
-    f = mul(n2, c, k4)
-    gy = sub(mul(f, h, k4), n4, k4)
-    fiy = neg(div(h, n2, k3), k3)
-    fiyy = neg(div(add(hy, mul(fiy, gy, k4), k1), n2, k1), k1)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    fiyo = mul(fiyy, y, k1)
-    fio = mul(fiy, y, k4)
-    vwo = add(
-        add(add(mul(v1, w1o, k5), mul(v1o, w1, k6), k5), add(mul(v2, w2o, k6), mul(v2o, w2, k7), k6), k5), add(mul(v3,
-        w3o, k6), mul(v3o, w3, k7), k6), k5
-    )
-    vw = add(add(mul(v1, w1, k6), mul(v2, w2, k7), k6), mul(v3, w3, k7), k6)
-    fvwo = add(mul(c, vwo, k7), mul(fio, vw, k8), k7)
-    fiho = div(fio, n2, k4)
-    fvw = mul(c, vw, k8)
-    fto = div(add(add(mul(fiy, fvwo, k7), mul(fiyo, fvw, k1), k1), vwo, k1), n4, k1)
-    ft = div(add(mul(fiy, fvw, k3), vw, k3), n4, k3)
-    fih = div(c, n2, k2)
-    hs = div(side, n2, k5)
-    wwo = mul(n2, add(add(mul(w1, w1o, k6), mul(w2, w2o, k7), k6), mul(w3, w3o, k7), k6), k6)
-    cvvo = div(neg(wwo, k6), n4, k6)
-    ww = add(add(mul(w1, w1, k7), mul(w2, w2, k8), k7), mul(w3, w3, k8), k7)
-    cvv = div(neg(ww, k7), n4, k7)
-    add(
-        add(add(add(mul(z3, fiho, k8), mul(z3o, fih, k9), k8), add(mul(w3, fto, k9), mul(w3o, ft, k10), k9), k8),
-        mul(sub(add(mul(z1, v2o, k9), mul(z1o, v2, k10), k9), add(mul(z2, v1o, k10), mul(z2o, v1, k11), k10), k9), hs,
-        k9), k8), add(mul(v3, cvvo, k9), mul(v3o, cvv, k10), k9), o6
-    )
-    add(
-        add(add(add(mul(z2, fiho, k8), mul(z2o, fih, k9), k8), add(mul(w2, fto, k9), mul(w2o, ft, k10), k9), k8),
-        mul(sub(add(mul(z3, v1o, k9), mul(z3o, v1, k10), k9), add(mul(z1, v3o, k10), mul(z1o, v3, k11), k10), k9), hs,
-        k9), k8), add(mul(v2, cvvo, k9), mul(v2o, cvv, k10), k9), o5
-    )
-    add(
-        add(add(add(mul(z1, fiho, k4), mul(z1o, fih, k8), k4), add(mul(w1, fto, k1), mul(w1o, ft, k8), k1), k1),
-        mul(sub(add(mul(z2, v3o, k4), mul(z2o, v3, k8), k4), add(mul(z3, v2o, k8), mul(z3o, v2, k9), k8), k4), hs, k4),
-        k1), add(mul(v1, cvvo, k4), mul(v1o, cvv, k6), k4), o4
-    )
-    add(
-        add(add(mul(z3, fih, k1), mul(w3, ft, k4), k1), mul(sub(mul(z1, v2, k4), mul(z2, v1, k6), k4), hs, k4), k1),
-        mul(v3, cvv, k4), o3
-    )
-    add(
-        add(add(mul(z2, fih, k1), mul(w2, ft, k4), k1), mul(sub(mul(z3, v1, k4), mul(z1, v3, k6), k4), hs, k4), k1),
-        mul(v2, cvv, k4), o2
-    )
-    add(
-        add(add(mul(z1, fih, k1), mul(w1, ft, k2), k1), mul(sub(mul(z2, v3, k2), mul(z3, v2, k3), k2), hs, k2), k1),
-        mul(v1, cvv, k2), o1
-    )
-
-
-# operations 141: 52 +, 79 *, 7 /, 2 neg, 1 sqrt
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    hs = side / 2
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    cc = 1 - x
-    c = m.sqrt(cc)
-    h = 2 / c
-    fiy = -(h / 2)
-    hy = h / cc
-    f = 2 * c
-    gy = f * h - 4
-    fiyy = -((hy + fiy * gy) / 2)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fiyo = fiyy * y
-    fh = fiy / 2
-    fho = fiyo / 2
-    b1 = w1 * fh
-    b1o = w1 * fho + w1o * fh
-    b2 = w2 * fh
-    b2o = w2 * fho + w2o * fh
-    b3 = w3 * fh
-    b3o = w3 * fho + w3o * fh
-    t1 = w2 * v3 - w3 * v2
-    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
-    t2 = w3 * v1 - w1 * v3
-    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
-    t3 = w1 * v2 - w2 * v1
-    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
-    s1 = w1 * hs - t1 * fh
-    s1o = w1o * hs - (t1 * fho + t1o * fh)
-    s2 = w2 * hs - t2 * fh
-    s2o = w2o * hs - (t2 * fho + t2o * fh)
-    s3 = w3 * hs - t3 * fh
-    s3o = w3o * hs - (t3 * fho + t3o * fh)
-    J11 = v1 * b1
-    J22 = v2 * b2
-    J33 = v3 * b3
-    J12 = v1 * b2 - s3
-    J13 = v1 * b3 + s2
-    J21 = v2 * b1 + s3
-    J23 = v2 * b3 - s1
-    J31 = v3 * b1 - s2
-    J32 = v3 * b2 + s1
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        v1 * b1o + v1o * b1,
-        v1 * b2o + v1o * b2 - s3o,
-        v1 * b3o + v1o * b3 + s2o,
-        J11,
-        J12,
-        J13,
-        v2 * b1o + v2o * b1 + s3o,
-        v2 * b2o + v2o * b2,
-        v2 * b3o + v2o * b3 - s1o,
-        J21,
-        J22,
-        J23,
-        v3 * b1o + v3o * b1 - s2o,
-        v3 * b2o + v3o * b2 + s1o,
-        v3 * b3o + v3o * b3,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13 = scratch
-    n0, n1, n2, n4 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k2)
-    h = div(n2, c, k3)
-    hy = div(h, cc, k1)
-    f = mul(n2, c, k2)
-    gy = sub(mul(f, h, k2), n4, k2)
-    fiy = neg(div(h, n2, k3), k3)
-    fiyy = neg(div(add(hy, mul(fiy, gy, k2), k1), n2, k1), k1)
-    fh = div(fiy, n2, k2)
-    b3 = mul(w3, fh, k3)
-    mul(v3, b3, o15)
-    b2 = mul(w2, fh, k4)
-    mul(v2, b2, o8)
-    hs = div(side, n2, k5)
-    t1 = sub(mul(w2, v3, k6), mul(w3, v2, k7), k6)
-    s1 = sub(mul(w1, hs, k7), mul(t1, fh, k8), k7)
-    add(mul(v3, b2, k8), s1, o14)
-    sub(mul(v2, b3, k8), s1, o9)
-    b1 = mul(w1, fh, k7)
-    mul(v1, b1, o1)
-    t2 = sub(mul(w3, v1, k8), mul(w1, v3, k9), k8)
-    s2 = sub(mul(w2, hs, k9), mul(t2, fh, k10), k9)
-    sub(mul(v3, b1, k10), s2, o13)
-    add(mul(v1, b3, k10), s2, o3)
-    y = add(add(mul(v1, v1o, k9), mul(v2, v2o, k10), k9), mul(v3, v3o, k10), k9)
-    fiyo = mul(fiyy, y, k1)
-    fho = div(fiyo, n2, k1)
-    b3o = add(mul(w3, fho, k9), mul(w3o, fh, k10), k9)
-    add(mul(v3, b3o, k10), mul(v3o, b3, k11), o33)
-    b2o = add(mul(w2, fho, k10), mul(w2o, fh, k11), k10)
-    add(mul(v2, b2o, k11), mul(v2o, b2, k12), o26)
-    t1o = sub(add(mul(w2, v3o, k11), mul(w2o, v3, k12), k11), add(mul(w3, v2o, k12), mul(w3o, v2, k13), k12), k11)
-    s1o = sub(mul(w1o, hs, k12), add(mul(t1, fho, k6), mul(t1o, fh, k11), k6), k6)
-    add(add(mul(v3, b2o, k11), mul(v3o, b2, k12), k11), s1o, o32)
-    sub(add(mul(v2, b3o, k11), mul(v2o, b3, k12), k11), s1o, o27)
-    b1o = add(mul(w1, fho, k6), mul(w1o, fh, k11), k6)
-    add(mul(v1, b1o, k11), mul(v1o, b1, k12), o19)
-    t2o = sub(add(mul(w3, v1o, k11), mul(w3o, v1, k12), k11), add(mul(w1, v3o, k12), mul(w1o, v3, k13), k12), k11)
-    s2o = sub(mul(w2o, hs, k12), add(mul(t2, fho, k8), mul(t2o, fh, k11), k8), k8)
-    add(add(mul(v1, b3o, k9), mul(v1o, b3, k3), k3), s2o, o21)
-    sub(add(mul(v3, b1o, k3), mul(v3o, b1, k9), k3), s2o, o31)
-    t3 = sub(mul(w1, v2, k3), mul(w2, v1, k8), k3)
-    s3 = sub(mul(w3, hs, k8), mul(t3, fh, k9), k8)
-    add(mul(v2, b1, k9), s3, o7)
-    sub(mul(v1, b2, k9), s3, o2)
-    t3o = sub(add(mul(w1, v2o, k8), mul(w1o, v2, k9), k8), add(mul(w2, v1o, k9), mul(w2o, v1, k11), k9), k8)
-    s3o = sub(mul(w3o, hs, k5), add(mul(t3, fho, k1), mul(t3o, fh, k2), k1), k1)
-    add(add(mul(v2, b1o, k2), mul(v2o, b1, k3), k2), s3o, o25)
-    sub(add(mul(v1, b2o, k2), mul(v1o, b2, k3), k2), s3o, o20)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 48: 15 +, 28 *, 3 /, 1 lt, 1 where
-def _own_from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
-    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
-    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
-    negative = e0 < 0
-    gain = m.where(negative, -1, 1)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    fe = gain * e0
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fe - (v2 * rho3 - v3 * rho2)) / 2,
-        (rho2 * fe - (v3 * rho1 - v1 * rho3)) / 2,
-        (rho3 * fe - (v1 * rho2 - v2 * rho1)) / 2,
-    )
-
-
-def _own_from_quaternion_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, e: Rows
-) -> None:
-    e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7 = scratch
-    mask1, = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    gain = m.where(negative, n_minus_1, n1, k1)
-    v1 = mul(e1, gain, o1)
-    v2 = mul(e2, gain, o2)
-    v3 = mul(e3, gain, o3)
-    fe = mul(gain, e0, k1)
-    rho1 = mul(
-        n2, add(sub(mul(e1o, e0, k2), mul(e1, e0o, k3), k2), sub(mul(e2, e3o, k3), mul(e3, e2o, k4), k3), k2), k2
-    )
-    rho3 = mul(
-        n2, add(sub(mul(e3o, e0, k3), mul(e3, e0o, k4), k3), sub(mul(e1, e2o, k4), mul(e2, e1o, k5), k4), k3), k3
-    )
-    rho2 = mul(
-        n2, add(sub(mul(e2o, e0, k4), mul(e2, e0o, k5), k4), sub(mul(e3, e1o, k5), mul(e1, e3o, k6), k5), k4), k4
-    )
-    div(sub(mul(rho1, fe, k5), sub(mul(v2, rho3, k6), mul(v3, rho2, k7), k6), k5), n2, o4)
-    div(sub(mul(rho2, fe, k5), sub(mul(v3, rho1, k6), mul(v1, rho3, k7), k6), k5), n2, o5)
-    div(sub(mul(rho3, fe, k1), sub(mul(v1, rho2, k3), mul(v2, rho1, k2), k2), k1), n2, o6)
 
 
 CHART = Chart(
@@ -1066,94 +340,28 @@ CHART = Chart(
     returns=(
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (1, 2)),
-        "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4)),
-        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 2)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (0,)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 2, 4)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 3, 0, (1, 2, 4)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1,)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 1, 1, (-1, 0, 1)),
-        "natural": Function(_natural, _natural_blocks, 0, 1, (-1, 0, 1, 2, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 2)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 4)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 4)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
-    kernels={
-        **SHARED,
-        "tangent_inv": Kernel(
-        _own_tangent_inv,
-        _own_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=3,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent_inv": Kernel(
-        _own_body_tangent_inv,
-        _own_body_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=3,
-        masks=0,
-        numbers=(-2, 1, 2),
-        lent=(),
-        real=False,
-    ),
-        "rate": Kernel(
-        _own_rate,
-        _own_rate_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6,),
-        registers=5,
-        masks=0,
-        numbers=(1, 2),
-        lent=(),
-        real=False,
-    ),
-        "rate_dot": Kernel(
-        _own_rate_dot,
-        _own_rate_dot_blocks,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
-        (6,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        registers=13,
-        masks=0,
-        numbers=(0, 1, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "from_quaternion": Kernel(
-        _own_from_quaternion,
-        _own_from_quaternion_blocks,
-        (("q", (8,)),),
-        (6,),
-        registers=7,
-        masks=1,
-        numbers=(-1, 0, 1, 2),
-        lent=(),
-        real=True,
-    ),
-    },
-    programs="607bc00134e70aab",
+    kernels=SHARED,
+    programs="e253dd67e389eecd",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -38,17 +38,17 @@
 #   transform_point: 75: 29 +, 41 *, 5 /
 #   transform_line: 114: 44 +, 65 *, 5 /
 #   inverse: 6: 6 neg
-#   tangent: 42: 8 +, 19 *, 8 /, 7 neg
-#   tangent_inv: 51: 21 +, 18 *, 12 /
-#   body_tangent: 42: 8 +, 19 *, 8 /, 7 neg
-#   body_tangent_inv: 51: 21 +, 18 *, 12 /
-#   twist: 86: 29 +, 48 *, 8 /, 1 neg
+#   tangent: 91: 35 +, 47 *, 8 /, 1 neg
+#   tangent_inv: 79: 33 +, 36 *, 10 /
+#   body_tangent: 91: 35 +, 47 *, 8 /, 1 neg
+#   body_tangent_inv: 79: 33 +, 36 *, 10 /
+#   twist: 125: 46 +, 70 *, 8 /, 1 neg
 #   rate: 111: 44 +, 66 *, 1 /
-#   tangent_dot: 97: 27 +, 53 *, 10 /, 7 neg
-#   twist_dot: 159: 57 +, 90 *, 11 /, 1 neg
-#   rate_dot: 166: 72 +, 85 *, 9 /
-#   twist_jacobian: 155: 54 +, 90 *, 10 /, 1 neg
-#   rate_jacobian: 85: 34 +, 42 *, 9 /
+#   tangent_dot: 196: 73 +, 109 *, 13 /, 1 neg
+#   twist_dot: 224: 86 +, 126 *, 11 /, 1 neg
+#   rate_dot: 233: 96 +, 129 *, 8 /
+#   twist_jacobian: 226: 89 +, 125 *, 11 /, 1 neg
+#   rate_jacobian: 190: 77 +, 103 *, 10 /
 #   from_quaternion: 68: 24 +, 39 *, 5 /
 #   from_tensor: 129: 44 +, 46 *, 8 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 93: 29 +, 28 *, 5 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -71,7 +71,7 @@
 #   interpolate: 747: 251 +, 319 *, 81 /, 8 neg, 7 abs, 9 sqrt, 5 tan, 4 atan2, 12 lt, 5 eq, 1 and, 3 or, 42
 #       where
 #   adjoint: 90: 35 +, 50 *, 5 /
-#   transform_point_jacobians: 149: 58 +, 73 *, 8 /, 10 neg
+#   transform_point_jacobians: 206: 89 +, 105 *, 8 /, 4 neg
 #   transform_line_jacobians: 305: 122 +, 168 *, 8 /, 7 neg
 r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
@@ -96,10 +96,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -120,7 +120,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 10: 1 +, 1 *, 7 /, 1 sqrt
@@ -137,21 +137,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return r, w_v, sy_v, wy_v
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_1, n1, n2, n4, n8 = numbers
-    z = div(x, n4, o4)
-    N = add(n1, z, o4)
-    root = sqrt(N, o1)
-    r = div(div(root, root, o2), root, o1)
-    minus_e = div(n_minus_1, N, o4)
-    sy = mul(r, minus_e, o4)
-    div(r, n2, o2)
-    div(sy, n4, o3)
-    div(sy, n8, o4)
-    return o1, o2, o3, o4
-
-
 # operations 9: 3 +, 1 *, 5 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -161,18 +146,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     f_v = r / 2
     g_v = r / 4
     return f_v, g_v, 0
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, _ = out
-    n0, n1, n2, n4 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
-    z = div(x, n4, o2)
-    N = add(n1, z, o2)
-    r = mul(n2, div(div(N, N, o1), N, o2), o2)
-    div(r, n2, o1)
-    div(r, n4, o2)
-    return o1, o2, n0
 
 
 # operations 14: 3 +, 2 *, 8 /, 1 neg
@@ -191,21 +164,26 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, 0, fy_v, gy_v, 0
 
 
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, _, o4, o5, _ = out
-    n0, n1, n2, n4, n8, n16 = numbers
-    x = add(add(v11, v22, o5), v33, o5)
-    z = div(x, n4, o5)
-    N = add(n1, z, o5)
-    r = mul(n2, div(div(N, N, o2), N, o2), o2)
-    e = div(n2, N, o5)
-    eg = mul(e, r, o5)
-    fy = neg(eg, o5)
-    div(r, n2, o1)
-    div(r, n4, o2)
-    div(fy, n8, o4)
-    div(fy, n16, o5)
-    return o1, o2, n0, o4, o5, n0
+# operations 21: 4 +, 5 *, 11 /, 1 neg
+def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+    x = v11 + v22 + v33
+    z = x / 4
+    N = 1 + z
+    r = 2 * (N / N / N)
+    f_v = r / 2
+    g_v = r / 4
+    e = 2 / N
+    eg = e * r
+    fy = -eg
+    fy_v = fy / 8
+    gy_v = fy / 16
+    egy = e * fy
+    ee = 2 * e / N
+    eeg = ee * r
+    fyy = eeg - egy
+    fyy_v = fyy / 32
+    gyy_v = fyy / 64
+    return f_v, g_v, 0, fy_v, gy_v, 0, fyy_v, gyy_v, 0
 
 
 # operations 8: 1 +, 1 *, 5 /, 1 neg
@@ -220,80 +198,46 @@ def _rate(m: Any, x: Any) -> Result:
     return rate_v, ratey_v
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4, n8 = numbers
-    z = div(x, n4, o2)
-    x1 = add(n1, z, o2)
-    e = div(n2, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    div(e, n2, o1)
-    ey = neg(ee, o2)
-    div(ey, n8, o2)
-    return o1, o2
-
-
 # operations 3: 2 +, 1 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return 2, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    _, o2 = out
-    n1, n2 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    return n2, o2
-
-
 # operations 3: 2 +, 1 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return hi,
 
 
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    one = add(sub(x, x, o1), n1, o1)
-    div(one, n2, o1)
-    return o1,
-
-
 # operations 3: 2 +, 1 /
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 2
     return 2, hi, 0, 0
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    _, o2, _, _ = out
-    n0, n1, n2 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    return n2, o2, n0, n0
+# operations 4: 2 +, 1 *, 1 /
+def _tangent_inv(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
+    fi = 2 * one
+    hi = one / 2
+    return fi, hi, zero, 0
 
 
 # operations 4: 2 +, 1 *, 1 /
-def _tangent_inv(m: Any, x: Any) -> Result:
-    one = x - x + 1
+def _tangent_inv_dot(m: Any, x: Any) -> Result:
+    zero = x - x
+    one = zero + 1
     fi = 2 * one
     hi = one / 2
-    return fi, hi, 0, 0
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, _ = out
-    n0, n1, n2 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    mul(n2, one, o1)
-    div(one, n2, o2)
-    return o1, o2, n0, n0
+    return fi, hi, zero, 0, 0, 0
 
 
 # operations 10: 3 +, 1 *, 6 /
@@ -303,22 +247,10 @@ def _ray(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f_v = r / 2
     g_v = r / 4
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     b = one / 2
     return 1, b, 1, f_v, g_v, 0
-
-
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    _, o2, _, o4, o5, _ = out
-    n0, n1, n2, n4 = numbers
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    z = div(x, n4, o5)
-    N = add(n1, z, o5)
-    r = mul(n2, div(div(N, N, o4), N, o5), o5)
-    div(r, n2, o4)
-    div(r, n4, o5)
-    return n1, o2, n1, o4, o5, n0
 
 
 # operations 2: 1 *, 1 /
@@ -327,43 +259,16 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    mul(n2, div(n1, e0, o1), o1)
-    return o1,
-
-
 # operations 2: 1 *, 1 /
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 2 * (1 / e0)
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    mul(n2, div(n1, e0, o1), o1)
-    return o1,
-
-
 # operations 2: 1 *, 1 /
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     gain = 2 * (1 / e0)
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    mul(n2, div(n1, e0, o1), o1)
-    return o1,
 
 
 # operations 10: 3 +, 2 *, 4 /, 1 atan2
@@ -376,29 +281,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope / 2, one
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    n1, n2, n4 = numbers
-    z = div(x, n4, o2)
-    one = add(sub(z, z, o3), n1, o3)
-    slope = div(n2, add(n1, z, o2), o2)
-    div(slope, n2, o2)
-    rq = div(r, n2, o1)
-    mul(n2, atan2(mul(rq, one, o1), n1, o1), o1)
-    return o1, o2, o3
-
-
 # operations 3: 1 *, 1 /, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 2 * m.atan2(r / 2, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n2 = numbers
-    mul(n2, atan2(div(r, n2, o1), n1, o1), o1)
-    return o1,
 
 
 # operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -412,20 +298,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    left = sub(pi, alpha, o1)
-    last = mul(n2, atan2(tan(div(alpha, n2, k1), k1), n1, k1), k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 7: 1 +, 3 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 2)
@@ -433,16 +305,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     v = 2 * r
     v_slope = 2 * slope
     return v, v_slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n2 = numbers
-    r = tan(div(alpha, n2, o2), o2)
-    mul(n2, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n2, o2)
-    mul(n2, slope, o2)
-    return o1, o2
 
 
 # operations 23: 2 +, 6 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -460,1299 +322,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     return v, v_slope
 
 
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n3 = numbers
-    size = absolute(alpha, o2)
-    nextto = m.less(absolute(sub(size, n3, o1), o1), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n2, o2), o2)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
-    mul(n2, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n2, o2)
-    mul(n2, slope, o2)
-    return o1, o2
-
-
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 42: 8 +, 19 *, 8 /, 7 neg
-def _own_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvo1 = v1o * g_v + v1 * go
-    gvo2 = v2o * g_v + v2 * go
-    gvo3 = v3o * g_v + v3 * go
-    return f_v, -gv3, gv2, gv3, f_v, -gv1, -gv2, gv1, f_v, fo, -gvo3, gvo2, gvo3, fo, -gvo1, -gvo2, gvo1, fo
-
-
-def _own_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    div(r, n2, o1)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    g_v = div(r, n4, k2)
-    gv3 = mul(v3, g_v, o4)
-    neg(gv3, o2)
-    gv2 = mul(v2, g_v, o3)
-    gv1 = mul(v1, g_v, o8)
-    neg(gv1, o6)
-    neg(gv2, o7)
-    fy = neg(eg, k1)
-    fy_v = div(fy, n8, k3)
-    gy_v = div(fy, n16, k1)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    mul(fy_v, y, o10)
-    go = mul(gy_v, y, k1)
-    gvo3 = add(mul(v3o, g_v, k3), mul(v3, go, k4), o13)
-    neg(gvo3, o11)
-    gvo2 = add(mul(v2o, g_v, k3), mul(v2, go, k4), o12)
-    gvo1 = add(mul(v1o, g_v, k2), mul(v1, go, k1), o17)
-    neg(gvo1, o15)
-    neg(gvo2, o16)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 51: 21 +, 18 *, 12 /
-def _own_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    cv1 = v1 / 4
-    cv2 = v2 / 4
-    cv3 = v3 / 4
-    cvo1 = v1o / 4
-    cvo2 = v2o / 4
-    cvo3 = v3o / 4
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        1 + cv1 * v1,
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        1 + cv2 * v2,
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        1 + cv3 * v3,
-        cv1 * v1o + cvo1 * v1,
-        d12o - so3,
-        d13o + so2,
-        d12o + so3,
-        cv2 * v2o + cvo2 * v2,
-        d23o - so1,
-        d13o - so2,
-        d23o + so1,
-        cv3 * v3o + cvo3 * v3,
-    )
-
-
-def _own_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n_minus_2, n1, n4 = numbers
-    cv3 = div(v3, n4, k1)
-    add(n1, mul(cv3, v3, k2), o9)
-    cvo3 = div(v3o, n4, k2)
-    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
-    cv2 = div(v2, n4, k1)
-    add(n1, mul(cv2, v2, k2), o5)
-    cvo2 = div(v2o, n4, k2)
-    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    d23 = mul(cv2, v3, k1)
-    so1 = div(v1o, n_minus_2, k3)
-    add(d23o, so1, o17)
-    sub(d23o, so1, o15)
-    cv1 = div(v1, n4, k2)
-    add(n1, mul(cv1, v1, k3), o1)
-    cvo1 = div(v1o, n4, k3)
-    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
-    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
-    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
-    so2 = div(v2o, n_minus_2, k5)
-    sub(d13o, so2, o16)
-    add(d13o, so2, o12)
-    so3 = div(v3o, n_minus_2, k4)
-    add(d12o, so3, o13)
-    sub(d12o, so3, o11)
-    s1 = div(v1, n_minus_2, k3)
-    add(d23, s1, o8)
-    sub(d23, s1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    s2 = div(v2, n_minus_2, k3)
-    sub(d13, s2, o7)
-    add(d13, s2, o3)
-    s3 = div(v3, n_minus_2, k1)
-    add(d12, s3, o4)
-    sub(d12, s3, o2)
-
-
-# operations 42: 8 +, 19 *, 8 /, 7 neg
-def _own_body_tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    gvo1 = v1o * g_v + v1 * go
-    gvo2 = v2o * g_v + v2 * go
-    gvo3 = v3o * g_v + v3 * go
-    return f_v, gv3, -gv2, -gv3, f_v, gv1, gv2, -gv1, f_v, fo, gvo3, -gvo2, -gvo3, fo, gvo1, gvo2, -gvo1, fo
-
-
-def _own_body_tangent_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    div(r, n2, o1)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    g_v = div(r, n4, k2)
-    gv3 = mul(v3, g_v, o2)
-    gv2 = mul(v2, g_v, o7)
-    neg(gv2, o3)
-    neg(gv3, o4)
-    gv1 = mul(v1, g_v, o6)
-    neg(gv1, o8)
-    fy = neg(eg, k1)
-    fy_v = div(fy, n8, k3)
-    gy_v = div(fy, n16, k1)
-    y = add(add(mul(v1, v1o, k4), mul(v2, v2o, k5), k4), mul(v3, v3o, k5), k4)
-    mul(fy_v, y, o10)
-    go = mul(gy_v, y, k1)
-    gvo3 = add(mul(v3o, g_v, k3), mul(v3, go, k4), o11)
-    gvo2 = add(mul(v2o, g_v, k3), mul(v2, go, k4), o16)
-    gvo1 = add(mul(v1o, g_v, k2), mul(v1, go, k1), o15)
-    neg(gvo2, o12)
-    neg(gvo3, o13)
-    neg(gvo1, o17)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 51: 21 +, 18 *, 12 /
-def _own_body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    cv1 = v1 / 4
-    cv2 = v2 / 4
-    cv3 = v3 / 4
-    cvo1 = v1o / 4
-    cvo2 = v2o / 4
-    cvo3 = v3o / 4
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        1 + cv1 * v1,
-        d12 + s3,
-        d13 - s2,
-        d12 - s3,
-        1 + cv2 * v2,
-        d23 + s1,
-        d13 + s2,
-        d23 - s1,
-        1 + cv3 * v3,
-        cv1 * v1o + cvo1 * v1,
-        d12o + so3,
-        d13o - so2,
-        d12o - so3,
-        cv2 * v2o + cvo2 * v2,
-        d23o + so1,
-        d13o + so2,
-        d23o - so1,
-        cv3 * v3o + cvo3 * v3,
-    )
-
-
-def _own_body_tangent_inv_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5 = scratch
-    n_minus_2, n1, n4 = numbers
-    cv3 = div(v3, n4, k1)
-    add(n1, mul(cv3, v3, k2), o9)
-    cvo3 = div(v3o, n4, k2)
-    add(mul(cv3, v3o, k1), mul(cvo3, v3, k2), o18)
-    cv2 = div(v2, n4, k1)
-    add(n1, mul(cv2, v2, k2), o5)
-    cvo2 = div(v2o, n4, k2)
-    add(mul(cv2, v2o, k3), mul(cvo2, v2, k4), o14)
-    d23o = add(mul(cv2, v3o, k3), mul(cvo2, v3, k2), k2)
-    d23 = mul(cv2, v3, k1)
-    so1 = div(v1o, n_minus_2, k3)
-    sub(d23o, so1, o17)
-    add(d23o, so1, o15)
-    cv1 = div(v1, n4, k2)
-    add(n1, mul(cv1, v1, k3), o1)
-    cvo1 = div(v1o, n4, k3)
-    add(mul(cv1, v1o, k4), mul(cvo1, v1, k5), o10)
-    d13o = add(mul(cv1, v3o, k4), mul(cvo1, v3, k5), k4)
-    d12o = add(mul(cv1, v2o, k5), mul(cvo1, v2, k3), k3)
-    so2 = div(v2o, n_minus_2, k5)
-    add(d13o, so2, o16)
-    sub(d13o, so2, o12)
-    so3 = div(v3o, n_minus_2, k4)
-    sub(d12o, so3, o13)
-    add(d12o, so3, o11)
-    s1 = div(v1, n_minus_2, k3)
-    sub(d23, s1, o8)
-    add(d23, s1, o6)
-    d13 = mul(cv1, v3, k1)
-    d12 = mul(cv1, v2, k2)
-    s2 = div(v2, n_minus_2, k3)
-    add(d13, s2, o7)
-    sub(d13, s2, o3)
-    s3 = div(v3, n_minus_2, k1)
-    sub(d12, s3, o4)
-    add(d12, s3, o2)
-
-
-# operations 86: 29 +, 48 *, 8 /, 1 neg
-def _own_twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    gs = g_v * side
-    gso = go * side
-    gv1 = v1 * gs
-    gv2 = v2 * gs
-    gv3 = v3 * gs
-    gvo1 = v1o * gs + v1 * gso
-    gvo2 = v2o * gs + v2 * gso
-    gvo3 = v3o * gs + v3 * gso
-    return (
-        w1 * f_v + (gv2 * w3 - gv3 * w2),
-        w2 * f_v + (gv3 * w1 - gv1 * w3),
-        w3 * f_v + (gv1 * w2 - gv2 * w1),
-        w1o * f_v + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2),
-        w2o * f_v + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3),
-        w3o * f_v + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1),
-    )
-
-
-def _own_twist_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k1)
-    eg = mul(e, r, k1)
-    fy = neg(eg, k1)
-    f_v = div(r, n2, k3)
-    g_v = div(r, n4, k2)
-    gs = mul(g_v, side, k2)
-    gv2 = mul(v2, gs, k4)
-    gv3 = mul(v3, gs, k5)
-    add(mul(w1, f_v, k6), sub(mul(gv2, w3, k7), mul(gv3, w2, k8), k7), o1)
-    gv1 = mul(v1, gs, k6)
-    add(mul(w2, f_v, k7), sub(mul(gv3, w1, k8), mul(gv1, w3, k9), k8), o2)
-    add(mul(w3, f_v, k7), sub(mul(gv1, w2, k8), mul(gv2, w1, k9), k8), o3)
-    gy_v = div(fy, n16, k7)
-    fy_v = div(fy, n8, k1)
-    y = add(add(mul(v1, v1o, k8), mul(v2, v2o, k9), k8), mul(v3, v3o, k9), k8)
-    go = mul(gy_v, y, k7)
-    fo = mul(fy_v, y, k1)
-    gso = mul(go, side, k7)
-    gvo2 = add(mul(v2o, gs, k8), mul(v2, gso, k9), k8)
-    gvo3 = add(mul(v3o, gs, k9), mul(v3, gso, k10), k9)
-    gvo1 = add(mul(v1o, gs, k2), mul(v1, gso, k7), k2)
-    add(
-        add(add(mul(w1o, f_v, k7), mul(w1, fo, k10), k7), sub(mul(gv2, w3o, k10), mul(gv3, w2o, k11), k10), k7),
-        sub(mul(gvo2, w3, k10), mul(gvo3, w2, k11), k10), o4
-    )
-    add(
-        add(add(mul(w2o, f_v, k7), mul(w2, fo, k10), k7), sub(mul(gv3, w1o, k5), mul(gv1, w3o, k10), k5), k5),
-        sub(mul(gvo3, w1, k7), mul(gvo1, w3, k9), k7), o5
-    )
-    add(
-        add(add(mul(w3o, f_v, k3), mul(w3, fo, k1), k1), sub(mul(gv1, w2o, k3), mul(gv2, w1o, k4), k3), k1),
-        sub(mul(gvo1, w2, k2), mul(gvo2, w1, k3), k2), o6
-    )
-
-
-# operations 97: 27 +, 53 *, 10 /, 7 neg
-def _own_tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    go = gy_v * y
-    fyo = fyy_v * y
-    gyo = gyy_v * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = gy_v * vw
-    gto = gy_v * vwo + gyo * vw
-    gw1 = w1 * g_v
-    gw1o = w1 * go + w1o * g_v
-    gw2 = w2 * g_v
-    gw2o = w2 * go + w2o * g_v
-    gw3 = w3 * g_v
-    gw3o = w3 * go + w3o * g_v
-    s1 = (v1 * gt + gw1) * side
-    s1o = (v1 * gto + v1o * gt + gw1o) * side
-    s2 = (v2 * gt + gw2) * side
-    s2o = (v2 * gto + v2o * gt + gw2o) * side
-    s3 = (v3 * gt + gw3) * side
-    s3o = (v3 * gto + v3o * gt + gw3o) * side
-    ft = fy_v * vw
-    fto = fy_v * vwo + fyo * vw
-    return ft, -s3, s2, s3, ft, -s1, -s2, s1, ft, fto, -s3o, s2o, s3o, fto, -s1o, -s2o, s1o, fto
-
-
-def _own_tangent_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9 = scratch
-    n1, n2, n4, n8, n16, n32, n64 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    g_v = div(r, n4, k2)
-    fyy_v = div(fyy, n32, k3)
-    gyy_v = div(fyy, n64, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    fyo = mul(fyy_v, y, k3)
-    gyo = mul(gyy_v, y, k1)
-    fy_v = div(fy, n8, k6)
-    gy_v = div(fy, n16, k4)
-    go = mul(gy_v, y, k5)
-    vwo = add(
-        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
-        w3o, k8), mul(v3o, w3, k9), k8), k7
-    )
-    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
-    add(mul(fy_v, vwo, k9), mul(fyo, vw, k3), o10)
-    gto = add(mul(gy_v, vwo, k3), mul(gyo, vw, k1), k1)
-    mul(fy_v, vw, o1)
-    gt = mul(gy_v, vw, k3)
-    gw1o = add(mul(w1, go, k4), mul(w1o, g_v, k6), k4)
-    s1o = mul(add(add(mul(v1, gto, k6), mul(v1o, gt, k7), k6), gw1o, k4), side, o17)
-    neg(s1o, o15)
-    gw2o = add(mul(w2, go, k4), mul(w2o, g_v, k6), k4)
-    s2o = mul(add(add(mul(v2, gto, k6), mul(v2o, gt, k7), k6), gw2o, k4), side, o12)
-    neg(s2o, o16)
-    gw3o = add(mul(w3, go, k4), mul(w3o, g_v, k5), k4)
-    s3o = mul(add(add(mul(v3, gto, k1), mul(v3o, gt, k5), k1), gw3o, k1), side, o13)
-    neg(s3o, o11)
-    gw1 = mul(w1, g_v, k1)
-    s1 = mul(add(mul(v1, gt, k4), gw1, k1), side, o8)
-    neg(s1, o6)
-    gw2 = mul(w2, g_v, k1)
-    s2 = mul(add(mul(v2, gt, k4), gw2, k1), side, o3)
-    neg(s2, o7)
-    gw3 = mul(w3, g_v, k1)
-    s3 = mul(add(mul(v3, gt, k2), gw3, k1), side, o4)
-    neg(s3, o2)
-    copy(o1, o5)
-    copy(o1, o9)
-    copy(o10, o14)
-    copy(o10, o18)
-
-
-# operations 159: 57 +, 90 *, 11 /, 1 neg
-def _own_twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    f_v = r / 2
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy_v * y
-    go = gy_v * y
-    fyo = fyy_v * y
-    gyo = gyy_v * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    gt = gy_v * vw
-    gto = gy_v * vwo + gyo * vw
-    gz1 = z1 * g_v + w1 * gt
-    gz1o = z1 * go + z1o * g_v + (w1 * gto + w1o * gt)
-    gz2 = z2 * g_v + w2 * gt
-    gz2o = z2 * go + z2o * g_v + (w2 * gto + w2o * gt)
-    gz3 = z3 * g_v + w3 * gt
-    gz3o = z3 * go + z3o * g_v + (w3 * gto + w3o * gt)
-    fh = fy_v * vw
-    fho = fy_v * vwo + fyo * vw
-    s1 = gz1 * side
-    s1o = gz1o * side
-    s2 = gz2 * side
-    s2o = gz2o * side
-    s3 = gz3 * side
-    s3o = gz3o * side
-    return (
-        z1 * f_v + w1 * fh + (v2 * s3 - v3 * s2),
-        z2 * f_v + w2 * fh + (v3 * s1 - v1 * s3),
-        z3 * f_v + w3 * fh + (v1 * s2 - v2 * s1),
-        z1 * fo + z1o * f_v + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)),
-        z2 * fo + z2o * f_v + (w2 * fho + w2o * fh) + (v3 * s1o + v3o * s1 - (v1 * s3o + v1o * s3)),
-        z3 * fo + z3o * f_v + (w3 * fho + w3o * fh) + (v1 * s2o + v1o * s2 - (v2 * s1o + v2o * s1)),
-    )
-
-
-def _own_twist_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, v_ddot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    z1, z2, z3, z1o, z2o, z3o = v_ddot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n1, n2, n4, n8, n16, n32, n64 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    gyy_v = div(fyy, n64, k3)
-    fyy_v = div(fyy, n32, k1)
-    y = add(add(mul(v1, v1o, k5), mul(v2, v2o, k6), k5), mul(v3, v3o, k6), k5)
-    gyo = mul(gyy_v, y, k3)
-    fyo = mul(fyy_v, y, k1)
-    gy_v = div(fy, n16, k6)
-    fy_v = div(fy, n8, k4)
-    vwo = add(
-        add(add(mul(v1, w1o, k7), mul(v1o, w1, k8), k7), add(mul(v2, w2o, k8), mul(v2o, w2, k9), k8), k7), add(mul(v3,
-        w3o, k8), mul(v3o, w3, k9), k8), k7
-    )
-    vw = add(add(mul(v1, w1, k8), mul(v2, w2, k9), k8), mul(v3, w3, k9), k8)
-    gto = add(mul(gy_v, vwo, k9), mul(gyo, vw, k3), k3)
-    fho = add(mul(fy_v, vwo, k7), mul(fyo, vw, k1), k1)
-    go = mul(gy_v, y, k7)
-    gt = mul(gy_v, vw, k6)
-    fo = mul(fy_v, y, k5)
-    fh = mul(fy_v, vw, k4)
-    g_v = div(r, n4, k8)
-    f_v = div(r, n2, k2)
-    gz2o = add(add(mul(z2, go, k9), mul(z2o, g_v, k10), k9), add(mul(w2, gto, k10), mul(w2o, gt, k11), k10), k9)
-    s2o = mul(gz2o, side, k9)
-    gz1o = add(add(mul(z1, go, k10), mul(z1o, g_v, k11), k10), add(mul(w1, gto, k11), mul(w1o, gt, k12), k11), k10)
-    gz3o = add(add(mul(z3, go, k7), mul(z3o, g_v, k11), k7), add(mul(w3, gto, k3), mul(w3o, gt, k11), k3), k3)
-    s1o = mul(gz1o, side, k7)
-    s3o = mul(gz3o, side, k3)
-    gz2 = add(mul(z2, g_v, k10), mul(w2, gt, k11), k10)
-    s2 = mul(gz2, side, k10)
-    gz1 = add(mul(z1, g_v, k11), mul(w1, gt, k12), k11)
-    gz3 = add(mul(z3, g_v, k8), mul(w3, gt, k6), k6)
-    s1 = mul(gz1, side, k8)
-    add(
-        add(add(mul(z3, fo, k11), mul(z3o, f_v, k12), k11), add(mul(w3, fho, k12), mul(w3o, fh, k13), k12), k11),
-        sub(add(mul(v1, s2o, k12), mul(v1o, s2, k13), k12), add(mul(v2, s1o, k13), mul(v2o, s1, k14), k13), k12), o6
-    )
-    s3 = mul(gz3, side, k6)
-    add(
-        add(add(mul(z2, fo, k11), mul(z2o, f_v, k12), k11), add(mul(w2, fho, k12), mul(w2o, fh, k13), k12), k11),
-        sub(add(mul(v3, s1o, k7), mul(v3o, s1, k12), k7), add(mul(v1, s3o, k12), mul(v1o, s3, k13), k12), k7), o5
-    )
-    add(
-        add(add(mul(z1, fo, k5), mul(z1o, f_v, k7), k5), add(mul(w1, fho, k1), mul(w1o, fh, k7), k1), k1),
-        sub(add(mul(v2, s3o, k3), mul(v2o, s3, k5), k3), add(mul(v3, s2o, k5), mul(v3o, s2, k7), k5), k3), o4
-    )
-    add(add(mul(z3, f_v, k1), mul(w3, fh, k3), k1), sub(mul(v1, s2, k3), mul(v2, s1, k5), k3), o3)
-    add(add(mul(z2, f_v, k1), mul(w2, fh, k3), k1), sub(mul(v3, s1, k3), mul(v1, s3, k5), k3), o2)
-    add(add(mul(z1, f_v, k1), mul(w1, fh, k2), k1), sub(mul(v2, s3, k2), mul(v3, s2, k3), k2), o1)
-
-
-# operations 166: 72 +, 85 *, 9 /
-def _own_rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    ww = w1 * w1 + w2 * w2 + w3 * w3
-    wwo = 2 * (w1 * w1o + w2 * w2o + w3 * w3o)
-    hvw = vw / 2
-    hvwo = vwo / 2
-    hs = side / 2
-    pull = 2 * (v1 * z1 + v2 * z2 + v3 * z3 + hvw * vw) + 2 * ww
-    pullo = (
-        2 * (v1 * z1o + v1o * z1 + (v2 * z2o + v2o * z2) + (v3 * z3o + v3o * z3) + (hvw * vwo + hvwo * vw)) + 2 * wwo
-    )
-    ft = (vw + 2 * hvw) / 4
-    fto = (vwo + 2 * hvwo) / 4
-    cvv = (pull / 2 - ww) / 4
-    cvvo = (pullo / 2 - wwo) / 4
-    s1 = z1 + w1 * hvw
-    s1o = z1o + (w1 * hvwo + w1o * hvw)
-    s2 = z2 + w2 * hvw
-    s2o = z2o + (w2 * hvwo + w2o * hvw)
-    s3 = z3 + w3 * hvw
-    s3o = z3o + (w3 * hvwo + w3o * hvw)
-    return (
-        z1 + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
-        z2 + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
-        z3 + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
-        z1o + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo + v1o * cvv),
-        z2o + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo + v2o * cvv),
-        z3o + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo + v3o * cvv),
-    )
-
-
-def _own_rate_dot_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, omega_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    z1, z2, z3, z1o, z2o, z3o = omega_dot
-    side, = table
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15 = scratch
-    n2, n4 = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    hvw = div(vw, n2, k2)
-    ww = add(add(mul(w1, w1, k3), mul(w2, w2, k4), k3), mul(w3, w3, k4), k3)
-    pull = add(
-        mul(n2, add(add(add(mul(v1, z1, k4), mul(v2, z2, k5), k4), mul(v3, z3, k5), k4), mul(hvw, vw, k5), k4), k4),
-        mul(n2, ww, k5), k4
-    )
-    cvv = div(sub(div(pull, n2, k4), ww, k3), n4, k3)
-    ft = div(add(vw, mul(n2, hvw, k4), k4), n4, k4)
-    s2 = add(z2, mul(w2, hvw, k5), k5)
-    s3 = add(z3, mul(w3, hvw, k6), k6)
-    hs = div(side, n2, k7)
-    add(
-        add(add(z1, mul(w1, ft, k8), k8), mul(sub(mul(s2, v3, k9), mul(s3, v2, k10), k9), hs, k9), k8), mul(v1, cvv,
-        k9), o1
-    )
-    s1 = add(z1, mul(w1, hvw, k8), k8)
-    add(
-        add(add(z2, mul(w2, ft, k9), k9), mul(sub(mul(s3, v1, k10), mul(s1, v3, k11), k10), hs, k10), k9), mul(v2, cvv,
-        k10), o2
-    )
-    add(
-        add(add(z3, mul(w3, ft, k9), k9), mul(sub(mul(s1, v2, k10), mul(s2, v1, k11), k10), hs, k10), k9), mul(v3, cvv,
-        k10), o3
-    )
-    vwo = add(
-        add(add(mul(v1, w1o, k9), mul(v1o, w1, k10), k9), add(mul(v2, w2o, k10), mul(v2o, w2, k11), k10), k9),
-        add(mul(v3, w3o, k10), mul(v3o, w3, k11), k10), k9
-    )
-    hvwo = div(vwo, n2, k10)
-    wwo = mul(n2, add(add(mul(w1, w1o, k11), mul(w2, w2o, k12), k11), mul(w3, w3o, k12), k11), k11)
-    pullo = add(
-        mul(n2, add(add(add(add(mul(v1, z1o, k12), mul(v1o, z1, k13), k12), add(mul(v2, z2o, k13), mul(v2o, z2, k14),
-        k13), k12), add(mul(v3, z3o, k13), mul(v3o, z3, k14), k13), k12), add(mul(hvw, vwo, k13), mul(hvwo, vw, k1),
-        k1), k1), k1), mul(n2, wwo, k12), k1
-    )
-    cvvo = div(sub(div(pullo, n2, k1), wwo, k1), n4, k1)
-    fto = div(add(vwo, mul(n2, hvwo, k11), k9), n4, k9)
-    s2o = add(z2o, add(mul(w2, hvwo, k11), mul(w2o, hvw, k12), k11), k11)
-    s3o = add(z3o, add(mul(w3, hvwo, k12), mul(w3o, hvw, k13), k12), k12)
-    s1o = add(z1o, add(mul(w1, hvwo, k10), mul(w1o, hvw, k2), k2), k2)
-    add(
-        add(add(z1o, add(mul(w1, fto, k10), mul(w1o, ft, k13), k10), k10), mul(sub(add(mul(s2, v3o, k13), mul(s2o, v3,
-        k14), k13), add(mul(s3, v2o, k14), mul(s3o, v2, k15), k14), k13), hs, k13), k10), add(mul(v1, cvvo, k13),
-        mul(v1o, cvv, k14), k13), o4
-    )
-    add(
-        add(add(z2o, add(mul(w2, fto, k10), mul(w2o, ft, k13), k10), k10), mul(sub(add(mul(s3, v1o, k6), mul(s3o, v1,
-        k12), k6), add(mul(s1, v3o, k12), mul(s1o, v3, k13), k12), k6), hs, k6), k6), add(mul(v2, cvvo, k10), mul(v2o,
-        cvv, k12), k10), o5
-    )
-    add(
-        add(add(z3o, add(mul(w3, fto, k6), mul(w3o, ft, k4), k4), k4), mul(sub(add(mul(s1, v2o, k6), mul(s1o, v2, k2),
-        k2), add(mul(s2, v1o, k5), mul(s2o, v1, k6), k5), k2), hs, k2), k2), add(mul(v3, cvvo, k1), mul(v3o, cvv, k3),
-        k1), o6
-    )
-
-
-# operations 155: 54 +, 90 *, 10 /, 1 neg
-def _own_twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    z = x / 4
-    N = 1 + z
-    r = 2 * (N / N / N)
-    g_v = r / 4
-    e = 2 / N
-    eg = e * r
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    egy = e * fy
-    ee = 2 * e / N
-    eeg = ee * r
-    fyy = eeg - egy
-    fyy_v = fyy / 32
-    gyy_v = fyy / 64
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    go = gy_v * y
-    fyo = fyy_v * y
-    gyo = gyy_v * y
-    t1 = v2 * w3 - v3 * w2
-    t1o = v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)
-    t2 = v3 * w1 - v1 * w3
-    t2o = v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)
-    t3 = v1 * w2 - v2 * w1
-    t3o = v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)
-    gs = g_v * side
-    gso = go * side
-    gt = gy_v * side
-    gto = gyo * side
-    b1 = w1 * fy_v + t1 * gt
-    b1o = w1 * fyo + w1o * fy_v + (t1 * gto + t1o * gt)
-    b2 = w2 * fy_v + t2 * gt
-    b2o = w2 * fyo + w2o * fy_v + (t2 * gto + t2o * gt)
-    b3 = w3 * fy_v + t3 * gt
-    b3o = w3 * fyo + w3o * fy_v + (t3 * gto + t3o * gt)
-    s1 = w1 * gs
-    s1o = w1 * gso + w1o * gs
-    s2 = w2 * gs
-    s2o = w2 * gso + w2o * gs
-    s3 = w3 * gs
-    s3o = w3 * gso + w3o * gs
-    J11 = b1 * v1
-    J22 = b2 * v2
-    J33 = b3 * v3
-    J12 = b1 * v2 + s3
-    J13 = b1 * v3 - s2
-    J21 = b2 * v1 - s3
-    J23 = b2 * v3 + s1
-    J31 = b3 * v1 + s2
-    J32 = b3 * v2 - s1
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        b1 * v1o + b1o * v1,
-        b1 * v2o + b1o * v2 + s3o,
-        b1 * v3o + b1o * v3 - s2o,
-        J11,
-        J12,
-        J13,
-        b2 * v1o + b2o * v1 - s3o,
-        b2 * v2o + b2o * v2,
-        b2 * v3o + b2o * v3 + s1o,
-        J21,
-        J22,
-        J23,
-        b3 * v1o + b3o * v1 + s2o,
-        b3 * v2o + b3o * v2 - s1o,
-        b3 * v3o + b3o * v3,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_twist_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, v_dot: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = v_dot
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14 = scratch
-    n0, n1, n2, n4, n8, n16, n32, n64 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    v33 = mul(v3, v3, k3)
-    x = add(add(v11, v22, k1), v33, k1)
-    z = div(x, n4, k1)
-    N = add(n1, z, k1)
-    r = mul(n2, div(div(N, N, k2), N, k2), k2)
-    e = div(n2, N, k3)
-    ee = div(mul(n2, e, k4), N, k1)
-    eeg = mul(ee, r, k1)
-    eg = mul(e, r, k4)
-    fy = neg(eg, k4)
-    g_v = div(r, n4, k2)
-    gs = mul(g_v, side, k2)
-    egy = mul(e, fy, k3)
-    fyy = sub(eeg, egy, k1)
-    fy_v = div(fy, n8, k3)
-    gy_v = div(fy, n16, k4)
-    gt = mul(gy_v, side, k5)
-    t3 = sub(mul(v1, w2, k6), mul(v2, w1, k7), k6)
-    b3 = add(mul(w3, fy_v, k7), mul(t3, gt, k8), k7)
-    mul(b3, v3, o15)
-    s1 = mul(w1, gs, k8)
-    sub(mul(b3, v2, k9), s1, o14)
-    s2 = mul(w2, gs, k9)
-    add(mul(b3, v1, k10), s2, o13)
-    fyy_v = div(fyy, n32, k10)
-    gyy_v = div(fyy, n64, k1)
-    y = add(add(mul(v1, v1o, k11), mul(v2, v2o, k12), k11), mul(v3, v3o, k12), k11)
-    fyo = mul(fyy_v, y, k10)
-    gyo = mul(gyy_v, y, k1)
-    go = mul(gy_v, y, k4)
-    gto = mul(gyo, side, k1)
-    gso = mul(go, side, k4)
-    t3o = sub(add(mul(v1, w2o, k11), mul(v1o, w2, k12), k11), add(mul(v2, w1o, k12), mul(v2o, w1, k13), k12), k11)
-    b3o = add(add(mul(w3, fyo, k12), mul(w3o, fy_v, k13), k12), add(mul(t3, gto, k6), mul(t3o, gt, k11), k6), k6)
-    add(mul(b3, v3o, k11), mul(b3o, v3, k12), o33)
-    s1o = add(mul(w1, gso, k11), mul(w1o, gs, k12), k11)
-    sub(add(mul(b3, v2o, k12), mul(b3o, v2, k13), k12), s1o, o32)
-    s2o = add(mul(w2, gso, k12), mul(w2o, gs, k13), k12)
-    add(add(mul(b3, v1o, k7), mul(b3o, v1, k6), k6), s2o, o31)
-    s3o = add(mul(w3, gso, k4), mul(w3o, gs, k6), k4)
-    s3 = mul(w3, gs, k2)
-    t2 = sub(mul(v3, w1, k6), mul(v1, w3, k7), k6)
-    b2 = add(mul(w2, fy_v, k7), mul(t2, gt, k13), k7)
-    add(mul(b2, v3, k13), s1, o9)
-    mul(b2, v2, o8)
-    sub(mul(b2, v1, k8), s3, o7)
-    t2o = sub(add(mul(v3, w1o, k8), mul(v3o, w1, k13), k8), add(mul(v1, w3o, k13), mul(v1o, w3, k14), k13), k8)
-    b2o = add(add(mul(w2, fyo, k13), mul(w2o, fy_v, k14), k13), add(mul(t2, gto, k6), mul(t2o, gt, k8), k6), k6)
-    add(add(mul(b2, v3o, k8), mul(b2o, v3, k13), k8), s1o, o27)
-    add(mul(b2, v2o, k8), mul(b2o, v2, k11), o26)
-    sub(add(mul(b2, v1o, k7), mul(b2o, v1, k6), k6), s3o, o25)
-    t1 = sub(mul(v2, w3, k6), mul(v3, w2, k7), k6)
-    b1 = add(mul(w1, fy_v, k7), mul(t1, gt, k8), k7)
-    sub(mul(b1, v3, k8), s2, o3)
-    add(mul(b1, v2, k8), s3, o2)
-    mul(b1, v1, o1)
-    t1o = sub(add(mul(v2, w3o, k2), mul(v2o, w3, k8), k2), add(mul(v3, w2o, k8), mul(v3o, w2, k9), k8), k2)
-    b1o = add(add(mul(w1, fyo, k8), mul(w1o, fy_v, k3), k3), add(mul(t1, gto, k1), mul(t1o, gt, k2), k1), k1)
-    sub(add(mul(b1, v3o, k2), mul(b1o, v3, k3), k2), s2o, o21)
-    add(add(mul(b1, v2o, k2), mul(b1o, v2, k3), k2), s3o, o20)
-    add(mul(b1, v1o, k2), mul(b1o, v1, k1), o19)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 85: 34 +, 42 *, 9 /
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    hs = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    b1 = w1 / 4
-    b1o = w1o / 4
-    b2 = w2 / 4
-    b2o = w2o / 4
-    b3 = w3 / 4
-    b3o = w3o / 4
-    s1 = w1 * hs
-    s1o = w1o * hs
-    s2 = w2 * hs
-    s2o = w2o * hs
-    s3 = w3 * hs
-    s3o = w3o * hs
-    ha = vw / 4
-    hao = vwo / 4
-    J11 = v1 * b1 + ha
-    J12 = v1 * b2 - s3
-    J13 = v1 * b3 + s2
-    J21 = v2 * b1 + s3
-    J22 = v2 * b2 + ha
-    J23 = v2 * b3 - s1
-    J31 = v3 * b1 - s2
-    J32 = v3 * b2 + s1
-    J33 = v3 * b3 + ha
-    return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        v1 * b1o + v1o * b1 + hao,
-        v1 * b2o + v1o * b2 - s3o,
-        v1 * b3o + v1o * b3 + s2o,
-        J11,
-        J12,
-        J13,
-        v2 * b1o + v2o * b1 + s3o,
-        v2 * b2o + v2o * b2 + hao,
-        v2 * b3o + v2o * b3 - s1o,
-        J21,
-        J22,
-        J23,
-        v3 * b1o + v3o * b1 - s2o,
-        v3 * b2o + v3o * b2 + s1o,
-        v3 * b3o + v3o * b3 + hao,
-        J31,
-        J32,
-        J33,
-    )
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10 = scratch
-    n0, n2, n4 = numbers
-    b1 = div(w1, n4, k1)
-    vw = add(add(mul(v1, w1, k2), mul(v2, w2, k3), k2), mul(v3, w3, k3), k2)
-    ha = div(vw, n4, k2)
-    add(mul(v1, b1, k3), ha, o1)
-    b2 = div(w2, n4, k3)
-    add(mul(v2, b2, k4), ha, o8)
-    hs = div(side, n2, k4)
-    s3 = mul(w3, hs, k5)
-    sub(mul(v1, b2, k6), s3, o2)
-    add(mul(v2, b1, k6), s3, o7)
-    b3 = div(w3, n4, k5)
-    add(mul(v3, b3, k6), ha, o15)
-    s2 = mul(w2, hs, k2)
-    add(mul(v1, b3, k6), s2, o3)
-    sub(mul(v3, b1, k6), s2, o13)
-    s1 = mul(w1, hs, k2)
-    sub(mul(v2, b3, k6), s1, o9)
-    add(mul(v3, b2, k6), s1, o14)
-    b1o = div(w1o, n4, k2)
-    vwo = add(
-        add(add(mul(v1, w1o, k6), mul(v1o, w1, k7), k6), add(mul(v2, w2o, k7), mul(v2o, w2, k8), k7), k6), add(mul(v3,
-        w3o, k7), mul(v3o, w3, k8), k7), k6
-    )
-    hao = div(vwo, n4, k6)
-    add(add(mul(v1, b1o, k7), mul(v1o, b1, k8), k7), hao, o19)
-    b2o = div(w2o, n4, k7)
-    add(add(mul(v2, b2o, k8), mul(v2o, b2, k9), k8), hao, o26)
-    s3o = mul(w3o, hs, k8)
-    sub(add(mul(v1, b2o, k9), mul(v1o, b2, k10), k9), s3o, o20)
-    add(add(mul(v2, b1o, k9), mul(v2o, b1, k10), k9), s3o, o25)
-    b3o = div(w3o, n4, k8)
-    add(add(mul(v3, b3o, k9), mul(v3o, b3, k10), k9), hao, o33)
-    s2o = mul(w2o, hs, k6)
-    sub(add(mul(v3, b1o, k2), mul(v3o, b1, k1), k1), s2o, o31)
-    add(add(mul(v1, b3o, k1), mul(v1o, b3, k2), k1), s2o, o21)
-    s1o = mul(w1o, hs, k1)
-    sub(add(mul(v2, b3o, k2), mul(v2o, b3, k4), k2), s1o, o27)
-    add(add(mul(v3, b2o, k2), mul(v3o, b2, k3), k2), s1o, o32)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o7, o28)
-    copy(o8, o29)
-    copy(o9, o30)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o15, o36)
-
-
-# operations 149: 58 +, 73 *, 8 /, 10 neg
-def _own_transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x12 = v11 + v22
-    x = x12 + v33
-    z = x / 4
-    N = 1 + z
-    r_ = 2 * (N / N / N)
-    f_v = r_ / 2
-    g_v = r_ / 4
-    e = 2 / N
-    eg = e * r_
-    fy = -eg
-    fy_v = fy / 8
-    gy_v = fy / 16
-    gv1 = v1 * g_v
-    gv2 = v2 * g_v
-    gv3 = v3 * g_v
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g_v
-    gv_r2 = v_r2 * g_v
-    gv_r3 = v_r3 * g_v
-    moved1 = r1 + (v_r1 * f_v + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f_v + (gv2 * v3o - gv3 * v2o))
-    moved2 = r2 + (v_r2 * f_v + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f_v + (gv3 * v1o - gv1 * v3o))
-    moved3 = r3 + (v_r3 * f_v + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f_v + (gv1 * v2o - gv2 * v1o))
-    fo = fy_v * y
-    go = gy_v * y
-    gvo1 = v1o * g_v + v1 * go
-    gvo2 = v2o * g_v + v2 * go
-    gvo3 = v3o * g_v + v3 * go
-    T12 = -gv3
-    T23 = -gv1
-    T31 = -gv2
-    T12o = -gvo3
-    T23o = -gvo1
-    T31o = -gvo2
-    minus_moved3 = -moved3
-    minus_moved1 = -moved1
-    minus_moved2 = -moved2
-    x23 = v22 + v33
-    x13 = v11 + v33
-    fv1 = v1 * f_v
-    fv2 = v2 * f_v
-    fv3 = v3 * f_v
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    return (
-        fo - (minus_moved3 * gv3 + moved2 * T31),
-        T12o - (minus_moved3 * f_v + moved2 * gv1),
-        gvo2 - (minus_moved3 * T23 + moved2 * f_v),
-        f_v,
-        T12,
-        gv2,
-        gvo3 - (moved3 * f_v + minus_moved1 * T31),
-        fo - (moved3 * T12 + minus_moved1 * gv1),
-        T23o - (moved3 * gv2 + minus_moved1 * f_v),
-        gv3,
-        f_v,
-        T23,
-        T31o - (minus_moved2 * f_v + moved1 * gv3),
-        gvo1 - (minus_moved2 * T12 + moved1 * f_v),
-        fo - (minus_moved2 * gv2 + moved1 * T23),
-        T31,
-        gv1,
-        f_v,
-        1 - g_v * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        gvv1 + fv3,
-        1 - g_v * x13,
-        gvv3 - fv1,
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g_v * x12,
-    )
-
-
-def _own_transform_point_jacobians_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, r: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    r1, r2, r3 = r
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27,
-    ) = out
-    k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11 = scratch
-    n1, n2, n4, n8, n16 = numbers
-    v11 = mul(v1, v1, k1)
-    v22 = mul(v2, v2, k2)
-    x12 = add(v11, v22, k3)
-    v33 = mul(v3, v3, k4)
-    x23 = add(v22, v33, k2)
-    x13 = add(v11, v33, k1)
-    x = add(x12, v33, k4)
-    z = div(x, n4, k4)
-    N = add(n1, z, k4)
-    r_ = mul(n2, div(div(N, N, k5), N, k5), k5)
-    f_v = div(r_, n2, o4)
-    e = div(n2, N, k4)
-    eg = mul(e, r_, k4)
-    g_v = div(r_, n4, k5)
-    sub(n1, mul(g_v, x23, k2), o19)
-    sub(n1, mul(g_v, x13, k1), o23)
-    sub(n1, mul(g_v, x12, k1), o27)
-    gv1 = mul(v1, g_v, o17)
-    gv2 = mul(v2, g_v, o6)
-    gv3 = mul(v3, g_v, o10)
-    fy = neg(eg, k1)
-    T31 = neg(gv2, o16)
-    T23 = neg(gv1, o12)
-    T12 = neg(gv3, o5)
-    v_r2 = sub(mul(v3, r1, k2), mul(v1, r3, k3), k2)
-    gv_r2 = mul(v_r2, g_v, k3)
-    v_r1 = sub(mul(v2, r3, k4), mul(v3, r2, k6), k4)
-    gv_r1 = mul(v_r1, g_v, k6)
-    v_r3 = sub(mul(v1, r2, k7), mul(v2, r1, k8), k7)
-    moved3 = add(
-        add(r3, add(mul(v_r3, f_v, k8), sub(mul(v1, gv_r2, k9), mul(v2, gv_r1, k10), k9), k8), k8), add(mul(v3o, f_v,
-        k9), sub(mul(gv1, v2o, k10), mul(gv2, v1o, k11), k10), k9), k8
-    )
-    gv_r3 = mul(v_r3, g_v, k7)
-    moved2 = add(
-        add(r2, add(mul(v_r2, f_v, k2), sub(mul(v3, gv_r1, k6), mul(v1, gv_r3, k9), k6), k2), k2), add(mul(v2o, f_v,
-        k6), sub(mul(gv3, v1o, k9), mul(gv1, v3o, k10), k9), k6), k2
-    )
-    moved1 = add(
-        add(r1, add(mul(v_r1, f_v, k4), sub(mul(v2, gv_r3, k6), mul(v3, gv_r2, k3), k3), k3), k3), add(mul(v1o, f_v,
-        k4), sub(mul(gv2, v3o, k6), mul(gv3, v2o, k7), k6), k4), k3
-    )
-    minus_moved3 = neg(moved3, k4)
-    fy_v = div(fy, n8, k6)
-    gy_v = div(fy, n16, k1)
-    y = add(add(mul(v1, v1o, k7), mul(v2, v2o, k9), k7), mul(v3, v3o, k9), k7)
-    fo = mul(fy_v, y, k6)
-    go = mul(gy_v, y, k1)
-    sub(fo, add(mul(minus_moved3, gv3, k7), mul(moved2, T31, k9), k7), o1)
-    gvo3 = add(mul(v3o, g_v, k7), mul(v3, go, k9), k7)
-    T12o = neg(gvo3, k9)
-    sub(T12o, add(mul(minus_moved3, f_v, k10), mul(moved2, gv1, k11), k10), o2)
-    gvo2 = add(mul(v2o, g_v, k9), mul(v2, go, k10), k9)
-    sub(gvo2, add(mul(minus_moved3, T23, k4), mul(moved2, f_v, k10), k4), o3)
-    gvo1 = add(mul(v1o, g_v, k4), mul(v1, go, k1), k1)
-    minus_moved2 = neg(moved2, k2)
-    T31o = neg(gvo2, k4)
-    sub(T31o, add(mul(minus_moved2, f_v, k5), mul(moved1, gv3, k9), k5), o13)
-    sub(gvo1, add(mul(minus_moved2, T12, k4), mul(moved1, f_v, k5), k4), o14)
-    sub(fo, add(mul(minus_moved2, gv2, k2), mul(moved1, T23, k4), k2), o15)
-    minus_moved1 = neg(moved1, k2)
-    sub(gvo3, add(mul(moved3, f_v, k3), mul(minus_moved1, T31, k4), k3), o7)
-    sub(fo, add(mul(moved3, T12, k3), mul(minus_moved1, gv1, k4), k3), o8)
-    T23o = neg(gvo1, k1)
-    sub(T23o, add(mul(moved3, gv2, k3), mul(minus_moved1, f_v, k2), k2), o9)
-    gvv1 = mul(gv1, v2, k1)
-    fv3 = mul(v3, f_v, k2)
-    sub(gvv1, fv3, o20)
-    add(gvv1, fv3, o22)
-    gvv2 = mul(gv1, v3, k1)
-    fv2 = mul(v2, f_v, k2)
-    add(gvv2, fv2, o21)
-    sub(gvv2, fv2, o25)
-    gvv3 = mul(gv2, v3, k1)
-    fv1 = mul(v1, f_v, k2)
-    sub(gvv3, fv1, o24)
-    add(gvv3, fv1, o26)
-    copy(o4, o11)
-    copy(o4, o18)
-
-
 CHART = Chart(
     __name__,
     branches=1,
@@ -1765,149 +334,28 @@ CHART = Chart(
     returns=(
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-1, 1, 2, 4, 8)),
-        "pose": Function(_pose, _pose_blocks, 0, 0, (0, 1, 2, 4)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (0, 1, 2, 4, 8, 16)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 8)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 2)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1, 2)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (0, 1, 2, 4)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 0, 0, (1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 0, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 0, 0, (1, 2)),
-        "natural": Function(_natural, _natural_blocks, 0, 0, (1, 2, 4)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 2)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 2)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 3)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
-    kernels={
-        **SHARED,
-        "tangent": Kernel(
-        _own_tangent,
-        _own_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
-        "tangent_inv": Kernel(
-        _own_tangent_inv,
-        _own_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(-2, 1, 4),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent": Kernel(
-        _own_body_tangent,
-        _own_body_tangent_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
-        "body_tangent_inv": Kernel(
-        _own_body_tangent_inv,
-        _own_body_tangent_inv_blocks,
-        (("v", (6,)),),
-        (2, 3, 3),
-        registers=5,
-        masks=0,
-        numbers=(-2, 1, 4),
-        lent=(),
-        real=False,
-    ),
-        "twist": Kernel(
-        _own_twist,
-        _own_twist_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
-        "tangent_dot": Kernel(
-        _own_tangent_dot,
-        _own_tangent_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (2, 3, 3),
-        registers=9,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16, 32, 64),
-        lent=(),
-        real=False,
-    ),
-        "twist_dot": Kernel(
-        _own_twist_dot,
-        _own_twist_dot_blocks,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        registers=14,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16, 32, 64),
-        lent=(),
-        real=False,
-    ),
-        "rate_dot": Kernel(
-        _own_rate_dot,
-        _own_rate_dot_blocks,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
-        (6,),
-        registers=15,
-        masks=0,
-        numbers=(2, 4),
-        lent=(),
-        real=False,
-    ),
-        "twist_jacobian": Kernel(
-        _own_twist_jacobian,
-        _own_twist_jacobian_blocks,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6, 6),
-        registers=14,
-        masks=0,
-        numbers=(0, 1, 2, 4, 8, 16, 32, 64),
-        lent=(),
-        real=False,
-    ),
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        registers=10,
-        masks=0,
-        numbers=(0, 2, 4),
-        lent=(),
-        real=False,
-    ),
-        "transform_point_jacobians": Kernel(
-        _own_transform_point_jacobians,
-        _own_transform_point_jacobians_blocks,
-        (("v", (6,)), ("r", (3,)),),
-        (27,),
-        registers=11,
-        masks=0,
-        numbers=(1, 2, 4, 8, 16),
-        lent=(),
-        real=False,
-    ),
-    },
-    programs="292ece69e2dc6070",
+    kernels=SHARED,
+    programs="2ca4b63e559995fa",
 )
 
 KERNELS = PoseKernels(CHART)

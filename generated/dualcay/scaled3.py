@@ -101,10 +101,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 21: 5 +, 8 *, 7 /, 1 sqrt
@@ -148,28 +148,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w_v, sy_v, wy_v
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n_minus_3, n1, n2, n3, n6, n36, n216 = numbers
-    z = div(x, n36, o3)
-    q = sub(n3, z, o2)
-    qq = mul(q, q, o4)
-    p = sub(n1, mul(n3, z, o1), o1)
-    N = add(mul(p, p, k1), mul(z, qq, o4), o4)
-    root = sqrt(N, o4)
-    r = div(div(root, root, k1), root, o4)
-    mul(p, r, o1)
-    w = mul(q, r, o2)
-    minus_e = div(n_minus_3, add(n1, z, o3), o3)
-    sy = mul(w, minus_e, o3)
-    div(w, n6, o2)
-    wy = sub(sy, mul(n2, r, o4), o4)
-    div(sy, n36, o3)
-    div(wy, n216, o4)
-    return o1, o2, o3, o4
-
-
 # operations 20: 5 +, 9 *, 6 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -186,26 +164,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     h = 16 * r
     h_v = h / 216
     return f_v, g_v, h_v
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    n1, n2, n3, n6, n16, n36, n216 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    z = div(x, n36, o3)
-    q = sub(n3, z, o1)
-    qq = mul(q, q, o2)
-    p = sub(n1, mul(n3, z, k1), k1)
-    N = add(mul(p, p, k2), mul(z, qq, o3), o3)
-    r = mul(n2, div(div(N, N, k2), N, o3), o3)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n6, o1)
-    g = mul(qq, r, o2)
-    div(g, n36, o2)
-    h = mul(n16, r, o3)
-    div(h, n216, o3)
-    return o1, o2, o3
 
 
 # operations 32: 8 +, 13 *, 10 /, 1 neg
@@ -234,35 +192,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     hy = -(e * h)
     hy_v = hy / 7776
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n_minus_4, n1, n2, n3, n6, n16, n36, n216, n1296, n7776 = numbers
-    x = add(add(v11, v22, o6), v33, o6)
-    z = div(x, n36, o6)
-    q = sub(n3, z, o5)
-    qq = mul(q, q, o4)
-    p = sub(n1, mul(n3, z, o1), o1)
-    N = add(mul(p, p, o3), mul(z, qq, o2), o3)
-    r = mul(n2, div(div(N, N, o2), N, o3), o3)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n6, o1)
-    g = mul(qq, r, o4)
-    x1 = add(n1, z, o6)
-    e = div(n6, x1, o6)
-    qr = mul(n_minus_4, mul(q, r, o5), o5)
-    h = mul(n16, r, o3)
-    div(g, n36, o2)
-    eg = mul(e, g, o4)
-    gy = sub(qr, eg, o5)
-    fy = sub(h, eg, o4)
-    div(fy, n216, o4)
-    div(gy, n1296, o5)
-    hy = neg(mul(e, h, o6), o6)
-    div(h, n216, o3)
-    div(hy, n7776, o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 49: 14 +, 20 *, 14 /, 1 neg
@@ -302,45 +231,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, *_ = scratch
-    n_minus_4, n1, n2, n3, n6, n8, n16, n36, n216, n1296, n7776, n46656, n279936 = numbers
-    x = add(add(v11, v22, o9), v33, o9)
-    z = div(x, n36, o9)
-    q = sub(n3, z, o8)
-    qq = mul(q, q, o7)
-    p = sub(n1, mul(n3, z, o1), o1)
-    N = add(mul(p, p, o6), mul(z, qq, o2), o6)
-    r = mul(n2, div(div(N, N, o2), N, o6), o6)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n6, o1)
-    g = mul(qq, r, o7)
-    x1 = add(n1, z, o9)
-    qr = mul(n_minus_4, mul(q, r, o8), o8)
-    div(g, n36, o2)
-    h = mul(n16, r, k1)
-    div(h, n216, o3)
-    e = div(n6, x1, k2)
-    ee = div(mul(n2, e, k3), x1, o9)
-    eg = mul(e, g, k3)
-    eeg = mul(ee, g, o7)
-    fy = sub(h, eg, o4)
-    div(fy, n216, o4)
-    gy = sub(qr, eg, k3)
-    div(gy, n1296, o5)
-    egy = mul(e, gy, k3)
-    gyy = add(sub(mul(n8, r, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
-    div(gyy, n46656, o8)
-    hy = neg(mul(e, h, o6), o6)
-    hyy = sub(mul(ee, h, o9), mul(e, hy, k1), o9)
-    fyy = add(sub(hy, egy, k1), eeg, o7)
-    div(hy, n7776, o6)
-    div(fyy, n7776, o7)
-    div(hyy, n279936, o9)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 8: 1 +, 1 *, 5 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     z = x / 36
@@ -351,20 +241,6 @@ def _rate(m: Any, x: Any) -> Result:
     ey = -ee
     ratey_v = ey / 216
     return rate_v, ratey_v
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n6, n36, n216 = numbers
-    z = div(x, n36, o2)
-    x1 = add(n1, z, o2)
-    e = div(n6, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    div(e, n6, o1)
-    ey = neg(ee, o2)
-    div(ey, n216, o2)
-    return o1, o2
 
 
 # operations 11: 3 +, 4 *, 4 /
@@ -382,23 +258,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n3, n6, n11, n36 = numbers
-    z = div(x, n36, o2)
-    p = sub(n1, mul(n3, z, o1), o1)
-    q = sub(n3, z, k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n6, fi, o1)
-    d = sub(n11, z, o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n3, o2)
-    div(hi, n6, o2)
-    return o1, o2
-
-
 # operations 7: 2 +, 1 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 36
@@ -409,20 +268,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hi = diq / 3
     hi_v = hi / 6
     return hi_v,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n3, n6, n11, n36 = numbers
-    z = div(x, n36, o1)
-    d = sub(n11, z, k1)
-    q = sub(n3, z, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n3, o1)
-    div(hi, n6, o1)
-    return o1,
 
 
 # operations 20: 4 +, 8 *, 7 /, 1 neg
@@ -444,26 +289,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n1, n2, n3, n6, n11, n16, n36, n216 = numbers
-    z = div(x, n36, o4)
-    p = sub(n1, mul(n3, z, o1), o1)
-    q = sub(n3, z, o3)
-    iq = div(n1, q, o3)
-    fi = mul(p, iq, o1)
-    mul(n6, fi, o1)
-    d = sub(n11, z, o4)
-    diq = mul(d, iq, o4)
-    hi = div(diq, n3, o2)
-    div(hi, n6, o2)
-    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    fiy = neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    div(fiy, n6, o3)
-    div(hiy, n216, o4)
-    return o1, o2, o3, o4
-
-
 # operations 20: 4 +, 8 *, 7 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     z = x / 36
@@ -481,26 +306,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     hiy = (2 * diq - 2) * iq / 3
     hiy_v = hiy / 216
     return fi_v, hi_v, fiy_v, hiy_v
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n1, n2, n3, n6, n11, n16, n36, n216 = numbers
-    z = div(x, n36, o4)
-    p = sub(n1, mul(n3, z, o1), o1)
-    q = sub(n3, z, o3)
-    iq = div(n1, q, o3)
-    fi = mul(p, iq, o1)
-    mul(n6, fi, o1)
-    d = sub(n11, z, o4)
-    diq = mul(d, iq, o4)
-    hi = div(diq, n3, o2)
-    div(hi, n6, o2)
-    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    fiy = neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    div(fiy, n6, o3)
-    div(hiy, n216, o4)
-    return o1, o2, o3, o4
 
 
 # operations 29: 4 +, 13 *, 9 /, 3 neg
@@ -527,31 +332,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n1, n2, n3, n4, n6, n11, n16, n36, n64, n216, n7776 = numbers
-    z = div(x, n36, o1)
-    d = sub(n11, z, o2)
-    q = sub(n3, z, o3)
-    iq = div(n1, q, o3)
-    diq = mul(d, iq, o2)
-    p = sub(n1, mul(n3, z, o1), o1)
-    fi = mul(p, iq, o1)
-    mul(n6, fi, o1)
-    hiy = div(mul(sub(mul(n2, diq, o4), n2, o4), iq, o4), n3, o4)
-    hi = div(diq, n3, o2)
-    div(hi, n6, o2)
-    dqiq = neg(iq, o5)
-    hiyy = neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
-    div(hiyy, n7776, o6)
-    fiyy = mul(mul(mul(n64, dqiq, o5), iq, o5), iq, o5)
-    div(fiyy, n216, o5)
-    div(hiy, n216, o4)
-    fiy = neg(mul(n16, mul(iq, iq, o3), o3), o3)
-    div(fiy, n6, o3)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 19: 3 +, 9 *, 7 /
 def _ray(m: Any, x: Any) -> Result:
     z = x / 36
@@ -569,25 +349,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q / 6, 1, f_v, g_v, h_v
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    n1, n2, n3, n6, n16, n36, n216 = numbers
-    z = div(x, n36, o6)
-    q = sub(n3, z, o2)
-    qq = mul(q, q, o5)
-    p = sub(n1, mul(n3, z, o1), o1)
-    N = add(mul(p, p, o4), mul(z, qq, o6), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    g = mul(qq, r, o5)
-    div(g, n36, o5)
-    f = mul(mul(p, q, o4), r, o4)
-    h = mul(n16, r, o6)
-    div(h, n216, o6)
-    div(f, n6, o4)
-    div(q, n6, o2)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 21: 2 +, 6 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -602,25 +363,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    mul(
-        n6, mul(m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n3, k3), k3),
-        k4), m.where(still, mul(n3, cos, k1), sin, k1), o1), o1), o1
-    )
-    return o1,
-
-
 # operations 16: 2 +, 5 *, 2 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -628,23 +370,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     sin = m.sqrt(m.where(still, e0, ss))
     gain = 6 * (m.where(still, 1, m.tan(m.atan2(sin, e0) / 3)) / m.where(still, 3 * e0, sin))
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    mul(
-        n6, div(m.where(still, n1, tan(div(atan2(sin, e0, k1), n3, k1), k1), k2), m.where(still, mul(n3, e0, k1), sin,
-        k1), o1), o1
-    )
-    return o1,
 
 
 # operations 22: 2 +, 6 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -662,26 +387,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), k2)
-    sinq = div(ss, sin, o1)
-    mul(
-        n6, mul(m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sinq, cos, k3), n3, k3), k3),
-        k4), m.where(still, mul(n3, cos, k1), sinq, k1), o1), o1), o1
-    )
-    return o1,
-
-
 # operations 24: 6 +, 3 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 36
@@ -695,27 +400,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n6, n16, n36 = numbers
-    z = div(x, n36, o1)
-    q = sub(n3, z, k1)
-    p = sub(n1, mul(n3, z, o1), o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n6, k2), absolute(q, k3), k2)
-    kept = m.where(qneg, n0, rq, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
-    )
-    return o1,
 
 
 # operations 31: 7 +, 5 *, 5 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -735,41 +419,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope / 6, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6, n16, n36 = numbers
-    z = div(x, n36, o2)
-    q = sub(n3, z, o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n6, o1), absolute(q, k1), o1)
-    kept = m.where(qneg, n0, rq, k1)
-    p = sub(n1, mul(n3, z, k2), k2)
-    qp = m.where(m.less(add(kept, div(p, n16, k3), k3), kept, mask1), neg(q, k1), q, k1)
-    slope = div(n6, add(n1, z, o2), o2)
-    div(slope, n6, o2)
-    either = add(rq, p, k3)
-    one = add(sub(either, either, k3), n1, k3)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, k1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 3: 1 *, 1 /, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 6 * m.atan2(r / 6, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n6 = numbers
-    mul(n6, atan2(div(r, n6, o1), n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -785,22 +438,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_2 = mul(n2, pi, k1)
-    left = sub(mul(n3, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_2, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_2, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 9: 2 +, 5 *, 2 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rt = r / 6
@@ -811,32 +448,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rv, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, n6 = numbers
-    rt = div(r, n6, o1)
-    iden = div(n1, sub(cos, mul(rt, sin, o2), o2), o2)
-    rk = mul(add(mul(rt, cos, o1), sin, o1), iden, o1)
-    mul(n6, rk, o1)
-    mul(iden, iden, o2)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 7: 1 +, 3 *, 2 /, 1 tan
@@ -846,16 +461,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     v = 6 * r
     v_slope = 6 * slope
     return v, v_slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n6 = numbers
-    r = tan(div(alpha, n6, o2), o2)
-    mul(n6, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n6, o2)
-    mul(n6, slope, o2)
-    return o1, o2
 
 
 # operations 23: 2 +, 6 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -871,24 +476,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     v = 6 * r
     v_slope = 6 * slope
     return v, v_slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n6, n9 = numbers
-    size = absolute(alpha, o2)
-    nextto = m.less(absolute(sub(size, n9, o1), o1), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n6, o2), o2)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
-    mul(n6, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n6, o2)
-    mul(n6, slope, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -908,28 +495,28 @@ CHART = Chart(
         "-0.8660254037844386467637231707529361834714",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-3, 1, 2, 3, 6, 36, 216)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 3, 6, 16, 36, 216)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (-4, 1, 2, 3, 6, 16, 36, 216, 1296, 7776)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-4, 1, 2, 3, 6, 8, 16, 36, 216, 1296, 7776, 46656, 279936)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 6, 36, 216)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 6, 11, 36)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 3, 6, 11, 36)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (1, 2, 3, 6, 11, 16, 36, 216)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (1, 2, 3, 4, 6, 11, 16, 36, 64, 216, 7776)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 6, 16, 36, 216)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 3, 6)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 3, 6)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 3, 6)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 3, 6, 16, 36)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 3, 6, 16, 36)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 6)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1, 6)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 6)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 6, 9)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="c35305e0429f87a4",

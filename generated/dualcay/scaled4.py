@@ -101,10 +101,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 21: 7 +, 7 *, 7 /
@@ -148,27 +148,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w_v, sy_v, wy_v
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_4, n1, n4, n6, n8, n64, n512 = numbers
-    z = div(x, n64, o3)
-    ph = sub(n1, z, o4)
-    z_by_4 = mul(n4, z, o2)
-    root = add(mul(ph, ph, o4), z_by_4, o4)
-    r = div(div(root, root, o1), root, o4)
-    q = sub(n4, z_by_4, o2)
-    w = mul(q, r, o2)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    mul(p, r, o1)
-    minus_e = div(n_minus_4, add(n1, z, o3), o3)
-    sy = mul(w, minus_e, o3)
-    div(w, n8, o2)
-    wy = sub(sy, mul(n8, r, o4), o4)
-    div(sy, n64, o3)
-    div(wy, n512, o4)
-    return o1, o2, o3, o4
-
-
 # operations 26: 8 +, 12 *, 6 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -186,27 +165,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     h = c * r
     h_v = h / 512
     return f_v, g_v, h_v
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n6, n8, n16, n40, n64, n512 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    z = div(x, n64, o3)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o2), o2)
-    qq = mul(q, q, k1)
-    N = add(mul(p, p, k2), mul(z, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n8, o1)
-    g = mul(qq, r, o2)
-    div(g, n64, o2)
-    c = add(mul(sub(mul(n8, z, k1), n16, k1), z, o3), n40, o3)
-    h = mul(c, r, o3)
-    div(h, n512, o3)
-    return o1, o2, o3
 
 
 # operations 42: 13 +, 19 *, 10 /
@@ -238,39 +196,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     hy = cr - e * h
     hy_v = hy / 32768
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n_minus_16, n1, n2, n4, n6, n8, n16, n40, n64, n512, n4096, n32768 = numbers
-    x = add(add(v11, v22, o4), v33, o4)
-    z = div(x, n64, o4)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o5), o5)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, o3), mul(z, qq, o6), o3)
-    r = mul(n2, div(div(N, N, o6), N, o3), o3)
-    g = mul(qq, r, o2)
-    f = mul(mul(p, q, o1), r, o1)
-    qr = mul(n_minus_16, mul(q, r, o5), o5)
-    div(f, n8, o1)
-    dc = sub(mul(n16, z, o6), n16, o6)
-    cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(mul(sub(mul(n8, z, k1), n16, k1), z, k1), n40, k1)
-    h = mul(c, r, o3)
-    x1 = add(n1, z, o4)
-    e = div(n8, x1, o4)
-    hy = sub(cr, mul(e, h, k1), o6)
-    div(hy, n32768, o6)
-    eg = mul(e, g, o4)
-    gy = sub(qr, eg, o5)
-    div(gy, n4096, o5)
-    fy = sub(h, eg, o4)
-    div(fy, n512, o4)
-    div(h, n512, o3)
-    div(g, n64, o2)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 63: 21 +, 28 *, 14 /
@@ -314,49 +239,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, *_ = scratch
-    n_minus_16, n1, n2, n4, n6, n8, n16, n40, n64, n512, n4096, n32768, n262144, n2097152 = numbers
-    x = add(add(v11, v22, o7), v33, o7)
-    z = div(x, n64, o7)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o8), o8)
-    qq = mul(q, q, o2)
-    N = add(mul(p, p, o6), mul(z, qq, o9), o6)
-    r = mul(n2, div(div(N, N, o9), N, o6), o6)
-    g = mul(qq, r, o2)
-    f = mul(mul(p, q, o1), r, o1)
-    qr = mul(n_minus_16, mul(q, r, o8), o8)
-    div(f, n8, o1)
-    dc = sub(mul(n16, z, o9), n16, o9)
-    cr = mul(mul(n2, dc, o9), r, o9)
-    c = add(mul(sub(mul(n8, z, o3), n16, o3), z, o3), n40, o3)
-    h = mul(c, r, o3)
-    x1 = add(n1, z, o7)
-    r_by_16 = mul(n16, r, o6)
-    e = div(n8, x1, o5)
-    ee = div(mul(n2, e, k1), x1, o7)
-    hy = sub(cr, mul(e, h, k1), k1)
-    hyy = add(sub(mul(n4, r_by_16, o4), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, o4), o9)
-    div(hyy, n2097152, o9)
-    eeg = mul(ee, g, o7)
-    eg = mul(e, g, o4)
-    div(g, n64, o2)
-    gy = sub(qr, eg, k2)
-    fy = sub(h, eg, o4)
-    div(fy, n512, o4)
-    div(h, n512, o3)
-    egy = mul(e, gy, k3)
-    gyy = add(sub(mul(n8, r_by_16, o6), add(egy, mul(e, qr, o8), o8), o8), eeg, o8)
-    fyy = add(sub(hy, egy, o6), eeg, o7)
-    div(gyy, n262144, o8)
-    div(fyy, n32768, o7)
-    div(hy, n32768, o6)
-    div(gy, n4096, o5)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 8: 1 +, 1 *, 5 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     z = x / 64
@@ -367,20 +249,6 @@ def _rate(m: Any, x: Any) -> Result:
     ey = -ee
     ratey_v = ey / 512
     return rate_v, ratey_v
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n8, n64, n512 = numbers
-    z = div(x, n64, o2)
-    x1 = add(n1, z, o2)
-    e = div(n8, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    div(e, n8, o1)
-    ey = neg(ee, o2)
-    div(ey, n512, o2)
-    return o1, o2
 
 
 # operations 14: 4 +, 6 *, 4 /
@@ -398,23 +266,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n24, n64 = numbers
-    z = div(x, n64, o2)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, k1), k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n8, fi, o1)
-    d = sub(n24, mul(n8, z, o2), o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n4, o2)
-    div(hi, n8, o2)
-    return o1, o2
-
-
 # operations 9: 2 +, 3 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 64
@@ -425,20 +276,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hi = diq / 4
     hi_v = hi / 8
     return hi_v,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    n1, n4, n8, n24, n64 = numbers
-    z = div(x, n64, o1)
-    d = sub(n24, mul(n8, z, k1), k1)
-    q = sub(n4, mul(n4, z, o1), o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n4, o1)
-    div(hi, n8, o1)
-    return o1,
 
 
 # operations 26: 7 +, 11 *, 7 /, 1 neg
@@ -462,29 +299,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n16, n24, n40, n64, n512 = numbers
-    z = div(x, n64, o3)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o4), o4)
-    iq = div(n1, q, o4)
-    fi = mul(p, iq, o1)
-    mul(n8, fi, o1)
-    z_by_8 = mul(n8, z, o2)
-    c = add(mul(sub(z_by_8, n16, k1), z, o3), n40, o3)
-    d = sub(n24, z_by_8, o2)
-    diq = mul(d, iq, o2)
-    fiy = neg(mul(c, mul(iq, iq, k1), o3), o3)
-    div(fiy, n8, o3)
-    hiy = div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
-    hi = div(diq, n4, o2)
-    div(hi, n8, o2)
-    div(hiy, n512, o4)
-    return o1, o2, o3, o4
-
-
 # operations 26: 7 +, 11 *, 7 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     z = x / 64
@@ -504,29 +318,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     hiy = (8 * diq - 16) * iq / 4
     hiy_v = hiy / 512
     return fi_v, hi_v, fiy_v, hiy_v
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n4, n6, n8, n16, n24, n40, n64, n512 = numbers
-    z = div(x, n64, o3)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o4), o4)
-    iq = div(n1, q, o4)
-    fi = mul(p, iq, o1)
-    mul(n8, fi, o1)
-    z_by_8 = mul(n8, z, o2)
-    c = add(mul(sub(z_by_8, n16, k1), z, o3), n40, o3)
-    d = sub(n24, z_by_8, o2)
-    diq = mul(d, iq, o2)
-    fiy = neg(mul(c, mul(iq, iq, k1), o3), o3)
-    div(fiy, n8, o3)
-    hiy = div(mul(sub(mul(n8, diq, k1), n16, k1), iq, o4), n4, o4)
-    hi = div(diq, n4, o2)
-    div(hi, n8, o2)
-    div(hiy, n512, o4)
-    return o1, o2, o3, o4
 
 
 # operations 40: 9 +, 20 *, 9 /, 2 neg
@@ -556,35 +347,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
-    n_minus_4, n1, n2, n4, n6, n8, n16, n24, n40, n64, n512, n32768 = numbers
-    z = div(x, n64, o5)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    q = sub(n4, mul(n4, z, o6), o6)
-    iq = div(n1, q, o6)
-    fi = mul(p, iq, o1)
-    mul(n8, fi, o1)
-    z_by_8 = mul(n8, z, k1)
-    d = sub(n24, z_by_8, k2)
-    diq = mul(d, iq, k2)
-    c = add(mul(sub(z_by_8, n16, k1), z, k1), n40, k1)
-    dc = sub(mul(n16, z, o5), n16, o5)
-    hi = div(diq, n4, o2)
-    div(hi, n8, o2)
-    hiy = div(mul(sub(mul(n8, diq, k2), n16, k2), iq, k2), n4, k2)
-    fiy = neg(mul(c, mul(iq, iq, o3), o3), o3)
-    div(fiy, n8, o3)
-    div(hiy, n512, o4)
-    dqiq = mul(n_minus_4, iq, k3)
-    fiyy = mul(mul(sub(mul(mul(n4, c, k1), dqiq, k1), mul(n2, dc, o5), o5), iq, o5), iq, o5)
-    hiyy = neg(mul(mul(n4, dqiq, o6), hiy, o6), o6)
-    div(fiyy, n512, o5)
-    div(hiyy, n32768, o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 28: 8 +, 13 *, 7 /
 def _ray(m: Any, x: Any) -> Result:
     z = x / 64
@@ -606,30 +368,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q / 8, root, f_v, g_v, h_v
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, *_ = scratch
-    n1, n2, n4, n6, n8, n16, n40, n64, n512 = numbers
-    z = div(x, n64, o6)
-    p = add(mul(sub(z, n6, o1), z, o1), n1, o1)
-    z_by_4 = mul(n4, z, o3)
-    q = sub(n4, z_by_4, o4)
-    div(q, n8, o2)
-    ph = sub(n1, z, o5)
-    add(mul(ph, ph, o5), z_by_4, o3)
-    qq = mul(q, q, o5)
-    N = add(mul(p, p, k1), mul(z, qq, k2), k1)
-    r = mul(n2, div(div(N, N, k2), N, k1), k1)
-    f = mul(mul(p, q, o4), r, o4)
-    div(f, n8, o4)
-    g = mul(qq, r, o5)
-    div(g, n64, o5)
-    c = add(mul(sub(mul(n8, z, k2), n16, k2), z, o6), n40, o6)
-    h = mul(c, r, o6)
-    div(h, n512, o6)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 12: 2 +, 3 *, 2 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -637,20 +375,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     cos2 = m.sqrt((1 + cos) / 2)
     gain = 8 * (m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2)))
     return gain,
-
-
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n8 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    cos2 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    mul(n8, div(m.where(negative, n_minus_1, n1, k1), mul(mul(n2, cos2, k2), add(n1, cos2, o1), o1), o1), o1)
-    return o1,
 
 
 # operations 18: 5 +, 8 *, 3 /, 2 sqrt
@@ -662,19 +386,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n2, n8 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    cos1 = div(e0, size, k1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    mul(n8, div(n1, mul(mul(mul(n2, cos2, k2), add(n1, cos2, k1), k1), size, o1), o1), o1)
-    return o1,
-
-
 # operations 15: 2 +, 5 *, 3 /, 1 neg, 1 sqrt, 1 lt, 2 where
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
@@ -684,25 +395,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     cos2 = m.sqrt((1 + cos1) / 2)
     gain = 8 * (m.where(negative, -1, 1) / (2 * cos2 * (1 + cos2) * size))
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n8 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    size = mul(size2, size1, k1)
-    cos1 = div(cos, size, o1)
-    cos2 = sqrt(div(add(n1, cos1, o1), n2, o1), o1)
-    mul(
-        n8, div(m.where(negative, n_minus_1, n1, k2), mul(mul(mul(n2, cos2, k3), add(n1, cos2, o1), o1), size, o1), o1),
-        o1
-    )
-    return o1,
 
 
 # operations 26: 7 +, 4 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -718,27 +410,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n6, n8, n16, n64 = numbers
-    z = div(x, n64, o1)
-    q = sub(n4, mul(n4, z, k1), k1)
-    p = add(mul(sub(z, n6, k2), z, o1), n1, o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n8, k2), absolute(q, k3), k2)
-    kept = m.where(qneg, n0, rq, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
-    )
-    return o1,
 
 
 # operations 33: 8 +, 6 *, 5 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -758,41 +429,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope / 8, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6, n8, n16, n64 = numbers
-    z = div(x, n64, o2)
-    q = sub(n4, mul(n4, z, o3), o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n8, o1), absolute(q, k1), o1)
-    kept = m.where(qneg, n0, rq, k1)
-    p = add(mul(sub(z, n6, k2), z, k2), n1, k2)
-    qp = m.where(m.less(add(kept, div(p, n16, k3), k3), kept, mask1), neg(q, k1), q, k1)
-    slope = div(n8, add(n1, z, o2), o2)
-    div(slope, n8, o2)
-    either = add(rq, p, k3)
-    one = add(sub(either, either, k3), n1, k3)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, k1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 3: 1 *, 1 /, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 8 * m.atan2(r / 8, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n8 = numbers
-    mul(n8, atan2(div(r, n8, o1), n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -808,22 +448,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3, n4 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_3 = mul(n3, pi, k1)
-    left = sub(mul(n4, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_3, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_3, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 9: 2 +, 5 *, 2 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rt = r / 8
@@ -832,17 +456,6 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     slope = iden * iden
     rv = 8 * rk
     return rv, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, n8 = numbers
-    rt = div(r, n8, o1)
-    iden = div(n1, sub(cos, mul(rt, sin, o2), o2), o2)
-    rk = mul(add(mul(rt, cos, o1), sin, o1), iden, o1)
-    mul(n8, rk, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 7: 2 +, 1 /, 2 lt, 2 where
@@ -854,19 +467,6 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine2, sine2
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
-) -> Result:
-    o1, o2, o3 = out
-    _, mask2, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond2 = m.less(limit2, x, mask2)
-    m.where(beyond2, cos2, cos1, o2)
-    m.where(beyond2, sin2, sin1, o3)
-    return o1, o2, o3
-
-
 # operations 7: 1 +, 3 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 8)
@@ -874,16 +474,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     v = 8 * r
     v_slope = 8 * slope
     return v, v_slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n8 = numbers
-    r = tan(div(alpha, n8, o2), o2)
-    mul(n8, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n8, o2)
-    mul(n8, slope, o2)
-    return o1, o2
 
 
 # operations 24: 2 +, 6 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -899,24 +489,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     v = 8 * r
     v_slope = 8 * slope
     return v, v_slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n8, n13 = numbers
-    size = absolute(alpha, o2)
-    nextto = m.less(absolute(sub(size, n13, o1), o1), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n8, o2), o2)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
-    mul(n8, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n8, o2)
-    mul(n8, slope, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -940,28 +512,28 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-4, 1, 4, 6, 8, 64, 512)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
-        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 3, 0, (-16, 1, 2, 4, 6, 8, 16, 40, 64, 512, 4096, 32768, 262144, 2097152)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 8, 64, 512)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 4, 6, 8, 24, 64)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 1, 0, (1, 4, 8, 24, 64)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 1, 0, (1, 4, 6, 8, 16, 24, 40, 64, 512)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (-4, 1, 2, 4, 6, 8, 16, 24, 40, 64, 512, 32768)),
-        "ray": Function(_ray, _ray_blocks, 2, 0, (1, 2, 4, 6, 8, 16, 40, 64, 512)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2, 8)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2, 8)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2, 8)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 4, 6, 8, 16, 64)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 4, 6, 8, 16, 64)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 8)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3, 4)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1, 8)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 8)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 8, 13)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="f370e355b11d1123",

@@ -101,10 +101,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 28: 8 +, 12 *, 7 /, 1 sqrt
@@ -149,29 +149,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w_v, sy_v, wy_v
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n_minus_5, n1, n2, n5, n10, n100, n1000 = numbers
-    z = div(x, n100, o4)
-    q = add(mul(sub(z, n10, o2), z, o2), n5, o2)
-    qq = mul(q, q, o3)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    N = add(mul(p, p, k1), mul(z, qq, o3), o3)
-    root = sqrt(N, o3)
-    r = div(div(root, root, k1), root, o3)
-    w = mul(q, r, o2)
-    mul(p, r, o1)
-    minus_e = div(n_minus_5, add(n1, z, k1), k1)
-    sy = mul(w, minus_e, k1)
-    dq = sub(mul(n2, z, o4), n10, o4)
-    wy = add(mul(mul(n2, dq, o4), r, o4), sy, o4)
-    div(wy, n1000, o4)
-    div(sy, n100, o3)
-    div(w, n10, o2)
-    return o1, o2, o3, o4
-
-
 # operations 28: 9 +, 13 *, 6 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -189,27 +166,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     h = c * r
     h_v = h / 1000
     return f_v, g_v, h_v
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n5, n10, n80, n96, n100, n1000 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    z = div(x, n100, o3)
-    q = add(mul(sub(z, n10, o1), z, o1), n5, o1)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, z, k1), n10, k1), z, k1), n1, k1)
-    N = add(mul(p, p, k2), mul(z, qq, k3), k2)
-    r = mul(n2, div(div(N, N, k3), N, k2), k2)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n10, o1)
-    g = mul(qq, r, o2)
-    div(g, n100, o2)
-    c = add(mul(sub(mul(n80, z, k1), n96, k1), z, o3), n80, o3)
-    h = mul(c, r, o3)
-    div(h, n1000, o3)
-    return o1, o2, o3
 
 
 # operations 47: 15 +, 22 *, 10 /
@@ -242,40 +198,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     hy = cr - e * h
     hy_v = hy / 100000
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n5, n10, n80, n96, n100, n160, n1000, n10000, n100000 = numbers
-    x = add(add(v11, v22, o5), v33, o5)
-    z = div(x, n100, o5)
-    q = add(mul(sub(z, n10, o4), z, o4), n5, o4)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    N = add(mul(p, p, o3), mul(z, qq, o6), o3)
-    r = mul(n2, div(div(N, N, o6), N, o3), o3)
-    g = mul(qq, r, o2)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n10, o1)
-    dc = sub(mul(n160, z, o6), n96, o6)
-    cr = mul(mul(n2, dc, o6), r, o6)
-    c = add(mul(sub(mul(n80, z, k1), n96, k1), z, k1), n80, k1)
-    h = mul(c, r, k1)
-    x1 = add(n1, z, k2)
-    e = div(n10, x1, k2)
-    hy = sub(cr, mul(e, h, k3), o6)
-    div(hy, n100000, o6)
-    dq = sub(mul(n2, z, o5), n10, o5)
-    qr = mul(mul(n4, dq, o5), mul(q, r, o4), o5)
-    eg = mul(e, g, o4)
-    gy = sub(qr, eg, o5)
-    div(gy, n10000, o5)
-    fy = sub(h, eg, o4)
-    div(fy, n1000, o4)
-    div(h, n1000, o3)
-    div(g, n100, o2)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 72: 24 +, 34 *, 14 /
@@ -319,52 +241,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    n1, n2, n4, n5, n8, n10, n80, n96, n100, n160, n1000, n10000, n100000, n1000000, n10000000 = numbers
-    x = add(add(v11, v22, o8), v33, o8)
-    z = div(x, n100, o8)
-    q = add(mul(sub(z, n10, o7), z, o7), n5, o7)
-    qq = mul(q, q, o2)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    N = add(mul(p, p, o6), mul(z, qq, o9), o6)
-    r = mul(n2, div(div(N, N, o9), N, o6), o6)
-    g = mul(qq, r, o2)
-    f = mul(mul(p, q, o1), r, o1)
-    div(f, n10, o1)
-    dc = sub(mul(n160, z, o9), n96, o9)
-    cr = mul(mul(n2, dc, o9), r, o9)
-    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
-    h = mul(c, r, o3)
-    x1 = add(n1, z, o5)
-    dq = sub(mul(n2, z, o8), n10, o8)
-    e = div(n10, x1, k1)
-    ee = div(mul(n2, e, k2), x1, o5)
-    hy = sub(cr, mul(e, h, k2), k2)
-    hyy = add(sub(mul(n4, mul(n160, r, k3), k3), mul(e, add(hy, cr, o9), o9), o9), mul(ee, h, k3), o9)
-    div(hyy, n10000000, o9)
-    eeg = mul(ee, g, o5)
-    qr = mul(mul(n4, dq, k3), mul(q, r, o4), k3)
-    eg = mul(e, g, o4)
-    div(g, n100, o2)
-    gy = sub(qr, eg, k4)
-    fy = sub(h, eg, o4)
-    div(fy, n1000, o4)
-    div(h, n1000, o3)
-    egy = mul(e, gy, k5)
-    gyy = add(
-        sub(mul(n8, mul(add(mul(n2, q, o7), mul(dq, dq, o8), o8), r, o8), o8), add(egy, mul(e, qr, o7), o7), o8), eeg,
-        o8
-    )
-    fyy = add(sub(hy, egy, o7), eeg, o7)
-    div(gyy, n1000000, o8)
-    div(fyy, n100000, o7)
-    div(hy, n100000, o6)
-    div(gy, n10000, o5)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 8: 1 +, 1 *, 5 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     z = x / 100
@@ -375,20 +251,6 @@ def _rate(m: Any, x: Any) -> Result:
     ey = -ee
     ratey_v = ey / 1000
     return rate_v, ratey_v
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n10, n100, n1000 = numbers
-    z = div(x, n100, o2)
-    x1 = add(n1, z, o2)
-    e = div(n10, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    div(e, n10, o1)
-    ey = neg(ee, o2)
-    div(ey, n1000, o2)
-    return o1, o2
 
 
 # operations 17: 6 +, 7 *, 4 /
@@ -406,23 +268,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi_v, hi_v
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    n1, n5, n10, n34, n45, n100 = numbers
-    z = div(x, n100, o2)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    iq = div(n1, q, k1)
-    fi = mul(p, iq, o1)
-    mul(n10, fi, o1)
-    d = add(mul(sub(z, n34, k2), z, o2), n45, o2)
-    diq = mul(d, iq, o2)
-    hi = div(diq, n5, o2)
-    div(hi, n10, o2)
-    return o1, o2
-
-
 # operations 11: 4 +, 3 *, 4 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     z = x / 100
@@ -433,20 +278,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     hi = diq / 5
     hi_v = hi / 10
     return hi_v,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n5, n10, n34, n45, n100 = numbers
-    z = div(x, n100, o1)
-    d = add(mul(sub(z, n34, k1), z, k1), n45, k1)
-    q = add(mul(sub(z, n10, k2), z, o1), n5, o1)
-    iq = div(n1, q, o1)
-    diq = mul(d, iq, o1)
-    hi = div(diq, n5, o1)
-    div(hi, n10, o1)
-    return o1,
 
 
 # operations 35: 11 +, 16 *, 7 /, 1 neg
@@ -472,31 +303,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, *_ = scratch
-    n1, n2, n5, n10, n34, n45, n80, n96, n100, n1000 = numbers
-    z = div(x, n100, o1)
-    d = add(mul(sub(z, n34, o2), z, o2), n45, o2)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o2)
-    z_by_2 = mul(n2, z, o4)
-    dd = sub(z_by_2, n34, o3)
-    dq = sub(z_by_2, n10, o4)
-    hiy = div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
-    div(hiy, n1000, o4)
-    hi = div(diq, n5, o2)
-    div(hi, n10, o2)
-    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
-    fiy = neg(mul(c, mul(iq, iq, k2), o3), o3)
-    div(fiy, n10, o3)
-    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
-    fi = mul(p, iq, o1)
-    mul(n10, fi, o1)
-    return o1, o2, o3, o4
-
-
 # operations 35: 11 +, 16 *, 7 /, 1 neg
 def _tangent_inv(m: Any, x: Any) -> Result:
     z = x / 100
@@ -518,31 +324,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     hiy = (2 * dd - 2 * dq * diq) * iq / 5
     hiy_v = hiy / 1000
     return fi_v, hi_v, fiy_v, hiy_v
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, *_ = scratch
-    n1, n2, n5, n10, n34, n45, n80, n96, n100, n1000 = numbers
-    z = div(x, n100, o1)
-    d = add(mul(sub(z, n34, o2), z, o2), n45, o2)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o2)
-    z_by_2 = mul(n2, z, o4)
-    dd = sub(z_by_2, n34, o3)
-    dq = sub(z_by_2, n10, o4)
-    hiy = div(mul(sub(mul(n2, dd, o3), mul(mul(n2, dq, o4), diq, o4), o4), iq, o4), n5, o4)
-    div(hiy, n1000, o4)
-    hi = div(diq, n5, o2)
-    div(hi, n10, o2)
-    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
-    fiy = neg(mul(c, mul(iq, iq, k2), o3), o3)
-    div(fiy, n10, o3)
-    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
-    fi = mul(p, iq, o1)
-    mul(n10, fi, o1)
-    return o1, o2, o3, o4
 
 
 # operations 54: 15 +, 28 *, 10 /, 1 neg
@@ -574,39 +355,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi_v, hi_v, fiy_v, hiy_v, fiyy_v, hiyy_v
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n5, n10, n34, n45, n80, n96, n100, n160, n1000, n100000 = numbers
-    z = div(x, n100, o1)
-    d = add(mul(sub(z, n34, o2), z, o2), n45, o2)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    iq = div(n1, q, k1)
-    diq = mul(d, iq, o2)
-    z_by_2 = mul(n2, z, o5)
-    dd = sub(z_by_2, n34, o4)
-    dq = sub(z_by_2, n10, o5)
-    hiy = div(mul(sub(mul(n2, dd, o4), mul(mul(n2, dq, o6), diq, o6), o4), iq, o4), n5, o4)
-    dqiq = mul(dq, iq, o5)
-    hiyy = sub(
-        div(mul(n4, mul(sub(n2, mul(n2, diq, o6), o6), iq, o6), o6), n5, o6), mul(mul(n4, dqiq, o3), hiy, o3), o6
-    )
-    div(hiyy, n100000, o6)
-    div(hiy, n1000, o4)
-    hi = div(diq, n5, o2)
-    div(hi, n10, o2)
-    c = add(mul(sub(mul(n80, z, o3), n96, o3), z, o3), n80, o3)
-    dc = sub(mul(n160, z, k2), n96, k2)
-    fiyy = mul(mul(sub(mul(mul(n4, c, k3), dqiq, o5), mul(n2, dc, k2), o5), iq, o5), iq, o5)
-    div(fiyy, n1000, o5)
-    fiy = neg(mul(c, mul(iq, iq, k2), o3), o3)
-    div(fiy, n10, o3)
-    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
-    fi = mul(p, iq, o1)
-    mul(n10, fi, o1)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 27: 7 +, 13 *, 7 /
 def _ray(m: Any, x: Any) -> Result:
     z = x / 100
@@ -625,27 +373,6 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q / 10, 1, f_v, g_v, h_v
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n5, n10, n80, n96, n100, n1000 = numbers
-    z = div(x, n100, o6)
-    q = add(mul(sub(z, n10, o2), z, o2), n5, o2)
-    qq = mul(q, q, o5)
-    p = add(mul(sub(mul(n5, z, o1), n10, o1), z, o1), n1, o1)
-    N = add(mul(p, p, o4), mul(z, qq, k1), o4)
-    r = mul(n2, div(div(N, N, k1), N, o4), o4)
-    c = add(mul(sub(mul(n80, z, k1), n96, k1), z, o6), n80, o6)
-    h = mul(c, r, o6)
-    div(h, n1000, o6)
-    g = mul(qq, r, o5)
-    f = mul(mul(p, q, k1), r, o4)
-    div(g, n100, o5)
-    div(f, n10, o4)
-    div(q, n10, o2)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 21: 2 +, 6 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -660,25 +387,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n5, n10 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    mul(
-        n10, mul(m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sin, cos, k3), n5, k3), k3),
-        k4), m.where(still, mul(n5, cos, k1), sin, k1), o1), o1), o1
-    )
-    return o1,
-
-
 # operations 16: 2 +, 5 *, 2 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -686,23 +394,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     sin = m.sqrt(m.where(still, e0, ss))
     gain = 10 * (m.where(still, 1, m.tan(m.atan2(sin, e0) / 5)) / m.where(still, 5 * e0, sin))
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n5, n10 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    mul(
-        n10, div(m.where(still, n1, tan(div(atan2(sin, e0, k1), n5, k1), k1), k2), m.where(still, mul(n5, e0, k1), sin,
-        k1), o1), o1
-    )
-    return o1,
 
 
 # operations 22: 2 +, 6 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -720,26 +411,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n5, n10 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), k2)
-    sinq = div(ss, sin, o1)
-    mul(
-        n10, mul(m.where(negative, n_minus_1, n1, k2), div(m.where(still, n1, tan(div(atan2(sinq, cos, k3), n5, k3),
-        k3), k4), m.where(still, mul(n5, cos, k1), sinq, k1), o1), o1), o1
-    )
-    return o1,
-
-
 # operations 28: 8 +, 5 *, 3 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     z = x / 100
@@ -753,27 +424,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(kept + p / 16 < kept, -q, q)
     sign = one * m.where((qp < 0) | (q == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n5, n10, n16, n100 = numbers
-    z = div(x, n100, o1)
-    q = add(mul(sub(z, n10, k1), z, k1), n5, k1)
-    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, o1), n1, o1)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n10, k2), absolute(q, k3), k2)
-    kept = m.where(qneg, n0, rq, k3)
-    qp = m.where(m.less(add(kept, div(p, n16, k4), k4), kept, mask1), neg(q, k3), q, k3)
-    either = add(rq, p, o1)
-    one = add(sub(either, either, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, k1), o1
-    )
-    return o1,
 
 
 # operations 35: 9 +, 7 *, 5 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -793,41 +443,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope / 10, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n5, n10, n16, n100 = numbers
-    z = div(x, n100, o2)
-    q = add(mul(sub(z, n10, o3), z, o3), n5, o3)
-    qneg = m.less(q, n0, mask1)
-    rq = mul(div(r, n10, o1), absolute(q, k1), o1)
-    kept = m.where(qneg, n0, rq, k1)
-    p = add(mul(sub(mul(n5, z, k2), n10, k2), z, k2), n1, k2)
-    qp = m.where(m.less(add(kept, div(p, n16, k3), k3), kept, mask1), neg(q, k1), q, k1)
-    slope = div(n10, add(n1, z, o2), o2)
-    div(slope, n10, o2)
-    either = add(rq, p, k3)
-    one = add(sub(either, either, k3), n1, k3)
-    mul(
-        one, m.where(m.either(m.less(qp, n0, mask1), m.both(m.equal(q, n0, mask2), m.less(y, n0, mask3), mask2), mask1),
-        n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, k1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 3: 1 *, 1 /, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 10 * m.atan2(r / 10, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n10 = numbers
-    mul(n10, atan2(div(r, n10, o1), n1, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -843,22 +462,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n4, n5 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_4 = mul(n4, pi, k1)
-    left = sub(mul(n5, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_4, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_4, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 9: 2 +, 5 *, 2 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rt = r / 10
@@ -867,17 +470,6 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     slope = iden * iden
     rv = 10 * rk
     return rv, slope
-
-
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, n10 = numbers
-    rt = div(r, n10, o1)
-    iden = div(n1, sub(cos, mul(rt, sin, o2), o2), o2)
-    rk = mul(add(mul(rt, cos, o1), sin, o1), iden, o1)
-    mul(n10, rk, o1)
-    mul(iden, iden, o2)
-    return o1, o2
 
 
 # operations 7: 2 +, 1 /, 2 lt, 2 where
@@ -889,19 +481,6 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine2, sine2
 
 
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
-) -> Result:
-    o1, o2, o3 = out
-    _, mask2, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond2 = m.less(limit2, x, mask2)
-    m.where(beyond2, cos2, cos1, o2)
-    m.where(beyond2, sin2, sin1, o3)
-    return o1, o2, o3
-
-
 # operations 7: 1 +, 3 *, 2 /, 1 tan
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 10)
@@ -909,16 +488,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     v = 10 * r
     v_slope = 10 * slope
     return v, v_slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n10 = numbers
-    r = tan(div(alpha, n10, o2), o2)
-    mul(n10, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n10, o2)
-    mul(n10, slope, o2)
-    return o1, o2
 
 
 # operations 23: 2 +, 6 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -934,24 +503,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     v = 10 * r
     v_slope = 10 * slope
     return v, v_slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n10, n16 = numbers
-    size = absolute(alpha, o2)
-    nextto = m.less(absolute(sub(size, n16, o1), o1), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
-    divisor = m.where(nextto, sine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(cosine, divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n10, o2), o2)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
-    mul(n10, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n10, o2)
-    mul(n10, slope, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -976,28 +527,28 @@ CHART = Chart(
         "-0.9510565162951535721164393333793821434057",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (-5, 1, 2, 5, 10, 100, 1000)),
-        "pose": Function(_pose, _pose_blocks, 3, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
-        "tangent": Function(_tangent, _tangent_blocks, 3, 0, (1, 2, 4, 5, 10, 80, 96, 100, 160, 1000, 10000, 100000)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 5, 0, (1, 2, 4, 5, 8, 10, 80, 96, 100, 160, 1000, 10000, 100000, 1000000, 10000000)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 10, 100, 1000)),
-        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 2, 0, (1, 5, 10, 34, 45, 100)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (1, 2, 5, 10, 34, 45, 80, 96, 100, 1000)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 3, 0, (1, 2, 4, 5, 10, 34, 45, 80, 96, 100, 160, 1000, 100000)),
-        "ray": Function(_ray, _ray_blocks, 1, 0, (1, 2, 5, 10, 80, 96, 100, 1000)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 5, 10)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 5, 10)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 5, 10)),
-        "direction": Function(_direction, _direction_blocks, 4, 3, (-1, 0, 1, 5, 10, 16, 100)),
-        "natural": Function(_natural, _natural_blocks, 3, 3, (-1, 0, 1, 2, 5, 10, 16, 100)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 10)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 4, 5)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1, 10)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 10)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 2, (-1, 0, 1, 2, 10, 16)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="5bf25fde9fb9f1fb",

@@ -101,10 +101,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 20: 6 +, 8 *, 4 /, 1 neg, 1 sqrt
@@ -143,23 +143,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n6, n32, n38, n64 = numbers
-    cc = sub(n1, x, o4)
-    c = sqrt(cc, o4)
-    x_by_4 = mul(n4, x, o2)
-    s = mul(c, sub(n1, x_by_4, o1), o1)
-    w = sub(n3, x_by_4, o2)
-    rho = div(n6, c, o3)
-    neg(div(mul(rho, w, o3), n2, o3), o3)
-    h = div(add(mul(sub(mul(n32, x, k1), n64, k1), x, k1), n38, k1), c, o4)
-    ww = mul(w, w, k1)
-    sub(div(mul(s, h, o4), n2, o4), mul(w, ww, k1), o4)
-    return o1, o2, o3, o4
-
-
 # operations 17: 7 +, 8 *, 1 /, 1 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -173,23 +156,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     g = 2 * ww
     h = ((32 * x - 64) * x + 38) / c
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n32, n38, n64 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    x_by_4 = mul(n4, x, o2)
-    div(add(mul(sub(mul(n32, x, k1), n64, k1), x, o3), n38, o3), c, o3)
-    s = mul(c, sub(n1, x_by_4, k1), o1)
-    w = sub(n3, x_by_4, o2)
-    mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    mul(n2, ww, o2)
-    return o1, o2, o3
 
 
 # operations 29: 11 +, 13 *, 4 /, 1 sqrt
@@ -210,28 +176,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     dH = 64 * x - 64
     hy = 2 * dH / c + h / cc
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n6, n32, n38, n64 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
-    cc = sub(n1, x, o6)
-    c = sqrt(cc, o4)
-    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
-    dH = sub(mul(n64, x, o1), n64, o1)
-    add(div(mul(n2, dH, o1), c, o1), div(h, cc, o6), o6)
-    x_by_4 = mul(n4, x, o2)
-    s = mul(c, sub(n1, x_by_4, o1), o1)
-    w = sub(n3, x_by_4, o2)
-    f = mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    sub(mul(f, h, o5), mul(g, g, k1), o5)
-    rho = div(n6, c, o4)
-    sub(h, mul(rho, g, o4), o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 46: 17 +, 20 *, 8 /, 1 sqrt
@@ -259,33 +203,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n6, n32, n38, n64, n256 = numbers
-    x = add(add(v11, v22, o2), v33, o2)
-    cc = sub(n1, x, o7)
-    c = sqrt(cc, o4)
-    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
-    dH = sub(mul(n64, x, o9), n64, o9)
-    dH_by_2 = mul(n2, dH, o9)
-    x_by_4 = mul(n4, x, o2)
-    hy = add(div(dH_by_2, c, o6), div(h, cc, o1), o6)
-    add(div(sub(n256, div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o1), cc, o1), o9)
-    s = mul(c, sub(n1, x_by_4, o1), o1)
-    w = sub(n3, x_by_4, o2)
-    f = mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    rho = div(n6, c, o4)
-    rhoy = div(rho, cc, o7)
-    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
-    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
-    fy = sub(h, mul(rho, g, o4), o4)
-    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 4: 1 +, 2 /, 1 sqrt
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
@@ -293,16 +210,6 @@ def _rate(m: Any, x: Any) -> Result:
     rho = 6 / c
     rhoy = rho / cc
     return rho, rhoy
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    n1, n6 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o1)
-    rho = div(n6, c, o1)
-    div(rho, cc, o2)
-    return o1, o2
 
 
 # operations 7: 2 +, 3 *, 1 /, 1 sqrt
@@ -313,19 +220,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     below = 3 * w
     hi = 8 * c / below
     return fe, hi
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n3, n4, n8 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o2)
-    w = sub(n3, mul(n4, x, k1), k1)
-    below = mul(n3, w, k1)
-    div(mul(n8, c, o2), below, o2)
-    copy(fe, o1)
-    return o1, o2
 
 
 # operations 20: 5 +, 8 *, 5 /, 1 abs, 1 tan
@@ -342,24 +236,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     rho = 6 / c
     hi = (g - fe * h) / rho
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n4, n6, n12, n32 = numbers
-    t = tan(div(angle, n12, o1), o1)
-    tt = mul(t, t, o1)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
-    cc = mul(c, c, k1)
-    w = sub(mul(n4, cc, k2), n1, k2)
-    ww = mul(w, w, k2)
-    g = mul(n2, ww, k2)
-    h = div(add(mul(mul(n32, cc, k3), cc, k1), n6, k1), c, k1)
-    rho = div(n6, c, o1)
-    div(sub(g, mul(fe, h, k1), k1), rho, o1)
-    return o1,
 
 
 # operations 42: 11 +, 18 *, 10 /, 1 neg, 1 abs, 1 tan
@@ -387,34 +263,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    n_minus_64, n1, n2, n3, n4, n6, n12, n32 = numbers
-    t = tan(div(angle, n12, o4), o4)
-    tt = mul(t, t, o4)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
-    cc = mul(c, c, k1)
-    cc_by_4 = mul(n4, cc, k2)
-    w = sub(cc_by_4, n1, o3)
-    s = mul(c, sub(cc_by_4, n3, k2), k2)
-    f = mul(n2, mul(s, w, k2), k2)
-    ww = mul(w, w, o3)
-    g = mul(n2, ww, o3)
-    h = div(add(mul(mul(n32, cc, k3), cc, k3), n6, k3), c, k3)
-    gy = sub(mul(f, h, k2), mul(g, g, k4), k2)
-    rho = div(n6, c, k4)
-    hi = div(sub(g, mul(fe, h, o2), o2), rho, o2)
-    fiy = neg(div(h, g, o3), o3)
-    dH = mul(n_minus_64, cc, k5)
-    hy = add(div(mul(n2, dH, k5), c, o4), div(h, cc, k5), o4)
-    rhoy = div(rho, cc, k1)
-    div(sub(sub(sub(gy, mul(fiy, h, k3), k2), mul(fe, hy, o4), o4), mul(hi, rhoy, k1), o4), rho, o4)
-    copy(fe, o1)
-    return o1, o2, o3, o4
-
-
 # operations 29: 7 +, 12 *, 7 /, 2 neg, 1 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
@@ -432,27 +280,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     wy = s * h / 2 - w * ww
     hiy = (-(8 / c) - 3 * (hi * wy)) / below
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, *_ = scratch
-    n1, n2, n3, n4, n8, n32, n38, n64 = numbers
-    cc = sub(n1, x, o4)
-    c = sqrt(cc, o4)
-    x_by_4 = mul(n4, x, k1)
-    s = mul(c, sub(n1, x_by_4, o1), o1)
-    w = sub(n3, x_by_4, k1)
-    ww = mul(w, w, o3)
-    h = div(add(mul(sub(mul(n32, x, o2), n64, o2), x, o2), n38, o2), c, o2)
-    wy = sub(div(mul(s, h, k2), n2, k2), mul(w, ww, k3), k2)
-    g = mul(n2, ww, o3)
-    neg(div(h, g, o3), o3)
-    div(s, w, o1)
-    below = mul(n3, w, k1)
-    hi = div(mul(n8, c, o2), below, o2)
-    div(sub(neg(div(n8, c, o4), o4), mul(n3, mul(hi, wy, k2), k2), o4), below, o4)
-    return o1, o2, o3, o4
 
 
 # operations 65: 15 +, 28 *, 16 /, 5 neg, 1 sqrt
@@ -483,39 +310,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, k5, k6, k7, *_ = scratch
-    n1, n2, n3, n4, n6, n8, n32, n38, n64 = numbers
-    dH = sub(mul(n64, x, o5), n64, o5)
-    cc = sub(n1, x, o6)
-    c = sqrt(cc, k1)
-    h = div(add(mul(sub(mul(n32, x, o3), n64, o3), x, o3), n38, o3), c, o3)
-    hy = add(div(mul(n2, dH, o5), c, o5), div(h, cc, o1), o5)
-    x_by_4 = mul(n4, x, o1)
-    s = mul(c, sub(n1, x_by_4, k2), k2)
-    w = sub(n3, x_by_4, o1)
-    ww = mul(w, w, k3)
-    wy = sub(div(mul(s, h, k4), n2, k4), mul(w, ww, k5), k4)
-    rho = div(n6, c, k5)
-    sy = neg(div(mul(rho, w, k5), n2, k5), k5)
-    wyy = sub(div(add(mul(sy, h, k5), mul(s, hy, k6), k5), n2, k5), mul(n3, mul(ww, wy, k6), k6), k5)
-    g = mul(n2, ww, k3)
-    below = mul(n3, w, k6)
-    hi = div(mul(n8, c, o2), below, o2)
-    hiy = div(sub(neg(div(n8, c, o4), o4), mul(n3, mul(hi, wy, k7), k7), o4), below, o4)
-    div(
-        sub(neg(div(div(n8, cc, o6), c, o6), o6), mul(n3, add(mul(n2, mul(hiy, wy, k1), k1), mul(hi, wyy, k4), k1), k1),
-        o6), below, o6
-    )
-    f = mul(n2, mul(s, w, k1), k1)
-    div(s, w, o1)
-    gy = sub(mul(f, h, k1), mul(g, g, k2), k1)
-    fiy = neg(div(h, g, o3), o3)
-    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 15: 5 +, 8 *, 1 /, 1 sqrt
 def _ray(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
@@ -528,21 +322,6 @@ def _ray(m: Any, x: Any) -> Result:
     g = 2 * ww
     h = ((32 * x - 64) * x + 38) / c
     return s, w, 1, f, g, h
-
-
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    n1, n2, n3, n4, n32, n38, n64 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    div(add(mul(sub(mul(n32, x, o6), n64, o6), x, o6), n38, o6), c, o6)
-    x_by_4 = mul(n4, x, o2)
-    s = mul(c, sub(n1, x_by_4, o4), o1)
-    w = sub(n3, x_by_4, o2)
-    mul(n2, mul(s, w, o4), o4)
-    ww = mul(w, w, o5)
-    mul(n2, ww, o5)
-    return o1, o2, n1, o4, o5, o6
 
 
 # operations 24: 3 +, 7 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -559,28 +338,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    t = tan(div(atan2(sin, cos, k2), n6, k2), k2)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k3)
-    div(
-        mul(m.where(negative, n_minus_1, n1, k4), m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), k2),
-        m.where(still, mul(n3, cos, k1), sin, k1), o1
-    )
-    return o1,
-
-
 # operations 19: 3 +, 6 *, 3 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -591,23 +348,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     below = 1 + tt
     gain = m.where(still, 1, 2 * t / below) / m.where(still, 3 * e0, sin)
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    sin = sqrt(m.where(still, e0, ss, k1), o1)
-    t = tan(div(atan2(sin, e0, k1), n6, k1), k1)
-    tt = mul(t, t, k2)
-    below = add(n1, tt, k2)
-    div(m.where(still, n1, div(mul(n2, t, k1), below, k1), k2), m.where(still, mul(n3, e0, k1), sin, k1), o1)
-    return o1,
 
 
 # operations 24: 3 +, 7 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
@@ -624,28 +364,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, k4, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n6 = numbers
-    ss = add(add(mul(e1, e1, o1), mul(e2, e2, k1), o1), mul(e3, e3, k1), o1)
-    still = m.equal(ss, n0, mask1)
-    negative = m.less(e0, n0, mask2)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    sin = sqrt(m.where(still, cos, ss, k2), o1)
-    t = tan(div(atan2(sin, cos, k2), n6, k2), k2)
-    tt = mul(t, t, k3)
-    below = add(n1, tt, k3)
-    div(
-        mul(m.where(negative, n_minus_1, n1, k4), m.where(still, n1, div(mul(n2, t, k2), below, k2), k3), k2),
-        m.where(still, mul(n3, cos, k1), sin, k1), o1
-    )
-    return o1,
-
-
 # operations 21: 6 +, 3 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
@@ -658,26 +376,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n3, n4, n16 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    x_by_4 = mul(n4, x, k1)
-    s = mul(c, sub(n1, x_by_4, k2), o1)
-    w = sub(n3, x_by_4, k1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
-    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
-    one = add(sub(s, s, o1), n1, o1)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, k1), o1
-    )
-    return o1,
 
 
 # operations 27: 6 +, 5 *, 1 /, 1 neg, 2 abs, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -696,42 +394,11 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n3, n4, n6, n16 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o2)
-    x_by_4 = mul(n4, x, o1)
-    s = mul(c, sub(n1, x_by_4, k1), k1)
-    w = sub(n3, x_by_4, o1)
-    div(n6, c, o2)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
-    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
-    one = add(sub(s, s, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(r, absolute(w, o1), o1), absolute(s, k1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 6 * m.atan2(r, c)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    mask1, *_ = masks
-    n1, n6 = numbers
-    c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
-    mul(n6, atan2(r, c, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -747,22 +414,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_2 = mul(n2, pi, k1)
-    left = sub(mul(n3, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_2, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_2, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 16: 3 +, 7 *, 1 /, 1 sqrt, 2 lt, 2 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
@@ -775,36 +426,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    rr = mul(r, r, o1)
-    c = sqrt(m.where(m.less(rr, n1, mask1), sub(n1, rr, o2), rr, o2), o1)
-    further = sub(mul(c, cos, o2), mul(r, sin, k1), o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k1)
-    ck = mul(side, further, o2)
-    div(ck, c, o2)
-    mul(side, add(mul(r, cos, k2), mul(c, sin, o1), o1), o1)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
@@ -820,22 +445,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n6, n12 = numbers
-    t = tan(div(alpha, n12, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n6, o2)
-    return o1, o2
-
-
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 12)
@@ -847,22 +456,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     cos = side * further
     slope = cos / 6
     return sin, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n6, n12 = numbers
-    t = tan(div(alpha, n12, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n6, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -882,28 +475,28 @@ CHART = Chart(
         "-0.8660254037844386467637231707529361834714",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64)),
-        "pose": Function(_pose, _pose_blocks, 1, 0, (1, 2, 3, 4, 32, 38, 64)),
-        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 6, 32, 38, 64, 256)),
-        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 6)),
-        "inverse": Function(_inverse, _inverse_blocks, 1, 0, (1, 3, 4, 8)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 3, 0, (1, 2, 4, 6, 12, 32)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 5, 0, (-64, 1, 2, 3, 4, 6, 12, 32)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 3, 0, (1, 2, 3, 4, 8, 32, 38, 64)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 7, 0, (1, 2, 3, 4, 6, 8, 32, 38, 64)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 3, 4, 32, 38, 64)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 4, 2, (-1, 0, 1, 2, 3, 6)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 1, (0, 1, 2, 3, 6)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 4, 2, (-1, 0, 1, 2, 3, 6)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 3, 4, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 3, 4, 6, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 6)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3)),
-        "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 6, 12)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="3e1e0ff7d233c46d",

@@ -101,10 +101,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 24: 8 +, 10 *, 4 /, 1 neg, 1 sqrt
@@ -143,23 +143,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, *_ = scratch
-    n1, n2, n4, n8, n88, n128, n272, n320 = numbers
-    x_by_8 = mul(n8, x, o2)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    cc = sub(n1, x, o4)
-    c = sqrt(cc, o4)
-    w = mul(c, sub(n4, x_by_8, o2), o2)
-    rho = div(n8, c, o3)
-    neg(div(mul(rho, w, o3), n2, o3), o3)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, k1), k1), x, k1), n272, k1), x, k1), n88, k1), c, o4)
-    ww = mul(w, w, k1)
-    sub(div(mul(s, h, o4), n2, o4), mul(w, ww, k1), o4)
-    return o1, o2, o3, o4
-
-
 # operations 21: 9 +, 10 *, 1 /, 1 sqrt
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -173,23 +156,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     g = 2 * ww
     h = (((320 - 128 * x) * x - 272) * x + 88) / c
     return f, g, h
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    n1, n2, n4, n8, n88, n128, n272, n320 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    x_by_8 = mul(n8, x, o2)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k1)
-    w = mul(c, sub(n4, x_by_8, o2), o2)
-    div(add(mul(sub(mul(sub(n320, mul(n128, x, k2), k2), x, k2), n272, k2), x, o3), n88, o3), c, o3)
-    mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    mul(n2, ww, o2)
-    return o1, o2, o3
 
 
 # operations 35: 14 +, 16 *, 4 /, 1 sqrt
@@ -210,28 +176,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     dH = (640 - 384 * x) * x - 272
     hy = 2 * dH / c + h / cc
     return f, g, h, fy, gy, hy
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, *_ = scratch
-    n1, n2, n4, n8, n88, n128, n272, n320, n384, n640 = numbers
-    x = add(add(v11, v22, o1), v33, o1)
-    cc = sub(n1, x, o6)
-    c = sqrt(cc, o4)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
-    dH = sub(mul(sub(n640, mul(n384, x, o2), o2), x, o2), n272, o2)
-    add(div(mul(n2, dH, o2), c, o2), div(h, cc, o6), o6)
-    x_by_8 = mul(n8, x, o2)
-    s = add(mul(sub(x_by_8, n8, o5), x, o1), n1, o1)
-    w = mul(c, sub(n4, x_by_8, o2), o2)
-    f = mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    sub(mul(f, h, o5), mul(g, g, k1), o5)
-    rho = div(n8, c, o4)
-    sub(h, mul(rho, g, o4), o4)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 55: 21 +, 25 *, 8 /, 1 sqrt
@@ -260,34 +204,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, *_ = scratch
-    n1, n2, n3, n4, n8, n88, n128, n272, n320, n384, n640, n768 = numbers
-    x = add(add(v11, v22, o1), v33, o1)
-    cc = sub(n1, x, o7)
-    c = sqrt(cc, o4)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
-    dH = sub(mul(sub(n640, mul(n384, x, o9), o9), x, o9), n272, o9)
-    dH_by_2 = mul(n2, dH, o9)
-    hy = add(div(dH_by_2, c, o6), div(h, cc, o2), o6)
-    ddH = sub(n640, mul(n768, x, o2), o2)
-    add(div(sub(mul(n4, ddH, o2), div(dH_by_2, cc, o9), o9), c, o9), div(mul(n3, hy, o2), cc, o2), o9)
-    x_by_8 = mul(n8, x, o2)
-    s = add(mul(sub(x_by_8, n8, o5), x, o1), n1, o1)
-    w = mul(c, sub(n4, x_by_8, o2), o2)
-    f = mul(n2, mul(s, w, o1), o1)
-    ww = mul(w, w, o2)
-    g = mul(n2, ww, o2)
-    rho = div(n8, c, o4)
-    rhoy = div(rho, cc, o7)
-    gy = sub(mul(f, h, o5), mul(g, g, o8), o5)
-    sub(sub(hy, mul(rhoy, g, o7), o7), mul(rho, gy, o8), o7)
-    fy = sub(h, mul(rho, g, o4), o4)
-    sub(add(mul(fy, h, o8), mul(f, hy, k1), o8), mul(n2, mul(g, gy, k1), k1), o8)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 4: 1 +, 2 /, 1 sqrt
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
@@ -295,16 +211,6 @@ def _rate(m: Any, x: Any) -> Result:
     rho = 8 / c
     rhoy = rho / cc
     return rho, rhoy
-
-
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    n1, n8 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o1)
-    rho = div(n8, c, o1)
-    div(rho, cc, o2)
-    return o1, o2
 
 
 # operations 9: 3 +, 4 *, 1 /, 1 sqrt
@@ -316,20 +222,6 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     below = 4 * w
     hi = B / below
     return fe, hi
-
-
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    n1, n4, n8, n20, n24 = numbers
-    B = sub(n20, mul(n24, x, o2), o2)
-    cc = sub(n1, x, k1)
-    c = sqrt(cc, k1)
-    w = mul(c, sub(n4, mul(n8, x, k2), k2), k1)
-    below = mul(n4, w, k1)
-    div(B, below, o2)
-    copy(fe, o1)
-    return o1, o2
 
 
 # operations 24: 7 +, 10 *, 5 /, 1 abs, 1 tan
@@ -346,24 +238,6 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     rho = 8 / c
     hi = (g - fe * h) / rho
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n2, n4, n8, n16, n64, n128 = numbers
-    t = tan(div(angle, n16, o1), o1)
-    tt = mul(t, t, o1)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o1), below, o1), o1)
-    cc = mul(c, c, k1)
-    h = div(add(mul(add(mul(sub(mul(n128, cc, k2), n64, k2), cc, k2), n16, k2), cc, k2), n8, k2), c, k2)
-    w = mul(c, sub(mul(n8, cc, k1), n4, k1), k1)
-    ww = mul(w, w, k1)
-    g = mul(n2, ww, k1)
-    rho = div(n8, c, o1)
-    div(sub(g, mul(fe, h, k2), k1), rho, o1)
-    return o1,
 
 
 # operations 50: 16 +, 21 *, 10 /, 1 neg, 1 abs, 1 tan
@@ -391,34 +265,6 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, k3, k4, k5, *_ = scratch
-    n1, n2, n4, n8, n16, n64, n128, n384 = numbers
-    t = tan(div(angle, n16, o4), o4)
-    tt = mul(t, t, o4)
-    below = add(n1, tt, k1)
-    c = absolute(div(sub(n1, tt, o4), below, o4), o4)
-    cc = mul(c, c, k1)
-    h = div(add(mul(add(mul(sub(mul(n128, cc, k2), n64, k2), cc, k2), n16, k2), cc, k2), n8, k2), c, k2)
-    cc_by_8 = mul(n8, cc, k3)
-    w = mul(c, sub(cc_by_8, n4, o3), o3)
-    s = add(mul(sub(cc_by_8, n8, k3), cc, k3), n1, k3)
-    f = mul(n2, mul(s, w, k3), k3)
-    ww = mul(w, w, o3)
-    g = mul(n2, ww, o3)
-    gy = sub(mul(f, h, k3), mul(g, g, k4), k3)
-    rho = div(n8, c, k4)
-    hi = div(sub(g, mul(fe, h, o2), o2), rho, o2)
-    fiy = neg(div(h, g, o3), o3)
-    dH = sub(mul(sub(n128, mul(n384, cc, k5), k5), cc, k5), n16, k5)
-    hy = add(div(mul(n2, dH, k5), c, o4), div(h, cc, k5), o4)
-    rhoy = div(rho, cc, k1)
-    div(sub(sub(sub(gy, mul(fiy, h, k2), k2), mul(fe, hy, o4), o4), mul(hi, rhoy, k1), o4), rho, o4)
-    copy(fe, o1)
-    return o1, o2, o3, o4
-
-
 # operations 32: 10 +, 14 *, 6 /, 1 neg, 1 sqrt
 def _tangent_inv(m: Any, x: Any) -> Result:
     x_by_8 = 8 * x
@@ -437,28 +283,6 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     wy = s * h / 2 - w * ww
     hiy = (-48 - 4 * (hi * wy)) / below
     return fi, hi, fiy, hiy
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    k1, k2, *_ = scratch
-    n_minus_48, n1, n2, n4, n8, n20, n24, n88, n128, n272, n320 = numbers
-    cc = sub(n1, x, o3)
-    c = sqrt(cc, o3)
-    x_by_8 = mul(n8, x, o1)
-    w = mul(c, sub(n4, x_by_8, o4), o4)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o2), o2), x, o2), n272, o2), x, o2), n88, o2), c, o3)
-    ww = mul(w, w, o2)
-    wy = sub(div(mul(s, h, k1), n2, k1), mul(w, ww, k2), k1)
-    g = mul(n2, ww, o2)
-    neg(div(h, g, o3), o3)
-    div(s, w, o1)
-    below = mul(n4, w, o4)
-    B = sub(n20, mul(n24, x, o2), o2)
-    hi = div(B, below, o2)
-    div(sub(n_minus_48, mul(n4, mul(hi, wy, k1), k1), k1), below, o4)
-    return o1, o2, o3, o4
 
 
 # operations 67: 18 +, 31 *, 13 /, 4 neg, 1 sqrt
@@ -490,37 +314,6 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    k1, k2, k3, k4, *_ = scratch
-    n_minus_48, n1, n2, n3, n4, n8, n20, n24, n88, n128, n272, n320, n384, n640 = numbers
-    dH = sub(mul(sub(n640, mul(n384, x, o5), o5), x, o5), n272, o5)
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o6)
-    h = div(add(mul(sub(mul(sub(n320, mul(n128, x, o3), o3), x, o3), n272, o3), x, o3), n88, o3), c, o3)
-    hy = add(div(mul(n2, dH, o5), c, o5), div(h, cc, o1), o5)
-    x_by_8 = mul(n8, x, o1)
-    w = mul(c, sub(n4, x_by_8, k1), k1)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    rho = div(n8, c, o6)
-    sy = neg(div(mul(rho, w, o6), n2, o6), o6)
-    ww = mul(w, w, k2)
-    wy = sub(div(mul(s, h, k3), n2, k3), mul(w, ww, k4), k3)
-    wyy = sub(div(add(mul(sy, h, o6), mul(s, hy, k4), o6), n2, o6), mul(n3, mul(ww, wy, k4), k4), o6)
-    g = mul(n2, ww, k2)
-    below = mul(n4, w, k4)
-    B = sub(n20, mul(n24, x, o2), o2)
-    hi = div(B, below, o2)
-    hiy = div(sub(n_minus_48, mul(n4, mul(hi, wy, o4), o4), o4), below, o4)
-    div(neg(mul(n4, add(mul(n2, mul(hiy, wy, k3), k3), mul(hi, wyy, o6), o6), o6), o6), below, o6)
-    f = mul(n2, mul(s, w, k3), k3)
-    div(s, w, o1)
-    gy = sub(mul(f, h, k1), mul(g, g, k3), k1)
-    fiy = neg(div(h, g, o3), o3)
-    neg(div(add(hy, mul(fiy, gy, k1), o5), g, o5), o5)
-    return o1, o2, o3, o4, o5, o6
-
-
 # operations 19: 7 +, 10 *, 1 /, 1 sqrt
 def _ray(m: Any, x: Any) -> Result:
     x_by_8 = 8 * x
@@ -535,21 +328,6 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, 1, f, g, h
 
 
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, _, o4, o5, o6 = out
-    n1, n2, n4, n8, n88, n128, n272, n320 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o2)
-    div(add(mul(sub(mul(sub(n320, mul(n128, x, o6), o6), x, o6), n272, o6), x, o6), n88, o6), c, o6)
-    x_by_8 = mul(n8, x, o1)
-    w = mul(c, sub(n4, x_by_8, o4), o2)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    mul(n2, mul(s, w, o4), o4)
-    ww = mul(w, w, o5)
-    mul(n2, ww, o5)
-    return o1, o2, n1, o4, o5, o6
-
-
 # operations 14: 2 +, 3 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
@@ -560,21 +338,6 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    cos1 = sqrt(div(add(n1, cos, o1), n2, o1), o1)
-    cos2 = sqrt(div(add(n1, cos1, k1), n2, k1), k1)
-    div(m.where(negative, n_minus_1, n1, k2), mul(mul(n2, cos1, o1), mul(n2, cos2, k1), o1), o1)
-    return o1,
-
-
 # operations 20: 5 +, 8 *, 4 /, 3 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
@@ -583,20 +346,6 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     cos2 = m.sqrt((1 + cos1) / 2)
     gain = 1 / (size * (2 * cos1) * (2 * cos2))
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n2 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    cos0 = div(e0, size, k1)
-    cos1 = sqrt(div(add(n1, cos0, k1), n2, k1), k1)
-    cos2 = sqrt(div(add(n1, cos1, k2), n2, k2), k2)
-    div(n1, mul(mul(size, mul(n2, cos1, k1), o1), mul(n2, cos2, k1), o1), o1)
-    return o1,
 
 
 # operations 17: 2 +, 5 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
@@ -611,23 +360,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    size = mul(size2, size1, k1)
-    cos0 = div(cos, size, o1)
-    cos1 = sqrt(div(add(n1, cos0, o1), n2, o1), o1)
-    cos2 = sqrt(div(add(n1, cos1, k2), n2, k2), k2)
-    div(m.where(negative, n_minus_1, n1, k3), mul(mul(size, mul(n2, cos1, o1), o1), mul(n2, cos2, k1), o1), o1)
-    return o1,
-
-
 # operations 23: 7 +, 4 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_8 = 8 * x
@@ -640,26 +372,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n4, n8, n16 = numbers
-    cc = sub(n1, x, o1)
-    c = sqrt(cc, o1)
-    x_by_8 = mul(n8, x, k1)
-    w = mul(c, sub(n4, x_by_8, k2), o1)
-    s = add(mul(sub(x_by_8, n8, k1), x, k1), n1, k1)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, k2)
-    turned = m.where(m.less(add(kept, s, k3), kept, mask1), neg(w, k2), w, k2)
-    one = add(sub(s, s, k1), n1, k1)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o1), o1
-    )
-    return o1,
 
 
 # operations 29: 7 +, 6 *, 1 /, 1 neg, 2 abs, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
@@ -678,42 +390,11 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, mask2, mask3, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n8, n16 = numbers
-    cc = sub(n1, x, o2)
-    c = sqrt(cc, o2)
-    x_by_8 = mul(n8, x, o1)
-    w = mul(c, sub(n4, x_by_8, k1), k1)
-    s = add(mul(sub(x_by_8, n8, o1), x, o1), n1, o1)
-    div(n8, c, o2)
-    kept = m.where(m.less(w, n0, mask1), n0, n16, o3)
-    turned = m.where(m.less(add(kept, s, k2), kept, mask1), neg(w, o3), w, o3)
-    one = add(sub(s, s, k2), n1, k2)
-    mul(
-        one, m.where(m.either(m.less(turned, n0, mask1), m.both(m.equal(w, n0, mask2), m.less(y, n0, mask3), mask2),
-        mask1), n_minus_1, n1, o3), o3
-    )
-    mul(n2, atan2(mul(r, absolute(w, k1), k1), absolute(s, o1), o1), o1)
-    return o1, o2, o3
-
-
 # operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 8 * m.atan2(r, c)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    mask1, *_ = masks
-    n1, n8 = numbers
-    c = sqrt(m.where(m.less(x, n1, mask1), sub(n1, x, o1), x, o1), o1)
-    mul(n8, atan2(r, c, o1), o1)
-    return o1,
 
 
 # operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -729,22 +410,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2, n3, n4 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    pi_by_3 = mul(n3, pi, k1)
-    left = sub(mul(n4, pi, o1), alpha, o1)
-    off = sub(alpha, pi_by_3, k2)
-    last = add(mul(n2, atan2(tan(div(off, n2, k2), k2), n1, k2), k2), pi_by_3, k1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 16: 3 +, 7 *, 1 /, 1 sqrt, 2 lt, 2 where
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
@@ -757,21 +422,6 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1 = numbers
-    rr = mul(r, r, o1)
-    c = sqrt(m.where(m.less(rr, n1, mask1), sub(n1, rr, o2), rr, o2), o1)
-    further = sub(mul(c, cos, o2), mul(r, sin, k1), o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k1)
-    ck = mul(side, further, o2)
-    div(ck, c, o2)
-    mul(side, add(mul(r, cos, k2), mul(c, sin, o1), o1), o1)
-    return o1, o2
-
-
 # operations 7: 2 +, 1 /, 2 lt, 2 where
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
@@ -779,19 +429,6 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
     return beyond1, cosine2, sine2
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any
-) -> Result:
-    o1, o2, o3 = out
-    _, mask2, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, o2), n16, o2), o2), o1)
-    beyond2 = m.less(limit2, x, mask2)
-    m.where(beyond2, cos2, cos1, o2)
-    m.where(beyond2, sin2, sin1, o3)
-    return o1, o2, o3
 
 
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
@@ -807,22 +444,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n8, n16 = numbers
-    t = tan(div(alpha, n16, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n8, o2)
-    return o1, o2
-
-
 # operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 16)
@@ -834,22 +455,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     cos = side * further
     slope = cos / 8
     return sin, slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n2, n8, n16 = numbers
-    t = tan(div(alpha, n16, o1), o1)
-    tt = mul(t, t, o2)
-    below = add(n1, tt, k1)
-    further = div(sub(n1, tt, o2), below, o2)
-    side = m.where(m.less(further, n0, mask1), n_minus_1, n1, k2)
-    mul(side, div(mul(n2, t, o1), below, o1), o1)
-    cos = mul(side, further, o2)
-    div(cos, n8, o2)
-    return o1, o2
 
 
 CHART = Chart(
@@ -873,28 +478,28 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
-        "pose": Function(_pose, _pose_blocks, 2, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
-        "tangent": Function(_tangent, _tangent_blocks, 1, 0, (1, 2, 4, 8, 88, 128, 272, 320, 384, 640)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 1, 0, (1, 2, 3, 4, 8, 88, 128, 272, 320, 384, 640, 768)),
-        "rate": Function(_rate, _rate_blocks, 0, 0, (1, 8)),
-        "inverse": Function(_inverse, _inverse_blocks, 2, 0, (1, 4, 8, 20, 24)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 2, 0, (1, 2, 4, 8, 16, 64, 128)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 5, 0, (1, 2, 4, 8, 16, 64, 128, 384)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 2, 0, (-48, 1, 2, 4, 8, 20, 24, 88, 128, 272, 320)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 4, 0, (-48, 1, 2, 3, 4, 8, 20, 24, 88, 128, 272, 320, 384, 640)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4, 8, 88, 128, 272, 320)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 2, 1, (-1, 0, 1, 2)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 2)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 3, 1, (-1, 0, 1, 2)),
-        "direction": Function(_direction, _direction_blocks, 3, 3, (-1, 0, 1, 4, 8, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 3, (-1, 0, 1, 2, 4, 8, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 1, (1, 8)),
-        "reached": Function(_reached, _reached_blocks, 2, 1, (0, 1, 2, 3, 4)),
-        "turned": Function(_turned, _turned_blocks, 2, 1, (-1, 0, 1)),
-        "beyond": Function(_beyond, _beyond_blocks, 0, 2, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 2, 1, (-1, 0, 1, 2, 8, 16)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
     programs="5e1e04e48bb14200",

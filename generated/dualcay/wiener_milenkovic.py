@@ -49,7 +49,7 @@
 #   twist_dot: 237: 91 +, 131 *, 14 /, 1 neg
 #   rate_dot: 237: 97 +, 129 *, 10 /, 1 neg
 #   twist_jacobian: 239: 94 +, 130 *, 14 /, 1 neg
-#   rate_jacobian: 73: 25 +, 33 *, 9 /, 6 neg
+#   rate_jacobian: 194: 78 +, 103 *, 12 /, 1 neg
 #   from_quaternion: 77: 26 +, 40 *, 7 /, 1 neg, 1 lt, 2 where
 #   from_tensor: 142: 49 +, 51 *, 10 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
 #   from_pose: 106: 34 +, 33 *, 7 /, 1 sqrt, 7 lt, 3 eq, 3 and, 3 or, 15 where
@@ -102,10 +102,10 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-from ._chart import Chart, Function
+from ._chart import Chart
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels
-from ._kernel import Components, Kernel, Result, Rows, absolute, add, atan2, copy, div, mul, neg, sqrt, sub, tan
+from ._kernel import Result
 
 __all__ = [
     "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
@@ -126,7 +126,7 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# --- scalars of x = v·v, of angles and quaternions: plain, and in place -------------------------------------------
+# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # operations 12: 2 +, 3 *, 7 /
@@ -145,23 +145,6 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w_v, sy_v, wy_v
 
 
-def _quaternion_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4 = out
-    n_minus_2, n1, n2, n4, n16, n64 = numbers
-    z = div(x, n16, o1)
-    root = add(n1, z, o4)
-    p = sub(n1, z, o1)
-    r = div(div(root, root, o2), root, o2)
-    mul(p, r, o1)
-    w = mul(n2, r, o2)
-    minus_e = div(n_minus_2, root, o4)
-    sy = mul(w, minus_e, o4)
-    div(w, n4, o2)
-    div(sy, n16, o3)
-    div(sy, n64, o4)
-    return o1, o2, o3, o4
-
-
 # operations 16: 4 +, 6 *, 6 /
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
@@ -175,22 +158,6 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     g_v = g / 16
     h_v = g / 64
     return f_v, g_v, h_v
-
-
-def _pose_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3 = out
-    n1, n2, n4, n16, n64 = numbers
-    x = add(add(v11, v22, o3), v33, o3)
-    z = div(x, n16, o3)
-    p = sub(n1, z, o1)
-    N = add(mul(p, p, o2), mul(n4, z, o3), o3)
-    r = mul(n2, div(div(N, N, o2), N, o3), o3)
-    f = mul(mul(n2, p, o1), r, o1)
-    div(f, n4, o1)
-    g = mul(n4, r, o3)
-    div(g, n16, o2)
-    div(g, n64, o3)
-    return o1, o2, o3
 
 
 # operations 24: 6 +, 7 *, 10 /, 1 neg
@@ -214,30 +181,6 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     gy_v = gy / 256
     hy_v = gy / 1024
     return f_v, g_v, h_v, fy_v, gy_v, hy_v
-
-
-def _tangent_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n1, n2, n4, n16, n64, n256, n1024 = numbers
-    x = add(add(v11, v22, o6), v33, o6)
-    z = div(x, n16, o6)
-    p = sub(n1, z, o1)
-    N = add(mul(p, p, o4), mul(n4, z, o2), o4)
-    r = mul(n2, div(div(N, N, o2), N, o4), o4)
-    f = mul(mul(n2, p, o1), r, o1)
-    div(f, n4, o1)
-    g = mul(n4, r, o4)
-    x1 = add(n1, z, o6)
-    e = div(n4, x1, o6)
-    eg = mul(e, g, o6)
-    div(g, n16, o2)
-    div(g, n64, o3)
-    fy = sub(g, eg, o4)
-    div(fy, n64, o4)
-    gy = neg(eg, o6)
-    div(gy, n256, o5)
-    div(gy, n1024, o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 34: 9 +, 10 *, 14 /, 1 neg
@@ -271,38 +214,6 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f_v, g_v, h_v, fy_v, gy_v, hy_v, fyy_v, gyy_v, hyy_v
 
 
-def _tangent_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, v11: Any, v22: Any, v33: Any) -> Result:
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    n1, n2, n4, n16, n64, n256, n1024, n4096, n16384 = numbers
-    x = add(add(v11, v22, o9), v33, o9)
-    z = div(x, n16, o9)
-    p = sub(n1, z, o1)
-    N = add(mul(p, p, o4), mul(n4, z, o2), o4)
-    r = mul(n2, div(div(N, N, o2), N, o4), o4)
-    f = mul(mul(n2, p, o1), r, o1)
-    div(f, n4, o1)
-    g = mul(n4, r, o4)
-    x1 = add(n1, z, o9)
-    div(g, n16, o2)
-    div(g, n64, o3)
-    e = div(n4, x1, o7)
-    ee = div(mul(n2, e, o8), x1, o9)
-    eeg = mul(ee, g, o9)
-    eg = mul(e, g, o8)
-    fy = sub(g, eg, o4)
-    div(fy, n64, o4)
-    gy = neg(eg, o8)
-    egy = mul(e, gy, o7)
-    div(gy, n256, o5)
-    div(gy, n1024, o6)
-    fyy = add(sub(gy, egy, o8), eeg, o8)
-    gyy = sub(eeg, egy, o9)
-    div(fyy, n1024, o7)
-    div(gyy, n4096, o8)
-    div(gyy, n16384, o9)
-    return o1, o2, o3, o4, o5, o6, o7, o8, o9
-
-
 # operations 8: 1 +, 1 *, 5 /, 1 neg
 def _rate(m: Any, x: Any) -> Result:
     z = x / 16
@@ -315,56 +226,24 @@ def _rate(m: Any, x: Any) -> Result:
     return rate_v, ratey_v
 
 
-def _rate_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2 = out
-    k1, *_ = scratch
-    n1, n2, n4, n16, n64 = numbers
-    z = div(x, n16, o2)
-    x1 = add(n1, z, o2)
-    e = div(n4, x1, o1)
-    ee = div(mul(n2, e, k1), x1, o2)
-    div(e, n4, o1)
-    ey = neg(ee, o2)
-    div(ey, n64, o2)
-    return o1, o2
-
-
 # operations 7: 3 +, 1 *, 3 /
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     z = x / 16
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     return fi_v, hi
 
 
-def _inverse_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any) -> Result:
-    o1, o2 = out
-    n1, n2, n4, n16 = numbers
-    z = div(x, n16, o1)
-    p = sub(n1, z, o1)
-    fi = div(p, n2, o1)
-    mul(n4, fi, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n4, o2)
-    return o1, o2
-
-
 # operations 3: 2 +, 1 /
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     return hi,
-
-
-def _inverse_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, = out
-    n1, n4 = numbers
-    one = add(sub(x, x, o1), n1, o1)
-    div(one, n4, o1)
-    return o1,
 
 
 # operations 8: 3 +, 1 *, 3 /, 1 neg
@@ -373,23 +252,11 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0
-
-
-def _tangent_inv_at_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, fe: Any, angle: Any) -> Result:
-    o1, o2, o3, _ = out
-    n0, n1, n2, n4, n16 = numbers
-    z = div(x, n16, o1)
-    p = sub(n1, z, o1)
-    fi = div(p, n2, o1)
-    mul(n4, fi, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    hi = div(one, n4, o2)
-    neg(hi, o3)
-    return o1, o2, o3, n0
 
 
 # operations 8: 3 +, 1 *, 3 /, 1 neg
@@ -398,23 +265,11 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0
-
-
-def _tangent_inv_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, _ = out
-    n0, n1, n2, n4, n16 = numbers
-    z = div(x, n16, o1)
-    p = sub(n1, z, o1)
-    fi = div(p, n2, o1)
-    mul(n4, fi, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    hi = div(one, n4, o2)
-    neg(hi, o3)
-    return o1, o2, o3, n0
 
 
 # operations 8: 3 +, 1 *, 3 /, 1 neg
@@ -423,23 +278,11 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - z
     fi = p / 2
     fi_v = 4 * fi
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     hi = one / 4
     fiy = -hi
     return fi_v, hi, fiy, 0, 0, 0
-
-
-def _tangent_inv_dot_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, _, _, _ = out
-    n0, n1, n2, n4, n16 = numbers
-    z = div(x, n16, o1)
-    p = sub(n1, z, o1)
-    fi = div(p, n2, o1)
-    mul(n4, fi, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    hi = div(one, n4, o2)
-    neg(hi, o3)
-    return o1, o2, o3, n0, n0, n0
 
 
 # operations 18: 5 +, 6 *, 7 /
@@ -454,27 +297,10 @@ def _ray(m: Any, x: Any) -> Result:
     g = 4 * r
     g_v = g / 16
     h_v = g / 64
-    one = x - x + 1
+    zero = x - x
+    one = zero + 1
     b = one / 2
     return p, b, root, f_v, g_v, h_v
-
-
-def _ray_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any) -> Result:
-    o1, o2, o3, o4, o5, o6 = out
-    n1, n2, n4, n16, n64 = numbers
-    z = div(x, n16, o6)
-    p = sub(n1, z, o1)
-    one = add(sub(x, x, o2), n1, o2)
-    div(one, n2, o2)
-    add(n1, z, o3)
-    N = add(mul(p, p, o4), mul(n4, z, o6), o6)
-    r = mul(n2, div(div(N, N, o4), N, o6), o6)
-    f = mul(mul(n2, p, o4), r, o4)
-    div(f, n4, o4)
-    g = mul(n4, r, o6)
-    div(g, n16, o5)
-    div(g, n64, o6)
-    return o1, o2, o3, o4, o5, o6
 
 
 # operations 7: 1 +, 1 *, 1 /, 1 neg, 1 lt, 2 where
@@ -485,35 +311,11 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-def _gain_unit_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n4 = numbers
-    negative = m.less(e0, n0, mask1)
-    cos = m.where(negative, neg(e0, o1), e0, o1)
-    mul(n4, div(m.where(negative, n_minus_1, n1, k1), add(n1, cos, o1), o1), o1)
-    return o1,
-
-
 # operations 11: 4 +, 5 *, 1 /, 1 sqrt
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     gain = 4 * (1 / (size + e0))
     return gain,
-
-
-def _gain_positive_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    n1, n4 = numbers
-    size = sqrt(add(mul(e0, e0, o1), add(add(mul(e1, e1, k1), mul(e2, e2, k2), k1), mul(e3, e3, k2), k1), o1), o1)
-    mul(n4, div(n1, add(size, e0, o1), o1), o1)
-    return o1,
 
 
 # operations 8: 1 +, 2 *, 1 /, 1 neg, 1 lt, 2 where
@@ -523,20 +325,6 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     cos = m.where(negative, -e0, e0)
     gain = 4 * (m.where(negative, -1, 1) / (size + cos))
     return gain,
-
-
-def _gain_product_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any
-) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_1, n0, n1, n4 = numbers
-    negative = m.less(e0, n0, mask1)
-    size = mul(size2, size1, o1)
-    cos = m.where(negative, neg(e0, k1), e0, k1)
-    mul(n4, div(m.where(negative, n_minus_1, n1, k2), add(size, cos, o1), o1), o1)
-    return o1,
 
 
 # operations 14: 5 +, 2 *, 3 /, 2 lt, 2 where
@@ -549,21 +337,6 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     qp = m.where(rq + p / 16 < rq, -2, 2)
     sign = one * m.where(qp < 0, -1, 1)
     return sign,
-
-
-def _direction_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    rq = mul(n2, div(r, n4, o1), o1)
-    z = div(x, n16, k1)
-    p = sub(n1, z, k1)
-    either = add(rq, p, k2)
-    qp = m.where(m.less(add(rq, div(p, n16, k1), k1), rq, mask1), n_minus_2, n2, o1)
-    one = add(sub(either, either, k1), n1, k1)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o1), o1)
-    return o1,
 
 
 # operations 21: 6 +, 4 *, 5 /, 1 abs, 1 atan2, 2 lt, 2 where
@@ -580,35 +353,10 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope / 4, sign
 
 
-def _natural_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, y: Any, r: Any) -> Result:
-    o1, o2, o3 = out
-    k1, k2, *_ = scratch
-    mask1, *_ = masks
-    n_minus_2, n_minus_1, n0, n1, n2, n4, n16 = numbers
-    rq = mul(n2, div(r, n4, o1), o1)
-    z = div(x, n16, o2)
-    p = sub(n1, z, o3)
-    slope = div(n4, add(n1, z, o2), o2)
-    div(slope, n4, o2)
-    either = add(rq, p, k1)
-    one = add(sub(either, either, k1), n1, k1)
-    qp = m.where(m.less(add(rq, div(p, n16, k2), k2), rq, mask1), n_minus_2, n2, k2)
-    mul(n2, atan2(mul(rq, one, o1), absolute(p, o3), o1), o1)
-    mul(one, m.where(m.less(qp, n0, mask1), n_minus_1, n1, o3), o3)
-    return o1, o2, o3
-
-
 # operations 3: 1 *, 1 /, 1 atan2
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 4 * m.atan2(r / 4, 1)
     return own,
-
-
-def _unfolded_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, r: Any) -> Result:
-    o1, = out
-    n1, n4 = numbers
-    mul(n4, atan2(div(r, n4, o1), n1, o1), o1)
-    return o1,
 
 
 # operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
@@ -623,21 +371,6 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-def _reached_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, = out
-    k1, *_ = scratch
-    mask1, *_ = masks
-    n0, n1, n2 = numbers
-    zero = sub(alpha, alpha, o1)
-    one = add(n1, zero, k1)
-    pi = mul(n2, atan2(one, zero, o1), o1)
-    off = sub(alpha, pi, k1)
-    last = add(mul(n2, atan2(tan(div(off, n2, k1), k1), n1, k1), k1), pi, k1)
-    left = sub(mul(n2, pi, o1), alpha, o1)
-    m.where(m.less(left, n0, mask1), last, alpha, o1)
-    return o1,
-
-
 # operations 9: 2 +, 5 *, 2 /
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rt = r / 4
@@ -648,32 +381,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rv, slope
 
 
-def _turned_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, r: Any, cos: Any, sin: Any) -> Result:
-    o1, o2 = out
-    n1, n4 = numbers
-    rt = div(r, n4, o1)
-    iden = div(n1, sub(cos, mul(rt, sin, o2), o2), o2)
-    rk = mul(add(mul(rt, cos, o1), sin, o1), iden, o1)
-    mul(n4, rk, o1)
-    mul(iden, iden, o2)
-    return o1, o2
-
-
 # operations 4: 2 +, 1 /, 1 lt
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
-
-
-def _beyond_blocks(
-    m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, x: Any, limit1: Any, cos1: Any, sin1: Any
-) -> Result:
-    o1, _, _ = out
-    k1, *_ = scratch
-    _, *_ = masks
-    n16, = numbers
-    m.less(limit1, add(limit1, div(sub(x, limit1, k1), n16, k1), k1), o1)
-    return o1, cos1, sin1
 
 
 # operations 7: 1 +, 3 *, 2 /, 1 tan
@@ -683,16 +394,6 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     v = 4 * r
     v_slope = 4 * slope
     return v, v_slope
-
-
-def _coefficient_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any) -> Result:
-    o1, o2 = out
-    n1, n4 = numbers
-    r = tan(div(alpha, n4, o2), o2)
-    mul(n4, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n4, o2)
-    mul(n4, slope, o2)
-    return o1, o2
 
 
 # operations 24: 2 +, 6 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
@@ -708,154 +409,6 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     v = 4 * r
     v_slope = 4 * slope
     return v, v_slope
-
-
-def _coefficient_of_blocks(m: Any, numbers: Rows, out: Rows, scratch: Rows, masks: Rows, alpha: Any, sine: Any, cosine: Any) -> Result:
-    o1, o2 = out
-    k1, k2, k3, *_ = scratch
-    mask1, mask2, *_ = masks
-    n_minus_1, n0, n1, n2, n4, n6 = numbers
-    size = absolute(alpha, o2)
-    nextto = m.less(absolute(sub(size, n6, o1), o1), n1, mask1)
-    sideof = m.where(m.less(alpha, n0, mask2), n_minus_1, n1, o1)
-    divisor = m.where(nextto, cosine, n1, k1)
-    rest = m.where(nextto, mul(mul(n2, sideof, k2), atan2(div(neg(sine, k3), divisor, k1), n1, k1), k1), size, k1)
-    t = tan(div(rest, n4, o2), o2)
-    r = div(mul(sideof, m.where(nextto, n1, t, k1), o1), m.where(nextto, t, n1, o2), o2)
-    mul(n4, r, o1)
-    slope = div(add(n1, mul(r, r, o2), o2), n4, o2)
-    mul(n4, slope, o2)
-    return o1, o2
-
-
-# --- geometry that does with less here than for any chart ---------------------------------------------------------
-
-
-# operations 73: 25 +, 33 *, 9 /, 6 neg
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    hs = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    t1 = w2 * v3 - w3 * v2
-    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
-    t2 = w3 * v1 - w1 * v3
-    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
-    t3 = w1 * v2 - w2 * v1
-    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
-    s1 = w1 * hs + t1 / 8
-    s1o = w1o * hs + t1o / 8
-    s2 = w2 * hs + t2 / 8
-    s2o = w2o * hs + t2o / 8
-    s3 = w3 * hs + t3 / 8
-    s3o = w3o * hs + t3o / 8
-    ha = vw / 8
-    hao = vwo / 8
-    J12 = -s3
-    J23 = -s1
-    J31 = -s2
-    return (
-        ha,
-        J12,
-        s2,
-        0,
-        0,
-        0,
-        s3,
-        ha,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        s1,
-        ha,
-        0,
-        0,
-        0,
-        hao,
-        -s3o,
-        s2o,
-        ha,
-        J12,
-        s2,
-        s3o,
-        hao,
-        -s1o,
-        s3,
-        ha,
-        J23,
-        -s2o,
-        s1o,
-        hao,
-        J31,
-        s1,
-        ha,
-    )
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3, v1o, v2o, v3o = v
-    w1, w2, w3, w1o, w2o, w3o = omega
-    side, = table
-    (
-        o1, o2, o3, o4, o5, o6, o7, o8, o9, o10, o11, o12, o13, o14, o15, o16, o17, o18, o19, o20, o21, o22, o23, o24,
-        o25, o26, o27, o28, o29, o30, o31, o32, o33, o34, o35, o36,
-    ) = out
-    k1, k2, k3, k4 = scratch
-    n0, n2, n8 = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    div(vw, n8, o1)
-    hs = div(side, n2, k1)
-    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k3), k2)
-    s3 = add(mul(w3, hs, k3), div(t3, n8, k2), o7)
-    neg(s3, o2)
-    t2 = sub(mul(w3, v1, k2), mul(w1, v3, k3), k2)
-    s2 = add(mul(w2, hs, k3), div(t2, n8, k2), o3)
-    neg(s2, o13)
-    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k3), k2)
-    s1 = add(mul(w1, hs, k3), div(t1, n8, k2), o14)
-    neg(s1, o9)
-    vwo = add(
-        add(add(mul(v1, w1o, k2), mul(v1o, w1, k3), k2), add(mul(v2, w2o, k3), mul(v2o, w2, k4), k3), k2), add(mul(v3,
-        w3o, k3), mul(v3o, w3, k4), k3), k2
-    )
-    div(vwo, n8, o19)
-    t3o = sub(add(mul(w1, v2o, k2), mul(w1o, v2, k3), k2), add(mul(w2, v1o, k3), mul(w2o, v1, k4), k3), k2)
-    s3o = add(mul(w3o, hs, k3), div(t3o, n8, k2), o25)
-    neg(s3o, o20)
-    t2o = sub(add(mul(w3, v1o, k2), mul(w3o, v1, k3), k2), add(mul(w1, v3o, k3), mul(w1o, v3, k4), k3), k2)
-    s2o = add(mul(w2o, hs, k3), div(t2o, n8, k2), o21)
-    neg(s2o, o31)
-    t1o = sub(add(mul(w2, v3o, k2), mul(w2o, v3, k3), k2), add(mul(w3, v2o, k3), mul(w3o, v2, k4), k3), k2)
-    s1o = add(mul(w1o, hs, k1), div(t1o, n8, k2), o32)
-    neg(s1o, o27)
-    copy(n0, o4)
-    copy(n0, o5)
-    copy(n0, o6)
-    copy(o1, o8)
-    copy(n0, o10)
-    copy(n0, o11)
-    copy(n0, o12)
-    copy(o1, o15)
-    copy(n0, o16)
-    copy(n0, o17)
-    copy(n0, o18)
-    copy(o1, o22)
-    copy(o2, o23)
-    copy(o3, o24)
-    copy(o19, o26)
-    copy(o7, o28)
-    copy(o1, o29)
-    copy(o9, o30)
-    copy(o19, o33)
-    copy(o13, o34)
-    copy(o14, o35)
-    copy(o1, o36)
 
 
 CHART = Chart(
@@ -874,44 +427,31 @@ CHART = Chart(
         "-1.0",
     ),
     functions={
-        "quaternion": Function(_quaternion, _quaternion_blocks, 0, 0, (-2, 1, 2, 4, 16, 64)),
-        "pose": Function(_pose, _pose_blocks, 0, 0, (1, 2, 4, 16, 64)),
-        "tangent": Function(_tangent, _tangent_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024)),
-        "tangent_dot": Function(_tangent_dot, _tangent_dot_blocks, 0, 0, (1, 2, 4, 16, 64, 256, 1024, 4096, 16384)),
-        "rate": Function(_rate, _rate_blocks, 1, 0, (1, 2, 4, 16, 64)),
-        "inverse": Function(_inverse, _inverse_blocks, 0, 0, (1, 2, 4, 16)),
-        "inverse_at": Function(_inverse_at, _inverse_at_blocks, 0, 0, (1, 4)),
-        "tangent_inv_at": Function(_tangent_inv_at, _tangent_inv_at_blocks, 0, 0, (0, 1, 2, 4, 16)),
-        "tangent_inv": Function(_tangent_inv, _tangent_inv_blocks, 0, 0, (0, 1, 2, 4, 16)),
-        "tangent_inv_dot": Function(_tangent_inv_dot, _tangent_inv_dot_blocks, 0, 0, (0, 1, 2, 4, 16)),
-        "ray": Function(_ray, _ray_blocks, 0, 0, (1, 2, 4, 16, 64)),
-        "gain_unit": Function(_gain_unit, _gain_unit_blocks, 1, 1, (-1, 0, 1, 4)),
-        "gain_positive": Function(_gain_positive, _gain_positive_blocks, 2, 0, (1, 4)),
-        "gain_product": Function(_gain_product, _gain_product_blocks, 2, 1, (-1, 0, 1, 4)),
-        "direction": Function(_direction, _direction_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
-        "natural": Function(_natural, _natural_blocks, 2, 1, (-2, -1, 0, 1, 2, 4, 16)),
-        "unfolded": Function(_unfolded, _unfolded_blocks, 0, 0, (1, 4)),
-        "reached": Function(_reached, _reached_blocks, 1, 1, (0, 1, 2)),
-        "turned": Function(_turned, _turned_blocks, 0, 0, (1, 4)),
-        "beyond": Function(_beyond, _beyond_blocks, 1, 1, (16,)),
-        "coefficient": Function(_coefficient, _coefficient_blocks, 0, 0, (1, 4)),
-        "coefficient_of": Function(_coefficient_of, _coefficient_of_blocks, 3, 2, (-1, 0, 1, 2, 4, 6)),
+        "quaternion": _quaternion,
+        "pose": _pose,
+        "tangent": _tangent,
+        "tangent_dot": _tangent_dot,
+        "rate": _rate,
+        "inverse": _inverse,
+        "inverse_at": _inverse_at,
+        "tangent_inv_at": _tangent_inv_at,
+        "tangent_inv": _tangent_inv,
+        "tangent_inv_dot": _tangent_inv_dot,
+        "ray": _ray,
+        "gain_unit": _gain_unit,
+        "gain_positive": _gain_positive,
+        "gain_product": _gain_product,
+        "direction": _direction,
+        "natural": _natural,
+        "unfolded": _unfolded,
+        "reached": _reached,
+        "turned": _turned,
+        "beyond": _beyond,
+        "coefficient": _coefficient,
+        "coefficient_of": _coefficient_of,
     },
-    kernels={
-        **SHARED,
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        registers=4,
-        masks=0,
-        numbers=(0, 2, 8),
-        lent=(),
-        real=False,
-    ),
-    },
-    programs="5d364c1b6faf1468",
+    kernels=SHARED,
+    programs="8839adb436a286da",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -186,7 +186,6 @@ def programs() -> Iterator[tuple[Which | None, str, Any]]:
     for which in (*sorted(COMMITTED), *families()):
         found = lowered.lower_chart(chart(which))
         yield from ((which, "two_scalar_forms", program) for program in found.scalars.values())
-        yield from ((which, "two_forms", program) for program in found.own.values())
 
 
 @contextmanager

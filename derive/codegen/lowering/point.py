@@ -7,38 +7,19 @@ from functools import cached_property
 from typing import Any
 
 from ...algebra import Dual, Vector
-from ...maps.chart import Chart
 from ..programs.trace import Trace
 from ..programs.value import Number
-from .scalars import SCALARS, SQUARES, table_names
+from .scalars import SCALARS, SQUARES
 
 
 class Geometry(Trace):
-    """A trace of what all charts share: scalars are calls. With a `chart`, its formulas are traced in their place."""
-
-    def __init__(self, chart: Chart | None = None) -> None:
-        super().__init__()
-        self.chart = chart
-        self._returns: tuple[Number, ...] = ()
-
-    def name(self, name: str, value: Number) -> Number:
-        """As of any trace; a chart in it may have taken the name."""
-        while self.chart is not None and name in self._names.values():
-            name += "_"
-        return super().name(name, value)
+    """A trace of geometry, which all charts share: scalars of a chart are calls."""
 
     def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
-        """The results of a scalar program, under their own names and a mark."""
+        """Return the results of a scalar program, under their own names and a mark."""
         row = SCALARS[function]
-        given = tuple(arguments)
-        if self.chart is None:
-            names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
-            return self.call(function, given, names, truths, "table" if "table" in row.arguments else "")
-        if "table" in row.arguments:
-            given += self._returns
-        scope: Any = Scope(self, mark)
-        results = row.compute(self.chart, scope, given)
-        return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
+        names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
+        return self.call(function, arguments, names, truths, "table" if "table" in row.arguments else "")
 
     def dual(self, name: str, value: Number) -> Number:
         """A dual number with its parts named, that of the dual part ending in o."""
@@ -49,9 +30,8 @@ class Geometry(Trace):
         return Vector(*(self.dual(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
     def declare_returns(self) -> None:
-        """The argument that holds the chart's table of returns, of a length which only the chart knows."""
-        names = () if self.chart is None else table_names(self.chart)
-        self._returns = self.inputs("table", names)
+        """Declare the argument that holds the chart's table of returns, of a length that only the chart knows."""
+        self.inputs("table", ())
 
 
 class Scope:

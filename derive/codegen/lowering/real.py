@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ...maps.chart import Chart
 from ..programs.program import Call, Program, Statement
 from ..programs.value import Number
 from .point import Geometry
@@ -29,14 +28,10 @@ class RealGeometry(Geometry):
         By argument, the places of the components which are not 0.
     results : sequence of int
         The places of the results that are kept.
-    chart : Chart, optional
-        As of any trace.
     """
 
-    def __init__(
-        self, function: str, arguments: Iterable[Sequence[int]], results: Sequence[int], chart: Chart | None = None
-    ) -> None:
-        super().__init__(chart)
+    def __init__(self, function: str, arguments: Iterable[Sequence[int]], results: Sequence[int]) -> None:
+        super().__init__()
         self.function = function
         self._arguments = iter(arguments)
         self._kept = results

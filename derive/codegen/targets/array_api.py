@@ -16,10 +16,6 @@ from ..validation import Library, Machinery
 from . import infix, python
 
 WORDS = python.Words(
-    value="Array",
-    array_like="array",
-    array="array",
-    kept="the library, type and device of their arguments",
     options="*, axis: int = -1",
     passed="axis",
     passed_alone="axis",
@@ -45,7 +41,7 @@ class ArrayApi(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_runtime.py": {},
             "_tools.py": {},
         }
@@ -60,8 +56,7 @@ class ArrayApi(python.PythonTarget):
             for name, program in lowered.scalars.items()
             if name not in known
         ]
-        own = [python.printed(program, infix.body(program)) for program in lowered.own.values()]
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels}
+        return {"scalars": scalars}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

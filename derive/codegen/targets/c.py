@@ -2,8 +2,8 @@
 
 ``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
 geometry cannot know, and includes it. Macros are the chart's name in the names of its functions (``DUALCAY_NAME``) and
-of its scalars (``DUALCAY_CHART``), its branches, what its functions call of ``math.h``, and the functions that are its
-own. That of rotations lies in a folder of its own; a chart's header there takes the scalars of that for poses.
+of its scalars (``DUALCAY_CHART``), its branches, and what its functions call of ``math.h``. The geometry of rotations
+lies in a folder of its own; a chart's header there takes the scalars of that for poses.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ...maps.chart import Chart
 from ..cases import Case, cases
 from ..lowered import Lowered, geometry, lower_chart
 from ..lowering.scalars import SCALARS, table_names
-from ..package import Data, Facts, comment, numbers, operations, theorem_lines
+from ..package import Data, Facts, numbers
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
@@ -106,8 +106,7 @@ def level(program: Program) -> int:
 def levels(lowered: Lowered) -> dict[str, int]:
     """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
     found = {}
-    for name, shared in geometry(lowered.table).items():
-        program = lowered.own.get(name, shared)
+    for name, program in geometry(lowered.table).items():
         called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
         found[name] = max(map(level, [program, *called]))
     return found
@@ -115,8 +114,7 @@ def levels(lowered: Lowered) -> dict[str, int]:
 
 def scalars(lowered: Lowered) -> Mapping[str, Program]:
     """The scalars of a chart, and what stands for others that geometry names."""
-    shared = (program for name, program in geometry(lowered.table).items() if name not in lowered.own)
-    named = {call.function for program in shared for call in program.calls}
+    named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
     return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
 
 
@@ -125,8 +123,7 @@ def shared_geometry(table: Table) -> Data:
     programs, (v,) = geometry(table), table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
-    theorems = {"theorems": comment(theorem_lines(), C.comment)} if table is POSES else {}
-    return theorems | {
+    return {
         "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
         "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
@@ -142,7 +139,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
     prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
     new = [program for name, program in scalars(lowered).items() if name not in known]
-    own = [(program, lowered.table.kernels[name].results) for name, program in lowered.own.items()]
     return {
         "name": chart.name,
         "prefix": prefix,
@@ -152,7 +148,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
         "aliases": lowered.table.aliases(chart),
         "levels": levels(lowered),
         "scalars": [(level(program), c99.scalar(program, decimals)) for program in new],
-        "own": [(level(program), c99.core(program, made, decimals)) for program, made in own],
     }
 
 
@@ -188,8 +183,7 @@ class C:
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = comment(operations(lowered), self.comment)
-            data = {**own_geometry(facts, lowered, scalars(facts.lowered)), "operations": told}
+            data = own_geometry(facts, lowered, scalars(facts.lowered))
             found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
         return found
 

@@ -11,8 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import FUNCTIONS, Call, Program, Step, summary
-from ..programs.registers import all_results, results
+from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results, summary
 from ..rows import Array
 from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
 

@@ -16,8 +16,7 @@ from ...maps.chart import Chart
 from ...output import RefusedError
 from ..lowered import Lowered, geometry
 from ..package import Data, Facts
-from ..programs.program import Call, Operand, Program, Statement, summary
-from ..programs.registers import results
+from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Choose, Library, everything
@@ -143,10 +142,6 @@ def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
 
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32 and float64",
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
@@ -168,7 +163,7 @@ class Numba(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_compiled.py": {},
             "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
@@ -183,9 +178,7 @@ class Numba(python.PythonTarget):
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         named = lowered.scalars.items()
         scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
-        own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]
-        calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
+        return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
     def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
         """Run the source of a package which wants its compiler even so."""

@@ -7,7 +7,7 @@ import re
 import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +16,12 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..lowered import Lowered, lower_chart
-from ..package import Data, Facts, comment, numbers, operations, theorem_lines
+from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
-from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
+from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
 from .expression import WIDTH
-from .said import SAID
 from .target import require_functions
 
 INTERFACE = "_interface.py"
@@ -30,25 +29,23 @@ INTERFACE = "_interface.py"
 CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
 """The classes of kernels, by table."""
 
-SHAPES = {
-    "vector": V, "quaternion": QUATERNION, "tensor": TENSOR, "jacobian": JACOBIAN, "angle": ANGLE,
-    "by_point": BY_V_OF_POINT,
-}  # fmt: skip
-"""Arrays whose shapes docstrings tell, by what they call them."""
-
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
+    """Keyword parameters of a target's functions, as its templates spell them.
 
-    ``passed`` is what a function passes on of them, ``passed_alone`` one that does more with the result; ``placed`` is
-    where that result goes. ``makes`` says that there are arrays without arguments: the identity, random poses.
+    Parameters
+    ----------
+    options : str
+        Keyword parameters of functions that return one array.
+    passed, passed_alone : str
+        Arguments that a method passes on for them, and without a place for the result.
+    placed : str
+        Arguments that place a result.
+    makes : bool
+        True where arrays are made without arguments: the identity, random poses.
     """
 
-    value: str
-    array_like: str
-    array: str
-    kept: str
     options: str
     passed: str
     passed_alone: str
@@ -150,16 +147,15 @@ class PythonTarget(ABC):
 
 
 def interface(words: Words, table: Table) -> Data:
-    """What the template of the interface of a table is given."""
-    theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
-    return theorems | {
-        "words": words,
+    """Return what fills the template of the interface of a table."""
+    jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+    return asdict(words) | {
         "definitions": DEFINITIONS,
         "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
-        "poses": table is POSES,
-        "class": CLASSES[table.name],
-        "said": SAID[table.name],
-        "shape": {what: (array if table is POSES else array.of_rotation).shape for what, array in SHAPES.items()},
+        "rotations": table is not POSES,
+        "up": ".." if table.name else ".",
+        "n": jacobian[0],
+        "jacobian": f"(..., {', '.join(map(str, jacobian))})",
     }
 
 
@@ -192,7 +188,6 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "parameter": chart.parameter,
         "branches": chart.branches,
         "singular": facts.singular,
-        "operations": comment(operations(lowered), "#"),
     }
 
 

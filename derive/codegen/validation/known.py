@@ -15,7 +15,7 @@ from ..cases import Samples
 from ..cases.decimals import DIGITS
 from ..lowered import Lowered, geometry
 from ..programs.program import Operand, Program
-from ..programs.registers import results as result_names
+from ..programs.program import results as result_names
 from ..rows import Function
 from .rounding import Array, Ball, Rounding, long
 
@@ -67,7 +67,7 @@ class Analysis:
     def __init__(self, chart: Chart, lowered: Lowered, dtypes: Sequence[np.dtype[Any]]) -> None:
         self.chart = chart
         self.lowered = lowered
-        self.programs = {**geometry(lowered.table), **lowered.own}
+        self.programs = geometry(lowered.table)
         self.rounding = Rounding(tuple(dtypes))
 
     def known(self, samples: Samples) -> Known:

@@ -1,9 +1,8 @@
 """What of a further chart is executed: geometry that another chart of the package has shown to be right only as needed.
 
 Geometry is the same for all charts and stands once in a package. Whichever chart runs a program of it first runs it on
-all cases; of a later chart as many functions are run as read every result of its own scalars, all that it has programs
-of its own for, and those that it says have nothing to do. So what a chart costs does not grow with the number of
-functions.
+all cases. Of a later chart as many functions are run as read every result of its own scalars, and those that it says
+have nothing to do. So what a chart costs does not grow with the number of functions.
 """
 
 from __future__ import annotations
@@ -43,10 +42,10 @@ class Seen:
     def new(self, lowered: Lowered, given: Sequence[Batch]) -> list[tuple[Batch, bool]]:
         """The batches of a lowered chart that are still to be executed, and whether in every layout."""
         programs = self.programs(lowered.table)
-        wanted, shown = {*_readers(lowered), *_standing(lowered)}, programs - lowered.own.keys()
+        wanted, shown = {*_readers(lowered), *_standing(lowered)}, programs
         unseen = [bool(_executed(batch, lowered) - shown) for batch in given]
         for batch in given:
-            programs.update(_executed(batch, lowered) - lowered.own.keys())
+            programs.update(_executed(batch, lowered))
         pairs = zip(given, unseen, strict=True)
         return [(batch, new) for batch, new in pairs if new or _samples(batch, wanted, lowered.table)]
 
@@ -57,8 +56,8 @@ class Seen:
 
 
 def its_own(lowered: Lowered) -> set[str]:
-    """The functions of a chart that have programs of their own, or read scalars which no other one reads."""
-    return {*_readers(lowered), *(name for name, row in lowered.table.public.items() if row.kernel in lowered.own)}
+    """Functions of a chart that together read every result of its scalar programs."""
+    return set(_readers(lowered))
 
 
 def _samples(batch: Batch, wanted: Set[str], table: Table) -> bool:
@@ -90,7 +89,7 @@ def _readers(lowered: Lowered) -> Iterator[str]:
     read: set[tuple[str, int]] = set()
     table = lowered.table
     for name in table.kernels:
-        shared = name in table.public and name in lowered.operations and name not in lowered.own
+        shared = name in table.public and name in lowered.operations
         found = set(_results(geometry(table)[name])) if shared else set()
         if found - read:
             read |= found

@@ -5,7 +5,7 @@
 # What was proved is told in the module for poses. Operations:
 #   quaternion 16, tensor 38, transform_point 45, inverse 3, tangent 36, tangent_inv 33, body_tangent 36,
 #       body_tangent_inv 33, twist 46, rate 42, tangent_dot 74, twist_dot 82, rate_dot 83, twist_jacobian 81,
-#       rate_jacobian 28, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
+#       rate_jacobian 68, from_quaternion 9, from_tensor 62, from_angle_axis 8, to_angle_axis 46, angle 12,
 #       to_exponential 21, from_exponential 34, turn 30, shadow 48, identity_jacobian 6, shadow_jacobian 62,
 #       principal 28, compose 76, between 79, compose_jacobians 348, between_jacobians 360, retract 180,
 #       body_retract 180, retract_jacobians 489, body_retract_jacobians 491, local 92, body_local 92,
@@ -21,10 +21,7 @@ A rotation has 2 vectors. What is exported are the methods of one
 
 from __future__ import annotations
 
-from typing import Any
-
 from .._chart import Chart
-from .._kernel import Components, Kernel, Result, Rows, add, copy, div, mul, neg, sub
 from ..cayley2 import CHART as POSES
 from ._geometry import KERNELS as SHARED
 from ._interface import RotationKernels
@@ -47,51 +44,6 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# operations 28: 8 +, 12 *, 5 /, 3 neg
-def _own_rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    v1, v2, v3 = v
-    w1, w2, w3 = omega
-    side, = table
-    hs = side / 2
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    t1 = w2 * v3 - w3 * v2
-    t2 = w3 * v1 - w1 * v3
-    t3 = w1 * v2 - w2 * v1
-    s1 = w1 * hs + t1 / 2
-    s2 = w2 * hs + t2 / 2
-    s3 = w3 * hs + t3 / 2
-    ha = vw / 2
-    J12 = -s3
-    J23 = -s1
-    J31 = -s2
-    return ha, J12, s2, s3, ha, J23, J31, s1, ha
-
-
-def _own_rate_jacobian_blocks(
-    m: Any, c: Any, out: Rows, scratch: Rows, masks: Rows, numbers: Rows, v: Rows, omega: Rows, table: Rows
-) -> None:
-    v1, v2, v3 = v
-    w1, w2, w3 = omega
-    side, = table
-    o1, o2, o3, o4, o5, o6, o7, o8, o9 = out
-    k1, k2, k3 = scratch
-    n2, = numbers
-    vw = add(add(mul(v1, w1, k1), mul(v2, w2, k2), k1), mul(v3, w3, k2), k1)
-    div(vw, n2, o1)
-    hs = div(side, n2, k1)
-    t3 = sub(mul(w1, v2, k2), mul(w2, v1, k3), k2)
-    s3 = add(mul(w3, hs, k3), div(t3, n2, k2), o4)
-    neg(s3, o2)
-    t2 = sub(mul(w3, v1, k2), mul(w1, v3, k3), k2)
-    s2 = add(mul(w2, hs, k3), div(t2, n2, k2), o3)
-    neg(s2, o7)
-    t1 = sub(mul(w2, v3, k2), mul(w3, v2, k3), k2)
-    s1 = add(mul(w1, hs, k1), div(t1, n2, k2), o8)
-    neg(s1, o6)
-    copy(o1, o5)
-    copy(o1, o9)
-
-
 CHART = Chart(
     __name__,
     POSES.branches,
@@ -99,21 +51,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     functions=POSES.functions,
-    kernels={
-        **SHARED,
-        "rate_jacobian": Kernel(
-        _own_rate_jacobian,
-        _own_rate_jacobian_blocks,
-        (("v", (3,)), ("omega", (3,)),),
-        (3, 3),
-        registers=3,
-        masks=0,
-        numbers=(2,),
-        lent=(),
-        real=False,
-    ),
-    },
-    programs="ab990ddac90d49e8",
+    kernels=SHARED,
+    programs="1114c114922446c4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -52,7 +52,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="85bbc68dffd334a0",
+    programs="1d1542e448a0a2eb",
 )
 
 KERNELS = RotationKernels(CHART)
