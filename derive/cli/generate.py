@@ -15,7 +15,7 @@ from ..output.tables import Column, Grid, columns
 from ..workers import cores
 from . import display, options
 
-WRITE_STEPS, CHECK_STEPS = 3, 2
+WRITE_STEPS, CHECK_STEPS = 4, 2
 """Lines of progress for each module: a check proves and prints, but executes nothing."""
 
 SERIAL_MAX = 3

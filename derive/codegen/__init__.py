@@ -6,8 +6,7 @@ lowering     recipes: the geometry that all charts share, and the scalars of a c
 rows         a row of the table of kernel functions: arrays, recipe, names, its part for rotations
 signatures   the table of kernel functions, and of those of rotations
 lowered      all programs of a proved chart
-cases        expected results of kernel functions, from the formulas alone
-validation   proof that the file on disk computes its formula
+validation   expected results, from the formulas alone; the file on disk computes them
 package      the texts of a package, and what its templates are told about a chart
 targets      the languages: a printer and a template folder each
 catalogue    which charts exist, and names that are reserved

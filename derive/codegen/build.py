@@ -7,7 +7,6 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
@@ -15,11 +14,10 @@ from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
 from ..proof import prove
-from ..workers import workers
+from ..workers import each
 from .lowered import lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target
-from .validation import Seen, everything
 
 GEOMETRY = Cayley(3)
 """The chart in which the shared geometry is checked: the lowest order whose scalars all differ."""
@@ -38,19 +36,23 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress | None = N
     ProofFailed, ValidationFailed
         If any chart fails.
     """
-    report, made = progress or no_op, []
-    with relaxed_gc(), tempfile.TemporaryDirectory() as folder, scheduler(processes) as schedule:
+    if processes < 1:
+        raise ValueError(f"processes must be an integer >= 1, got {processes}")
+    report, printed, modules = progress or no_op, list[Module](), list[Module]()
+
+    def checks() -> Iterator[tuple[Chart, Target, Path]]:
+        for chart in with_geometry(charts):
+            printed.append(print_module(chart, target, report))
+            files.write(staging, printed[-1].texts)
+            report(f"{chart.name}: checking")
+            yield replace(cast(Any, chart)), target, staging  # cached values cannot be sent to a worker
+
+    with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
         staging, shared = Path(folder), shared_texts(target)
         files.write(staging, shared)
-        for chart in with_geometry(charts):
-            module = print_module(chart, target, report)
-            files.write(staging, module.texts)
-            uncached = replace(cast(Any, chart))  # cached values cannot be sent to a worker
-            made.append((module, schedule(check, uncached, target, staging)))
-        modules = []
-        for module, counts in made:
-            report(f"{module.proved.formulas.name}: checking")
-            modules.append(replace(module, counts=counts()))
+        for counts in each(check, checks(), processes):
+            modules.append(replace(printed[len(modules)], counts=counts))
+            report(f"{modules[-1].proved.formulas.name}: checked")
     return Package.of(shared, [module for module in modules if module.proved.formulas in charts])
 
 
@@ -68,31 +70,16 @@ def print_module(chart: Chart, target: Target, report: Progress) -> Module:
 
 
 def check(chart: Chart, target: Target, folder: Path) -> Counts:
-    """Execute the module of a chart on disk, with the geometry it shares if it is that of `GEOMETRY`."""
+    """Execute the module of a chart on disk; for `GEOMETRY`, with all that charts share."""
     geometry = chart == GEOMETRY
     with relaxed_gc():
-        seen = Seen()
-        if not geometry:
-            seen.leave(GEOMETRY, target.tables)
-        validated = target.validate(folder, chart, everything if geometry else seen.new)
-        return Counts(validated, target.replay(folder, chart, geometry), target.test(folder, chart))
+        validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
+        return Counts(validated, replayed, target.test(folder, chart))
 
 
 def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
     """Return the charts to build, `GEOMETRY` among them."""
     return charts if GEOMETRY in charts else [GEOMETRY, *charts]
-
-
-@contextmanager
-def scheduler(processes: int) -> Iterator[Callable[..., Callable[[], Any]]]:
-    """Give a function that schedules a call and returns one for its result: in a worker process, or here when asked."""
-    if processes < 1:
-        raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    if processes == 1:
-        yield partial
-    else:
-        with workers(processes) as pool:
-            yield lambda *call: pool.submit(*call).result
 
 
 @contextmanager

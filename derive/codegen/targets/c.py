@@ -13,17 +13,18 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from ..cases import Case, cases
 from ..lowered import Lowered, geometry, lower_chart
 from ..lowering.scalars import SCALARS, table_names
 from ..package import Data, Facts, numbers
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, c_text, compiled, everything
+from ..validation import c_text, compiled
+from ..validation.float_cases import Case, cases
 from . import c99
 from .said import SAID
 from .target import require_functions
@@ -204,12 +205,11 @@ class C:
             require_functions(where, plain, table)
             require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """All of it: a header is read anew for each chart, geometry included."""
-        return c_text.validate(folder, chart, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return c_text.validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Floats are left to the compiled test."""
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Return 0: floats are left to the compiled test."""
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
@@ -263,6 +263,6 @@ def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]
         start, scale = end, last
 
 
-def _hexadecimal(values: Sequence[float]) -> tuple[str, ...]:
+def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
     """Exact C literals, without trailing zeros."""
-    return tuple(re.sub(r"\.?0*p", "p", value.hex()) for value in values)
+    return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

@@ -19,7 +19,7 @@ from ..package import Data, Facts
 from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, Library, everything
+from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
 
@@ -180,10 +180,10 @@ class Numba(python.PythonTarget):
         scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
         return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart, choose)
+            return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

@@ -20,7 +20,7 @@ from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
-from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
+from ..validation import NUMPY, Library, Machinery, replay, validate
 from .expression import WIDTH
 from .target import require_functions
 
@@ -132,11 +132,11 @@ class PythonTarget(ABC):
         for table in self.tables:
             require_complete(texts, self.words, table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        return validate(folder, chart, choose, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), self.tables, all_ways=all_ways)
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
         """Whose arrays the functions are given in a replay."""

@@ -9,7 +9,6 @@ from typing import Protocol
 from ...maps.chart import Chart
 from ..package import Printer
 from ..rows import Table
-from ..validation import Choose, everything
 
 
 class Target(Printer, Protocol):
@@ -23,16 +22,16 @@ class Target(Printer, Protocol):
     def tables(self) -> Sequence[Table]:
         """Whose functions it prints, a module of every chart for each, that of poses first."""
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """Execute the text of a module in a folder; how many calls equal the formula.
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Execute the text of a module in a folder; return how many calls equal the formula.
 
-        ``choose`` leaves out what other charts of the package have shown of its shared text.
+        ``geometry`` asks for all functions, which shows the text that charts share; else for those that are its own.
         """
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Call the functions of a module on floats; how many calls agree with the formula, 0 where nothing is called.
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Call the functions of a module on floats; return how many calls agree with the formula.
 
-        ``all_ways`` asks for those too that do not depend on the chart.
+        ``geometry`` asks for all functions, in all ways; else for those that are the chart's own.
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:

@@ -12,8 +12,8 @@ from pcpp import Preprocessor
 from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
-from .errors import CError
-from .scope import LIBRARY
+from .memory import CError
+from .types import LIBRARY
 
 
 def _prototype(name: str, arity: int) -> str:

@@ -11,7 +11,6 @@ from typing import Any
 import mpmath
 
 from ...maps.chart import Chart
-from .maps_at import Flat
 
 DIGITS = 50
 
@@ -152,16 +151,6 @@ def _binary(value: decimal.Decimal) -> Any:
 def _power_of_ten(exponent: int, precision: int) -> Any:
     """In the working precision, which is named for what is kept."""
     return mpmath.mpf(10) ** exponent
-
-
-def later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
-    """What computes a result to these digits, whenever it is asked for."""
-
-    def computed() -> Flat:
-        with mpmath.workdps(DIGITS):
-            return function(*arguments)
-
-    return computed
 
 
 def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:

@@ -1,9 +1,8 @@
-"""Inverse maps, screws, shadows and composition at given numbers: flat components in, flat components out."""
+"""Expected values of inverse maps, screws, shadows, composition and steps, at given numbers, from φ alone."""
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -13,22 +12,11 @@ from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
 from ...maps.inverse import polar
-from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
+from ...maps.pose import Pose, Screw, tensor_from_pose
 from ...maps.sign_tests import orientation
-from .exact import matrix6
-from .screws import covering
-from .vectors import Vectors
-
-Flat = tuple[Any, ...]
-
-SMALL = 2.0**-8
-"""Small components of a quaternion: a row of the rotation's matrix that belongs to one has lost two bytes."""
-
-ORDINARY = 4
-"""Screws first in a cover, near no selection: derivatives, which take many values, are seeded at these."""
-
-NEAR_EDGE = 0.1
-"""What `Vectors.finite` asks of a branch here: rounding of the principal v grows by its inverse."""
+from ..rows import Function
+from .formulas import ALGEBRAIC, Formulas, Numbers, evaluated, matrix6
+from .vectors import Flat, Vectors, dual, flat
 
 
 def _from_quaternion(chart: Vectors, branch: int, q: Flat) -> Flat:
@@ -47,63 +35,63 @@ def _from_pose(chart: Vectors, branch: int, pose: Flat) -> Flat:
 
 
 def _from_screw(chart: Vectors, branch: int, angle: Flat, line: Flat) -> Flat:
-    return flat(chart.at(Screw(Dual(*angle), _dual(line)), branch))
+    return flat(chart.at(Screw(Dual(*angle), dual(line)), branch))
 
 
 def _to_screw(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(_dual(v))
+    screw, _ = chart.screw(dual(v))
     return (screw.angle.re, screw.angle.du, *flat(screw.axis))
 
 
 def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, _ = polar(_dual(v))
+    length, _ = polar(dual(v))
     angle = chart.angle(length)
     return angle.re, angle.du
 
 
 def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, u = polar(_dual(v))
+    length, u = polar(dual(v))
     return flat(u * chart.angle(length))
 
 
 def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
-    angle, u = polar(_dual(w))
+    angle, u = polar(dual(w))
     return flat(u * chart.size(reached(chart, angle)))
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """The angle, less whole turns while it is beyond the edge."""
+    """Return the angle, less whole turns while it is beyond the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle
 
 
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
-    return flat(chart.shadow(_dual(v), branch))
+    return flat(chart.shadow(dual(v), branch))
 
 
 def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(_dual(v))
+    screw, _ = chart.screw(dual(v))
     return flat(chart.at(screw))
 
 
 def _compose(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
-    return flat(chart.of_quaternion(chart.quaternion(_dual(v2)) * chart.quaternion(_dual(v1))))
+    return flat(chart.of_quaternion(chart.quaternion(dual(v2)) * chart.quaternion(dual(v1))))
 
 
 def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     if v2 == v1:
         return (mpmath.mpf(0),) * 6
-    return flat(chart.of_quaternion(chart.quaternion(_dual(v1)).conjugate() * chart.quaternion(_dual(v2))))
+    return flat(chart.of_quaternion(chart.quaternion(dual(v1)).conjugate() * chart.quaternion(dual(v2))))
 
 
 def _retract(body: bool) -> Callable[..., Flat]:
-    """R(v) with exp(δ) on one side, on the branch whose angle is nearest that of v along the new axis."""
+    """Return the vector of R(v) times exp(δ), on the branch whose angle is nearest that of v along the new axis."""
 
     def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(_dual(v))
+        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
         q = here * small if body else small * here
-        (length, u), (own, axis) = polar(q.vector), polar(_dual(v))
+        (length, u), (own, axis) = polar(q.vector), polar(dual(v))
         angle = 2 * atan2(length, q.scalar)
         along = chart.angle(own.re) * axis.re.dot(u.re)
         turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
@@ -112,22 +100,22 @@ def _retract(body: bool) -> Callable[..., Flat]:
     return retracted
 
 
-@lru_cache(maxsize=16)  # most quotients of differences move another argument
+@lru_cache(maxsize=16)  # most difference quotients move another argument
 def _turning(precision: int, *delta: Any) -> Quaternion:
-    """exp(δ/2) in the working precision, which is named for what is kept."""
-    return quaternion_exponential(_dual(delta) / 2)
+    """Return exp(δ/2); ``precision`` is the working precision, a key of the cache."""
+    return quaternion_exponential(dual(delta) / 2)
 
 
 def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
-    """exp(t δ) R(v1): with the sign of sin(α/2) that v1 has, or about its own axis as the angle goes."""
+    """Return exp(t δ) R(v1), on the sign of sin(α/2) that v1 has; about the axis of v1 itself the angle is followed."""
     if v1 == v2:
         return v1
-    first, second = chart.quaternion(_dual(v1)), chart.quaternion(_dual(v2))
+    first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
     way = second * first.conjugate()
     way = way * orientation(way.scalar.re)
     length, axis = polar(way.vector)
     delta = axis * (2 * atan2(length, way.scalar))
-    (extent, own), moved = polar(_dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
+    (extent, own), moved = polar(dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
     before = chart.angle(extent.re)
     size, u = polar(moved.vector)
     if delta.re.cross(own.re).magnitude() < mpmath.eps ** mpmath.mpf("0.8") and extent.re:
@@ -142,12 +130,12 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
 
 
 def _local(body: bool) -> Callable[..., Flat]:
-    """δ = α u of what leads from v1 to v2."""
+    """Return δ = α u of the motion from v1 to v2."""
 
     def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
         if v2 == v1:
             return (mpmath.mpf(0),) * 6
-        later, sooner = chart.quaternion(_dual(v2)), chart.quaternion(_dual(v1)).conjugate()
+        later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
         q = sooner * later if body else later * sooner
         q = q * orientation(q.scalar.re)
         length, u = polar(q.vector)
@@ -157,7 +145,7 @@ def _local(body: bool) -> Callable[..., Flat]:
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
-    """The derivatives of a function of dual vectors by each of its arguments, as quotients of small differences."""
+    """Return the derivatives of a function by each of its dual vectors, as difference quotients of twice the digits."""
 
     def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
         with mpmath.workprec(2 * mpmath.mp.prec):
@@ -169,7 +157,7 @@ def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
                 for j in range(3):
                     moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
                     there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
-                    columns.append(_dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
+                    columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
                 found += matrix6(columns)
         return tuple(+entry for entry in found)
 
@@ -177,8 +165,7 @@ def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
 
 
 def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
-    """Of no branch exactly I."""
-    if not branch:
+    if not branch:  # exactly I
         return matrix6([Vector(*row) for row in Tensor.identity().rows])
     return _jacobians(_shadow)(chart, branch, v)
 
@@ -207,66 +194,12 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "retract_jacobians": _jacobians(_retract(body=False)),
     "body_retract_jacobians": _jacobians(_retract(body=True)),
 }
-"""By kernel function: its value for a chart, a branch and arguments."""
+"""Values by kernel function, for a chart, a branch and arguments."""
 
 
-def seeded_arguments(
-    chart: Vectors, draw: random.Random, nearby: Callable[[Any], Any]
-) -> Iterator[tuple[str, int | None, tuple[Flat, ...]]]:
-    """Function, branch and arguments at seeded screws; v, angles and lines are numbers that ``nearby`` returns."""
-
-    def short(values: Flat) -> Flat:
-        return tuple(map(nearby, values))
-
-    screws = list(covering(draw, SMALL))
-    for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
-        v, v2 = (short(flat(chart.at(s))) for s in (screw, other))
-        yield "from_screw", None, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis)))
-        for name in ("to_screw", "angle", "to_exponential", "principal"):
-            yield name, None, (v,)
-        yield "from_exponential", None, (short(flat(screw.axis * screw.angle)),)
-        for name in ("compose", "between", "local", "body_local"):
-            yield name, None, (v2, v)
-        yield "interpolate", None, (v, v2, (nearby(draw.uniform(0, 1)),))
-        delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
-        for name in ("retract", "body_retract"):
-            yield name, None, (v, delta)
-        if screw in screws[:ORDINARY]:
-            for name in ("compose", "between"):
-                yield f"{name}_jacobians", None, (v2, v)
-            for name in ("retract", "body_retract"):
-                yield f"{name}_jacobians", None, (v, delta)
-        yield from _on_branch(screw, 0, v)
-    for branch in chart.tried[1:]:
-        turned = screws[branch % len(screws) :] + screws
-        reached = [s for s in turned if chart.finite(s, branch, NEAR_EDGE)]
-        if not reached:  # of this φ no vector is so many turns on
-            continue
-        screw = reached[0]
-        v, v_k = (short(flat(chart.at(screw, k))) for k in (0, branch))
-        yield from _on_branch(screw, branch, v)
-        for name, k in (("principal", None), ("to_screw", None), ("angle", None), ("shadow", chart.back(branch))):
-            yield name, k, (v_k,)
-        yield "to_exponential", None, (v_k,)
-
-
-def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[tuple[str, int | None, tuple[Flat, ...]]]:
-    q, R = quaternion_from_screw(screw), tensor_from_screw(screw)
-    pose = pose_from_tensor(R)
-    Q, rho = pose.rotation, tuple(pose.displacement)
-    rows = (entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i]))
-    yield "from_quaternion", k, ((*q.re, *q.du),)
-    yield "from_quaternion", k, (tuple(-c for c in (*q.re, *q.du)),)
-    yield "from_tensor", k, ((*R.re, *R.du),)
-    yield "from_pose", k, ((*rows, 0, 0, 0, 1),)
-    for name in ("shadow", "shadow_jacobian"):
-        yield name, k, (v,)
-
-
-def _dual(components: Flat) -> Vector:
-    return Vector.dual(components[:3], components[3:])
-
-
-def flat(v: Vector) -> Flat:
-    """The six components."""
-    return (*v.re, *v.du)
+def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Flat:
+    """Return the value of any kernel function at given numbers."""
+    zero = mpmath.mpf(0)
+    if row.source in ALGEBRAIC:
+        return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
+    return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

@@ -1,6 +1,6 @@
-"""What each algebraic kernel function must return, from the formula alone: on ring elements exactly, or at numbers.
+"""Expected values of algebraic kernel functions, from the formulas alone: exactly on ring elements, or at numbers.
 
-Formulas in x are lifted into the ring. Where they are functions of α, which no ring holds, there are numbers only.
+Formulas in x are lifted into an exact ring. Formulas in α, which no ring holds, are evaluated at numbers only.
 Derivatives are those of the formulas, in dual numbers of one more level: no slope of a chart's scalars enters.
 """
 
@@ -8,35 +8,36 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any
 
+import mpmath
 import sympy
 
-from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
+from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Vector
 from ...maps import Formula, x
 from ...maps.chart import Chart
+from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of
 from ..lowering.scalars import scalar_program
 from ..rows import Function, Table
 from ..signatures import POSES
+from .vectors import Flat, Vectors, dual, flat
 
-Flat = tuple[Any, ...]
-
-ROOTS = 2
-"""Up to so many square roots in a row the way back, if it takes half angles only, is decided exactly (above, only the
-cost forbids it)."""
+ROOTS_MAX = 2
+"""Square roots in a row up to which the inverse map is compared exactly; more would take too long."""
 
 LETTERS = ("v", "w", "z")
-"""The symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
+"""Symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
 
 
 @dataclass(frozen=True)
 class Expectation:
-    """Arguments of a kernel function and its exact result, both as flat components.
+    """Arguments of a kernel function and its result, both as flat components; the branch follows the function's name.
 
-    A result that takes long to compute is given by what computes it, when it is asked for: not all are.
+    A result that takes long to compute is given as a function, which is called when the result is asked for.
     """
 
     function: str
@@ -49,14 +50,42 @@ class Expectation:
 
 
 @dataclass(frozen=True, slots=True)
+class Numbers:
+    """Numbers in place of ring elements: evaluates formulas of a chart in the working precision of mpmath."""
+
+    chart: Vectors
+
+    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
+        """Return a formula and its derivatives at an exact number, rounded to the working precision."""
+        if alpha in expression.free_symbols:
+            return self.chart.derivatives(expression, value, order)
+        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
+
+
+@lru_cache(maxsize=1024)  # points differ in other components more often than in x
+def _derivatives(expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int) -> tuple[Any, ...]:
+    sign, mantissa, exponent, _ = value._mpf_
+    at = sympy.Rational((-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent))
+    slopes = [expression]
+    for _ in range(order):
+        slopes.append(_derivative(slopes[-1], symbol))
+    return tuple(mpmath.mpf(slope.xreplace({symbol: at}).evalf(digits + 5)) for slope in slopes)
+
+
+@lru_cache(maxsize=256)
+def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
+    return expression.diff(symbol)
+
+
+@dataclass(frozen=True, slots=True)
 class Formulas:
-    """The formulas of a chart at numbers that a ring can lift its coefficients to."""
+    """Formulas of a chart at ring elements or numbers; ``ring`` is a ring or `Numbers`."""
 
     chart: Chart
     ring: Any
 
     def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
-        """An algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        """Return an algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
         order, plain = 0, at
         while isinstance(plain, Dual):
             order, plain = order + 1, plain.re
@@ -83,26 +112,18 @@ class Formulas:
         return pose_from_tensor(self.tensor(v).tensor(v))
 
     def tangent(self, v: Vector, hand: int = 1) -> Isotropic:
-        """T, or with hand −1 its transpose."""
+        """Return T, or its transpose with hand −1."""
         T = self._operator(self.chart.tangent, v)
         return T if hand == 1 else T.transpose
 
     def tangent_inv(self, v: Vector, hand: int = 1) -> Isotropic:
+        """Return T⁻¹, or its transpose with hand −1."""
         T = self._operator(self.chart.tangent_inv, v)
         return T if hand == 1 else T.transpose
 
 
-def dual(components: Sequence[Any]) -> Vector:
-    """A dual vector by its six components."""
-    return Vector.dual(components[:3], components[3:])
-
-
-def _flat(value: Vector | Tensor | Quaternion) -> Flat:
-    return (*value.re, *value.du)
-
-
-def _pose(at: Formulas, v: Flat) -> Flat:
-    pose = at.pose(dual(v))
+def rows_of_pose(pose: Pose) -> Flat:
+    """Return the homogeneous matrix of a pose by rows."""
     Q, rho = pose.rotation, tuple(pose.displacement)
     rows = (entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i]))
     return (*rows, 0, 0, 0, 1)
@@ -112,12 +133,12 @@ def _pose(at: Formulas, v: Flat) -> Flat:
 
 
 def moving(a: Vector, rate: Vector) -> Vector:
-    """``a + τ rate``, τ² = 0."""
+    """Return ``a + τ rate`` with τ² = 0."""
     return Vector.dual(a, rate)
 
 
 def matrix6(columns: Sequence[Vector]) -> Flat:
-    """The real matrix that acts on dual vectors as the dual tensor of these columns does."""
+    """Return the real matrix that acts on dual vectors as the dual tensor of these columns does."""
     re, du = ([column.re for column in columns], [column.du for column in columns])
     upper = (entry for row in zip(*re, strict=True) for entry in (*row, 0, 0, 0))
     lower = (entry for row, below in zip(zip(*du, strict=True), zip(*re, strict=True)) for entry in (*row, *below))
@@ -125,62 +146,62 @@ def matrix6(columns: Sequence[Vector]) -> Flat:
 
 
 def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
-    """The derivative of a function of dual vectors."""
+    """Return the derivative of a function of dual vectors."""
     zero = 0 * v.c1
     units = ([zero + int(i == j) for i in range(3)] for j in range(3))
     return matrix6([function(moving(v, Vector(*unit))).du for unit in units])
 
 
 Operator = Callable[..., Isotropic]
+Value = Callable[..., Flat]
 
 
-def _tangent_dot(hand: int) -> Callable[..., Flat]:
+def _tangent_dot(hand: int) -> Value:
     def expected(at: Formulas, v: Flat, v_dot: Flat) -> Flat:
         there = moving(dual(v), dual(v_dot))
-        return _flat(at.tangent(there, hand).tensor(there).du)
+        return flat(at.tangent(there, hand).tensor(there).du)
 
     return expected
 
 
-def _applied(operator: Operator, hand: int = 1) -> Callable[..., Flat]:
-    """An operator applied to the second argument."""
+def _applied(operator: Operator, hand: int = 1) -> Value:
+    """Return the function that applies an operator to the second argument."""
 
     def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
-        return _flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
+        return flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
 
     return expected
 
 
-def _applied_jacobian(operator: Operator, hand: int) -> Callable[..., Flat]:
-    """Its derivative by v."""
+def _applied_jacobian(operator: Operator, hand: int = 1) -> Value:
+    """Return the derivative by v of an operator applied to the second argument."""
 
     def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
-        given = dual(w)
-        fixed = moving(given, 0 * given)
+        fixed = moving(dual(w), 0 * dual(w))
         return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
 
     return expected
 
 
-def _twist_dot(hand: int) -> Callable[..., Flat]:
+def _twist_dot(hand: int) -> Value:
     def expected(at: Formulas, v: Flat, v_dot: Flat, v_ddot: Flat) -> Flat:
         there = moving(dual(v), dual(v_dot))
-        return _flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
+        return flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
 
     return expected
 
 
-def _rate_dot(hand: int) -> Callable[..., Flat]:
+def _rate_dot(hand: int) -> Value:
     def expected(at: Formulas, v: Flat, omega: Flat, omega_dot: Flat) -> Flat:
         here, twist = dual(v), dual(omega)
         there = moving(here, at.tangent_inv(here, hand).apply(here, twist))
-        return _flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
+        return flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
 
     return expected
 
 
 def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
-    """Rates of the moved point as each component of v goes, and Q."""
+    """Return the rates of the moved point by each component of v, then Q."""
     here, point = dual(v), Vector(*r)
     still = 0 * here.re
     columns = []
@@ -193,8 +214,7 @@ def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
 
 
 def _line_jacobians(at: Formulas, v: Flat, line: Flat) -> Flat:
-    given = dual(line)
-    fixed = moving(given, 0 * given)
+    fixed = moving(dual(line), 0 * dual(line))
     by_v = jacobian(lambda there: at.tensor(there).apply(there, fixed), dual(v))
     return (*by_v, *_adjoint(at, v))
 
@@ -203,23 +223,21 @@ def _adjoint(at: Formulas, v: Flat) -> Flat:
     return matrix6([Vector(*column) for column in at.tensor(dual(v)).tensor(dual(v)).transpose.rows])
 
 
-Value = Callable[..., Flat]
-
-BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: _flat(at.quaternion(dual(v)))}
+BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: flat(at.quaternion(dual(v)))}
 """Functions whose formulas may hold a root."""
 
 BY_TENSORS: Mapping[str, Value] = {
-    "tensor": lambda at, v: _flat(at.tensor(dual(v)).tensor(dual(v))),
-    "pose": _pose,
+    "tensor": lambda at, v: flat(at.tensor(dual(v)).tensor(dual(v))),
+    "pose": lambda at, v: rows_of_pose(at.pose(dual(v))),
     "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
     "adjoint": _adjoint,
     "transform_point_jacobians": _point_jacobians,
     "transform_line_jacobians": _line_jacobians,
-    "transform_line": lambda at, v, line: _flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
-    "tangent": lambda at, v: _flat(at.tangent(dual(v)).tensor(dual(v))),
-    "tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v)).tensor(dual(v))),
-    "body_tangent": lambda at, v: _flat(at.tangent(dual(v), -1).tensor(dual(v))),
-    "body_tangent_inv": lambda at, v: _flat(at.tangent_inv(dual(v), -1).tensor(dual(v))),
+    "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
+    "tangent": lambda at, v: flat(at.tangent(dual(v)).tensor(dual(v))),
+    "tangent_inv": lambda at, v: flat(at.tangent_inv(dual(v)).tensor(dual(v))),
+    "body_tangent": lambda at, v: flat(at.tangent(dual(v), -1).tensor(dual(v))),
+    "body_tangent_inv": lambda at, v: flat(at.tangent_inv(dual(v), -1).tensor(dual(v))),
     "inverse": lambda at, v: tuple(-c for c in v),
     "twist": _applied(Formulas.tangent),
     "rate": _applied(Formulas.tangent_inv),
@@ -231,22 +249,22 @@ BY_TENSORS: Mapping[str, Value] = {
     "body_twist_dot": _twist_dot(-1),
     "rate_dot": _rate_dot(1),
     "body_rate_dot": _rate_dot(-1),
-    "twist_jacobian": _applied_jacobian(Formulas.tangent, 1),
+    "twist_jacobian": _applied_jacobian(Formulas.tangent),
     "body_twist_jacobian": _applied_jacobian(Formulas.tangent, -1),
-    "rate_jacobian": _applied_jacobian(Formulas.tangent_inv, 1),
+    "rate_jacobian": _applied_jacobian(Formulas.tangent_inv),
     "body_rate_jacobian": _applied_jacobian(Formulas.tangent_inv, -1),
     "cotangent": _applied(Formulas.tangent, -1),
     "body_cotangent": _applied(Formulas.tangent),
     "cotangent_jacobian": _applied_jacobian(Formulas.tangent, -1),
-    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent, 1),
+    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent),
 }
 
 ALGEBRAIC: Mapping[str, Value] = {**BY_QUATERNION, **BY_TENSORS}
-"""By kernel function: its value by the formulas of a chart, of flat arguments."""
+"""Values by kernel function, from the formulas of a chart and flat arguments."""
 
 
 def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
-    """Every algebraic function of the module of a chart, on symbols; and back, where no trigonometry is needed."""
+    """Yield every algebraic function of a table on symbols, and `from_quaternion` where roots alone lead back."""
     for name in filter(table.sources.__contains__, BY_QUATERNION):
         case = _on_symbols(chart, table.sources[name], chart.quaternion)
         yield case
@@ -266,11 +284,11 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
 
 
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
-    """What an algebraic function returns by the formulas, of rotations the real part at dual parts of zero."""
+    """Return the value of an algebraic function; of a rotation the real part at dual parts ``zero``."""
     return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
 
 
 def _goes_back_by_roots(chart: Chart) -> bool:
-    """Whether the way back takes a few square roots and no trigonometry."""
+    """Return whether the inverse map takes a few square roots and no trigonometry."""
     operations = scalar_program("gain_unit", chart).operations
-    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS
+    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX

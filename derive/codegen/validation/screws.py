@@ -1,9 +1,8 @@
 """Seeded screws on which kernels take every side of every selection.
 
-The quaternion of a rotation matrix is read from one of four rows, that of its largest component. For each row there is
-a screw whose quaternion has this component largest, axes of both signs among them, angles below and beyond a quarter
-turn; and one where all other components are small. There every other row has lost its digits, and a wrong comparison
-takes one of them.
+The quaternion of a rotation matrix is read from one of four rows, that of its largest component. For each row one screw
+has this component largest, with axes of both signs and angles below and beyond a quarter turn. For each row another
+screw has all other components small: every other row has lost its digits there, which shows a wrong comparison.
 """
 
 from __future__ import annotations
@@ -39,7 +38,7 @@ class Draw:
 
 
 def covering(source: random.Random, small: float) -> Iterator[Screw]:
-    """Eight screws, two for each row; ``small`` is the size of the small components."""
+    """Yield eight screws, two for each row; ``small`` is the size of the small components."""
     draw = Draw(source)
     for row in range(4):
         yield _screw(draw, mpmath.mpf(ANGLES[row]), _direction(draw, row))
@@ -47,9 +46,9 @@ def covering(source: random.Random, small: float) -> Iterator[Screw]:
 
 
 def steep(source: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
-    """One screw for each row, whose other components are small: from one to the next they grow by ``ratio``.
+    """Yield one screw for each row, whose other components are small: from one to the next they grow by ``ratio``.
 
-    That of the first row, which hardly turns, does not move along its axis either: else its axis would be lost in it.
+    The first one hardly turns. It does not move along its axis either, or its axis would be lost in the translation.
     """
     draw = Draw(source)
     for row in range(4):
@@ -60,14 +59,14 @@ def steep(source: random.Random, small: float, ratio: float = 3) -> Iterator[Scr
 
 
 def translation(source: random.Random) -> Screw:
-    """A screw without rotation; its axis passes through the origin."""
+    """Return a screw without rotation, whose axis passes through the origin."""
     draw = Draw(source)
     u = draw.vector(-1, 1)
     return Screw(Dual(mpmath.mpf(0), draw.number(1, 2)), Vector.dual(u / u.magnitude(), 0 * u))
 
 
 def half_turns(source: random.Random) -> Iterator[Screw]:
-    """Screws at half a turn: the first component of the axis which is not 0 is each of the three, of both signs."""
+    """Yield screws at half a turn; the first non-zero component of the axis is each of the three, of both signs."""
     draw = Draw(source)
     for axis in ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1)):
         u = Vector(*map(mpmath.mpf, axis))
@@ -75,7 +74,7 @@ def half_turns(source: random.Random) -> Iterator[Screw]:
 
 
 def _direction(draw: Draw, row: int) -> Vector:
-    """A direction in which one component is largest, by so much that it makes its row the largest; any for row 0."""
+    """Return a direction with one component so large that its row is the largest; any direction for row 0."""
     u = list(draw.vector(-0.5, 0.5))
     if row:
         u[row - 1] = SIGNS[row] * draw.number(1, 2)
