@@ -17,9 +17,9 @@ from .. import about
 from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
 from ..maps import PhiError
+from ..maps.any_phi.stretch import POINTS, Stretch, best, bound, stretch
 from ..maps.chart import Chart
 from ..maps.families import alpha
-from ..maps.stretch import POINTS, Stretch, best, bound, stretch
 from ..output import render
 from ..output.tables import Column, Grid, columns
 from . import options

@@ -20,10 +20,10 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import next_to_pole
+from . import near_pole
 from .dependent import DependentScalars
 from .families import alpha
-from .of_order import OfOrder, of_twice
+from .order_charts import OrderChart, double_angle
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
@@ -176,7 +176,7 @@ class BreusingScalars(DependentScalars):
 
 
 @dataclass(frozen=True)
-class Breusing(OfOrder):
+class Breusing(OrderChart):
     """v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
 
     name: str = "breusing"
@@ -207,8 +207,8 @@ class Breusing(OfOrder):
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
-        of_rest = of_twice(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
+        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
+        of_rest = double_angle(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
         first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 

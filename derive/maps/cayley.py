@@ -17,7 +17,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import closed_forms, next_to_pole, polynomials, turns, way_back
+from . import branches, closed_forms, gains, near_pole, polynomials
 from .cayley_scalars import CayleyScalars
 from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
@@ -32,7 +32,7 @@ _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 
 
 @dataclass(frozen=True)
-class Cayley(turns.InTurns):
+class Cayley(branches.BranchesOfOrder):
     """The Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
@@ -211,13 +211,13 @@ class Cayley(turns.InTurns):
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
+        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
         t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", way_back.gain(self.order, q, size, m, positive))
+        return m.name("gain", gains.gain(self.order, q, size, m, positive))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         at = self.scalars(x, m)
@@ -227,21 +227,21 @@ class Cayley(turns.InTurns):
         return self.scalars(x, m)
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return turns.direction(self.order, self.scalars(x, m), y, r, m)
+        return branches.direction(self.order, self.scalars(x, m), y, r, m)
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
-        return turns.natural(self.order, self.scalars(x, m), y, r, m)
+        return branches.natural(self.order, self.scalars(x, m), y, r, m)
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(r, 1)
 
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        return turns.turned(r, turn, m)
+        return branches.turned(r, turn, m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        return tuple(turns.returns(self.order))
+        return tuple(branches.returns(self.order))
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the paper's letters."""

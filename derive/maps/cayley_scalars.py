@@ -20,7 +20,7 @@ from functools import cached_property
 from ..algebra import Coefficient
 from . import polynomials
 from .cayley_polynomials import CayleyPolynomials
-from .way_back import has_ladder
+from .gains import has_ladder
 
 
 class CayleyScalars(CayleyPolynomials):

@@ -14,10 +14,10 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
-from .by_angle import ByAngle
+from .any_phi.angle_chart import AngleChart
 from .dependent import DependentScalars
 from .families import alpha
-from .of_order import of_twice
+from .order_charts import double_angle
 
 
 class ExponentialScalars(DependentScalars):
@@ -54,7 +54,7 @@ class ExponentialScalars(DependentScalars):
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
         """Cosine of α/2, and sine of it over α."""
-        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
         return cosine, sine / self._angle
 
     @cached_property
@@ -126,7 +126,7 @@ class PrincipalScalars(ExponentialScalars):
 
 
 @dataclass(frozen=True)
-class Exponential(ByAngle):
+class Exponential(AngleChart):
     """v = α u, without an edge."""
 
     name: str = "exponential"

@@ -27,7 +27,7 @@ import sympy
 from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
 from ..algebra import Coefficient, Tensor, Vector, functions, real_part
-from .elementary import evaluate
+from .any_phi.elementary import evaluate
 from .polynomials import require_order, x
 from .sign_tests import is_zero
 

@@ -12,14 +12,15 @@ from typing import TypeAlias
 
 import sympy
 
+from .any_phi.edges import edge_of
+from .any_phi.expressions import parity, parsed
+from .any_phi.general import General
+from .any_phi.grammar import PhiError
 from .breusing import Breusing
-from .edges import edge_of
 from .exponential_chart import Exponential
-from .expressions import PhiError, parity, parsed
 from .families import alpha
-from .general import General
+from .multiple import Scaled
 from .polynomials import require_order
-from .scaled import Scaled
 from .sine import Sine
 
 Named: TypeAlias = Sine | Scaled | Breusing | Exponential

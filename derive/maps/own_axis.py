@@ -6,12 +6,12 @@ from abc import abstractmethod
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .branches import NOISE
 from .dependent import DependentScalars
 from .parameterized import Parameterized
-from .turns import NOISE
 
 
-class OwnAxis(Parameterized):
+class QuaternionChart(Parameterized):
     """A chart that reads angle and axis off its quaternion ``s + w v``."""
 
     @abstractmethod

@@ -11,9 +11,9 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
+from .any_phi.closed_inverse import closed_inverse
+from .any_phi.edges import angle_of
 from .chart import DEFINITIONS, Scalars
-from .closed_inverse import closed_inverse
-from .edges import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x

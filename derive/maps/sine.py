@@ -23,7 +23,7 @@ from ..algebra.arithmetic import Arithmetic
 from .dependent import DependentScalars, divided
 from .evaluation import horner
 from .families import alpha
-from .of_order import OfOrder, of_twice
+from .order_charts import OrderChart, double_angle
 from .polynomials import RING, RING_X, ring_pair
 
 
@@ -165,7 +165,7 @@ class SineAtAngle(SineScalars):
 
 
 @dataclass(frozen=True)
-class Sine(OfOrder):
+class Sine(OrderChart):
     """v = K sin(α/2n) u, up to |Re α| = nπ."""
 
     name: str
@@ -189,7 +189,7 @@ class Sine(OfOrder):
         return SineScalars(self.order, self.scale, x, m)
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
-        _, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
+        _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
         return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
 
     def sized(

@@ -18,19 +18,15 @@ from .language.terms import Apply, Number, Term, Trait, marked, takes_apart, wal
 from .numbers.every_order import EveryOrder
 from .numbers.generic import Generic, GenericOrder
 from .numbers.kinds import BRANCH, ORDER, SIGN
-from .readings.enumeration import Readings, UnreadableError, read
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT = 1
 """Decimals of the numbers in a counterexample."""
-FOUND = "found among all readings"
 
 
-def decide(
-    paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS, count: bool = True
-) -> Result:
+def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
     """Compute the status of an entry.
 
     Parameters
@@ -41,8 +37,6 @@ def decide(
         Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
     orders : sequence of int
         The orders n at which statements about n are executed.
-    count : bool
-        Whether all readings are counted where a listed one is true; the status does not depend on it.
 
     Raises
     ------
@@ -61,19 +55,14 @@ def decide(
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
-    none_true = not any(verdict.true for verdict in listed)
-    found = _readings(entry, lost, none_true) if none_true or count else Readings(len(listed), False, ())
-    others = [judge(entry, Reading(statement, FOUND), orders) for statement in found.true] if none_true else []
-    known = (*listed, *(other for other in others if other.true))
-    verdicts = tuple(sorted(known, key=lambda verdict: not verdict.true))
+    verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
     decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
-    result = partial(Result, paper, entry, verdicts=verdicts, reading_count=found.count, capped=not found.complete,
-                     exact=entry.condition is not None and is_sharp(entry.condition, decided))  # fmt: skip
-    method = "; ".join(verdict.method for verdict in verdicts)
+    sharp = entry.condition is not None and is_sharp(entry.condition, decided)
+    result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
     if verdicts[0].true and not _speaks_for_a_false_one(entry, listed):
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
     if verdicts[0].true:
-        return result(Status.AMBIGUOUS, method)
+        return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
     if not (entry.extract or entry.said):
         raise UndecidedError(f"({entry.number}): an erratum shows the words of the paper")
     if entry.corrected is None:
@@ -83,19 +72,7 @@ def decide(
     correction = judge(entry, Reading(entry.corrected), orders)
     if not correction.true:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    status = Status.ERRATUM if found.complete else Status.AMBIGUOUS
-    more = "" if found.complete else "; there are more readings than can be tried"
-    return result(status, f"{verdicts[0].method}; correction {correction.method}{more}")
-
-
-def _readings(entry: Equation, lost: str, search: bool) -> Readings:
-    """All readings where signs were lost; elsewhere, and for claims in words, those that are listed."""
-    if not entry.extract or "-" not in lost:
-        return Readings(len(entry.readings), True, ())
-    try:
-        return read(entry, lost, search)
-    except UnreadableError:
-        return Readings(len(entry.readings), False, ())
+    return result(Status.ERRATUM, f"{verdicts[0].method}; correction {correction.method}")
 
 
 def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:

@@ -7,11 +7,10 @@ An `Equation` is an entry: what is printed, and what the letters stand for. Noth
   refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
   an n. Where that is not possible the method says that the points are evidence, not proof;
 * every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text;
-* the readings that are listed are not all: `readings` puts the lost marks in anew, in every way that has a meaning;
-* ``holds``: a reading is true at all points, for the marks were lost by the extraction, not by the paper. ``holds-if``:
-  true where the entry's condition is, and not everywhere else; both sides are tested. ``erratum``: no reading is true,
-  of those listed or any other; then the correction must be. ``ambiguous``: a legible place speaks for a reading that
-  is false, or there are too many readings to say that none is true.
+* readings are listed by hand, the most charitable first;
+* ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
+  and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
+  ``ambiguous``: a true and a false reading that the text cannot tell apart.
 
 An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
 """
@@ -68,7 +67,7 @@ class Equation:
     extract : str
         Its marks there, empty for a claim in words.
     readings : tuple of Reading
-        All faithful readings.
+        Readings listed by hand, the most charitable first.
     where : tuple of Definition
         What the defined letters stand for; all others are free and vary over their kind.
     claimed : Term, optional

@@ -12,9 +12,8 @@ from functools import partial
 
 from .decide import ORDERS
 from .equation import Equation
-from .equivalence import Pair, equivalent
 from .explore import explore
-from .language.notation import both, negated
+from .language.notation import negated
 from .language.terms import Apply, Letter, Number, Term, text
 from .numbers.kinds import PROPOSITION
 from .result import Result
@@ -41,17 +40,14 @@ class Score:
     killed : int
         Those that are false somewhere, or true outside of their condition.
     meaningless : int
-        Those that do not count: they combine things which have no such operation, or are equivalent.
+        Those that do not count, for they combine things which have no such operation.
     survivors : list of Survivor
-        Those that are as true as what they were made from, and say something else.
-    equivalent : list of Survivor
-        Those that say the same as what they were made from, see `equivalence`.
+        Those that are as true as what they were made from.
     """
 
     killed: int = 0
     meaningless: int = 0
     survivors: list[Survivor] = field(default_factory=list)
-    equivalent: list[Survivor] = field(default_factory=list)
 
     @property
     def share(self) -> float:
@@ -60,8 +56,8 @@ class Score:
         return self.killed / tried if tried else 1.0
 
     def __add__(self, other: Score) -> Score:
-        survivors, same = [*self.survivors, *other.survivors], [*self.equivalent, *other.equivalent]
-        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors, same)
+        survivors = [*self.survivors, *other.survivors]
+        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors)
 
 
 def true_statements(result: Result) -> tuple[Term, ...]:
@@ -91,7 +87,7 @@ def trials(
 ) -> Iterator[tuple[str, Callable[[], Score]]]:
     """What can be changed in a statement of an entry and in its domain, and the way to execute it changed."""
     for change, mutant in mutants(statement):
-        yield change, partial(try_mutant, entry, change, statement, mutant, orders)
+        yield change, partial(try_mutant, entry, change, mutant, orders)
     for change, changed in domains(entry):
         yield change, partial(try_domain, entry, changed, change, statement, orders)
 
@@ -112,32 +108,16 @@ def try_domain(
         return Score(meaningless=1)
     if not inside or not (outside or changed.condition is None):
         return Score(killed=1)
-    return _alive(entry, change, statement, (_domain(entry), _domain(changed)), orders)
+    return Score(survivors=[Survivor(entry.number, change, text(statement))])
 
 
-def try_mutant(
-    entry: Equation, change: str, statement: Term, mutant: Term, orders: Sequence[int] = ORDERS
-) -> Score:
+def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
     """Execute one mutant of a statement of an entry."""
     try:
         alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
     except UNCOMBINABLE:  # a vector where a number belongs
         return Score(meaningless=1)
-    return _alive(entry, change, mutant, (statement, mutant), orders) if alive else Score(killed=1)
-
-
-def _alive(entry: Equation, change: str, shown: Term, changed: Pair, orders: Sequence[int]) -> Score:
-    """What no execution kills says the same as before, or survives."""
-    survivor = Survivor(entry.number, change, text(shown))
-    if equivalent(entry, changed, orders):
-        return Score(meaningless=1, equivalent=[survivor])
-    return Score(survivors=[survivor])
-
-
-def _domain(entry: Equation) -> Term:
-    """Condition and claimed domain as one."""
-    nothing = both()
-    return both(*(nothing if part is None else part for part in (entry.condition, entry.claimed)))
+    return Score(survivors=[Survivor(entry.number, change, text(mutant))]) if alive else Score(killed=1)
 
 
 def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:

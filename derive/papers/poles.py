@@ -13,7 +13,6 @@ from derive.algebra import Vector
 from .language.evaluation import Env
 from .language.terms import Apply, Letter, Term, letters, text, walk
 from .numbers.fields import innermost
-from .readings.items import MEANINGLESS
 
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
 """The multiples of a letter between which a change of sign is looked for."""
@@ -48,7 +47,7 @@ def _root(below: Term, letter: Letter, env: Env) -> Any | None:
         for low, high in pairwise(SCALES):
             if real_part(low) * real_part(high) < 0:
                 return mpmath.findroot(real_part, (low, high), solver="anderson")
-    except MEANINGLESS:
+    except (ArithmeticError, TypeError, ValueError):
         pass
     return None
 

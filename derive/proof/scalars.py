@@ -22,8 +22,8 @@ import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ..algebra.arithmetic import PLAIN
+from ..maps.any_phi.elementary import evaluate
 from ..maps.chart import Chart
-from ..maps.elementary import evaluate
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .element import Element

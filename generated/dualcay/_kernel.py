@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._recorder import Program
-from ._selection import selection
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -103,7 +102,6 @@ class _Loop:
             self.arguments.append((array, part, gathered))
             self.count += gathered * math.prod(part)
         self.fixed = [*table, *program.constants]
-        self.masks = selection(self.dtype).masks
 
     def bytes(self, cells: int) -> int:
         """Return the memory of a block, every row on a cache line of its own."""
@@ -130,7 +128,7 @@ class _Loop:
         else:
             rows += [target[i] for i in components(self.shape)]
         scratch, masks = _cut(spare, self.program.scratch)
-        rows += [*scratch, *self.masks(masks)]
+        rows += [*scratch, *self.program.mask_rows(masks)]
         self.program.run(rows)
         if self.scattered:
             np.copyto(target, staged.reshape(target.shape), casting="same_kind")

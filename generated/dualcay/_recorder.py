@@ -4,7 +4,8 @@
 """Recorded programs: the text of a kernel, run once on recording numbers, becomes a list of NumPy calls in place.
 
 Every entry of a tape is one operation. Equal operations are entered once, so programs that call one another share what
-they have in common. Entries are then put in an order that frees rows early, and each gets a row to write into.
+they have in common. Entries are put in an order that frees rows early, and each gets a row to write into. Truth values
+are masks: all bits or none for float32 and float64, which select without a temporary, and booleans for other types.
 """
 
 from __future__ import annotations
@@ -19,10 +20,10 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ._selection import Flags, Selection, selection
-
 Array: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
+Operation: TypeAlias = tuple[Function, tuple[int, ...]]
+Run: TypeAlias = tuple[tuple[Function, ...], tuple["itemgetter[Any]", ...]]
 
 BITWISE = (np.bitwise_and, np.bitwise_or, np.bitwise_xor)
 """Operations on masks, and on the bits of numbers."""
@@ -30,11 +31,30 @@ BITWISE = (np.bitwise_and, np.bitwise_or, np.bitwise_xor)
 COMMUTATIVE = (np.add, np.multiply, *BITWISE)
 """Operations whose operands are sorted, so that a + b and b + a are one entry."""
 
-
-Rows: TypeAlias = "itemgetter[Any]"
-
 LONG_RUN = 6
 """Calls with equally many operands that run in one loop without bytecode; fewer cost less one by one."""
+
+
+def bits(dtype: np.dtype[Any]) -> np.dtype[Any] | None:
+    """Return the integer type of masks for numbers of a type, None where masks are booleans."""
+    return np.dtype(f"i{dtype.itemsize}") if dtype in (np.float64, np.float32) else None
+
+
+def less(a: Array, b: Array, out: Array) -> None:
+    """Write all bits where a < b, else none."""
+    np.copyto(out, np.less(a, b))
+    np.negative(out, out)
+
+
+def equal(a: Array, b: Array, out: Array) -> None:
+    """Write all bits where a equals b, else none."""
+    np.copyto(out, np.equal(a, b))
+    np.negative(out, out)
+
+
+def where(mask: Array, a: Array, b: Array, out: Array) -> None:
+    """Write a where a boolean mask is true, else b."""
+    np.copyto(out, np.where(mask, a, b))
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,25 +63,31 @@ class Program:
 
     Rows are numbered: components of arguments, constants, outputs, ``scratch`` rows, rows of ``masks``, then the bits of
     the rows in ``views``. A run of calls with equally many operands is kept as its functions and one column of rows for
-    each operand and for ``out``.
+    each operand and for ``out``; a single call keeps all its rows in one column.
     """
 
-    runs: tuple[tuple[tuple[Function, ...], tuple[Rows, ...]], ...]
+    dtype: np.dtype[Any]
+    runs: tuple[Run, ...]
     constants: tuple[Array, ...]
     scratch: int
     masks: int
     views: tuple[int, ...]
-    dtype: np.dtype[Any]
 
     def run(self, rows: list[Array]) -> None:
         """Run every call on rows, up to those of masks; outputs must share no memory with arguments."""
-        integer = f"i{self.dtype.itemsize}"
-        rows += [rows[row].view(integer) for row in self.views]
+        integer = bits(self.dtype)
+        if integer is not None:
+            rows += [rows[row].view(integer) for row in self.views]
         for functions, columns in self.runs:
             if len(functions) == 1:
                 functions[0](*columns[0](rows))
             else:
                 deque(map(call, functions, *[column(rows) for column in columns]), maxlen=0)
+
+    def mask_rows(self, rows: Array) -> Array:
+        """Return memory for masks, of the shape of rows of scratch: those rows themselves where masks are bits."""
+        integer = bits(self.dtype)
+        return np.empty(rows.shape, bool) if integer is None else rows.view(integer)
 
 
 class Number:
@@ -98,32 +124,36 @@ class Number:
         return self.tape.enter(np.negative, self)
 
     def __lt__(self, other: Any) -> Number:
-        return self.tape.enter(self.tape.selection.less, self, other, mask=True)
+        return self.tape.compare(less, np.less, self, other)
 
     def __gt__(self, other: Any) -> Number:
-        return self.tape.enter(self.tape.selection.less, other, self, mask=True)
+        return self.tape.compare(less, np.less, other, self)
 
     def __eq__(self, other: object) -> Number:  # type: ignore[override]
-        return self.tape.enter(self.tape.selection.equal, self, other, mask=True)
+        return self.tape.compare(equal, np.equal, self, other)
 
-    def __and__(self, other: Any) -> Number:
-        return self.tape.enter(self.tape.selection.both, self, other, mask=True)
+    def __and__(self, other: Any) -> Any:
+        if isinstance(other, bool):  # a comparison of two constants
+            return self if other else other
+        return self.tape.enter(np.bitwise_and, self, other, mask=True)
 
-    def __or__(self, other: Any) -> Number:
-        return self.tape.enter(self.tape.selection.either, self, other, mask=True)
+    def __or__(self, other: Any) -> Any:
+        if isinstance(other, bool):
+            return other or self
+        return self.tape.enter(np.bitwise_or, self, other, mask=True)
 
-    __radd__, __rmul__, __hash__ = __add__, __mul__, object.__hash__
+    __radd__, __rmul__, __rand__, __ror__, __hash__ = __add__, __mul__, __and__, __or__, object.__hash__
 
 
 class Tape:
-    """What was recorded: operations on earlier entries, each known by its number, and constants."""
+    """Operations on earlier entries, each known by its number, and constants. Its functions are those of the text."""
 
-    def __init__(self, chosen: Selection) -> None:
-        self.selection = chosen
-        self.operations: list[tuple[Function, tuple[int, ...]] | None] = []
-        self.masks: set[int] = set()
+    def __init__(self, dtype: np.dtype[Any]) -> None:
+        self.bits = bits(dtype) is not None
+        self.operations: list[Operation | None] = []
         self.constants: dict[str, tuple[int, Any]] = {}
-        self._known: dict[tuple[Function, tuple[int, ...]], Number] = {}
+        self.masks: set[int] = set()
+        self._known: dict[Operation, Number] = {}
 
     def argument(self) -> Number:
         """Return a new entry for a component of an argument."""
@@ -139,12 +169,37 @@ class Tape:
                 self.masks.add(self._known[operation].index)
         return self._known[operation]
 
-    def select(self, mask: Any, a: Any, b: Any) -> Number:
+    def compare(self, on_bits: Function, on_booleans: Function, a: Any, b: Any) -> Number:
+        """Return the entry of a comparison."""
+        return self.enter(on_bits if self.bits else on_booleans, a, b, mask=True)
+
+    def where(self, mask: Any, a: Any, b: Any) -> Any:
         """Return the entry of a where the mask is true, else b: ``b ^ ((a ^ b) & mask)`` where masks are bits."""
-        if isinstance(self.selection, Flags):
-            return self.enter(self.selection.where, mask, a, b)
+        if isinstance(mask, bool):
+            return a if mask else b
+        truth = self.masks.issuperset((self.index(a), self.index(b)))
+        if not self.bits:
+            return self.enter(where, mask, a, b, mask=truth)
         differing = self.enter(np.bitwise_xor, a, b, mask=True)
-        return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b)
+        return self.enter(np.bitwise_xor, self.enter(np.bitwise_and, differing, mask, mask=True), b, mask=truth)
+
+    def abs(self, a: Any) -> Number:
+        return self.enter(np.absolute, a)
+
+    def sqrt(self, a: Any) -> Number:
+        return self.enter(np.sqrt, a)
+
+    def tan(self, a: Any) -> Number:
+        return self.enter(np.tan, a)
+
+    def atan2(self, a: Any, b: Any) -> Number:
+        return self.enter(np.arctan2, a, b)
+
+    def expm1(self, a: Any) -> Number:
+        return self.enter(np.expm1, a)
+
+    def log1p(self, a: Any) -> Number:
+        return self.enter(np.log1p, a)
 
     def index(self, operand: Any) -> int:
         """Return the entry of a number or of a constant."""
@@ -154,37 +209,9 @@ class Tape:
             self.constants[repr(operand)] = self._append(None).index, operand
         return self.constants[repr(operand)][0]
 
-    def _append(self, operation: tuple[Function, tuple[int, ...]] | None) -> Number:
+    def _append(self, operation: Operation | None) -> Number:
         self.operations.append(operation)
         return Number(self, len(self.operations) - 1)
-
-
-class Recording:
-    """The functions that the text of a kernel calls, on recording numbers."""
-
-    def __init__(self, tape: Tape) -> None:
-        self._tape = tape
-
-    def abs(self, a: Any) -> Number:
-        return self._tape.enter(np.absolute, a)
-
-    def sqrt(self, a: Any) -> Number:
-        return self._tape.enter(np.sqrt, a)
-
-    def tan(self, a: Any) -> Number:
-        return self._tape.enter(np.tan, a)
-
-    def atan2(self, a: Any, b: Any) -> Number:
-        return self._tape.enter(np.arctan2, a, b)
-
-    def expm1(self, a: Any) -> Number:
-        return self._tape.enter(np.expm1, a)
-
-    def log1p(self, a: Any) -> Number:
-        return self._tape.enter(np.log1p, a)
-
-    def where(self, mask: Any, a: Any, b: Any) -> Number:
-        return self._tape.select(mask, a, b)
 
 
 def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Program:
@@ -193,27 +220,25 @@ def record(text: Function, sizes: Sequence[int], dtype: np.dtype[Any]) -> Progra
     Parameters
     ----------
     text : callable
-        Called with the functions of :class:`Recording` and a list of numbers for each argument; returns the outputs.
+        Called with a :class:`Tape`, which has the functions of the text, and a list of numbers for each argument;
+        returns the outputs.
     sizes : sequence of int
         Number of components of each argument.
     dtype : dtype
-        Type of constants; it also decides how values are selected.
+        Type of constants and results; it also decides how values are selected.
     """
-    tape = Tape(selection(dtype))
+    tape = Tape(dtype)
     arguments = [[tape.argument() for _ in range(size)] for size in sizes]
-    outputs = [tape.index(output) for output in text(Recording(tape), *arguments)]
-    order = _ordered(tape.operations, outputs)
+    outputs = [tape.index(output) for output in text(tape, *arguments)]
     constants = tape.constants.values()
     fixed = [number.index for argument in arguments for number in argument] + [index for index, _ in constants]
-    placement = _Placement(tape, order, fixed, outputs)
-    runs = tuple(placement.runs())
+    rows = _Rows(tape, _ordered(tape.operations, outputs), fixed, outputs)
+    runs = tuple(rows.runs())
     numbers = tuple(np.array(value, dtype) for _, value in constants)
-    return Program(
-        runs, numbers, placement.scratch.size, placement.masks.size, tuple(placement.views), dtype
-    )
+    return Program(dtype, runs, numbers, rows.scratch.size, rows.masks.size, tuple(rows.views))
 
 
-def _ordered(operations: Sequence[tuple[Function, tuple[int, ...]] | None], outputs: Iterable[int]) -> list[int]:
+def _ordered(operations: Sequence[Operation | None], outputs: Iterable[int]) -> list[int]:
     """Return the operations that outputs need, depth first, the operand that needs most rows first (Sethi, Ullman)."""
     needs = [0] * len(operations)
     for index, operation in enumerate(operations):
@@ -235,7 +260,7 @@ def _ordered(operations: Sequence[tuple[Function, tuple[int, ...]] | None], outp
 
 
 class _Bank:
-    """Rows of one kind that are used again; the one freed last is taken first."""
+    """Rows of one kind that are used again; the row freed last is taken first."""
 
     def __init__(self) -> None:
         self.size = 0
@@ -248,30 +273,27 @@ class _Bank:
         return self.size - 1
 
 
-class _Placement:
+class _Rows:
     """A row for every entry. Rows of outputs serve as scratch until their own value is due."""
 
     def __init__(self, tape: Tape, order: Sequence[int], fixed: Sequence[int], outputs: Sequence[int]) -> None:
         self.tape, self.order, self.fixed, self.outputs = tape, order, fixed, outputs
         self.scratch, self.masks = _Bank(), _Bank()
         self.views: dict[int, int] = {}
-        self.last = {i: step for step, index in enumerate(order) for i in self._operands(index)}
-        self.own: dict[int, int] = {}  # the output row of each value that is computed
         made = {index: step for step, index in enumerate(order)}
-        for row, index in enumerate(outputs):
-            if index in made:
-                self.own.setdefault(index, row)
-        owned = {row: index for index, row in self.own.items()}
-        self.due = [made[owned[row]] if row in owned else len(order) for row in range(len(outputs))]
-        self.lent = [-1] * len(outputs)  # the last step that reads what stands in an output row meanwhile
+        self.last = {i: step for step, index in enumerate(order) for i in self._operation(index)[1]}
+        self.own = {index: row for row, index in reversed(list(enumerate(outputs))) if index in made}
+        owner = {row: index for index, row in self.own.items()}
+        self.due = [made[owner[row]] if row in owner else len(order) for row in range(len(outputs))]
+        self.lent = [-1] * len(outputs)  # the last step that reads what an output row holds meanwhile
 
-    def runs(self) -> Iterator[tuple[tuple[Function, ...], tuple[Rows, ...]]]:
-        """Yield long runs of calls by columns, and other calls one by one with all their rows in one column."""
+    def runs(self) -> Iterator[Run]:
+        """Yield long runs of calls by columns, and other calls one by one."""
         placed = self._placed()
         start = {"fixed": 0, "output": len(self.fixed)}
         start["scratch"] = start["output"] + len(self.outputs)
         start["mask"] = start["scratch"] + self.scratch.size
-        calls = [(f, [self._row(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in placed]
+        calls = [(f, [self._number(f, kind, start[kind] + row, start) for kind, row in places]) for f, places in placed]
         for _, group in groupby(calls, key=lambda made: len(made[1])):
             run = list(group)
             if len(run) < LONG_RUN:
@@ -280,7 +302,7 @@ class _Placement:
                 functions, rows = zip(*run, strict=True)
                 yield functions, tuple(itemgetter(*column) for column in zip(*rows, strict=True))
 
-    def _row(self, function: Function, kind: str, row: int, start: dict[str, int]) -> int:
+    def _number(self, function: Function, kind: str, row: int, start: dict[str, int]) -> int:
         """Return the number of a row; bitwise operations use the bits of rows of numbers."""
         if function not in BITWISE or kind == "mask":
             return row
@@ -291,7 +313,7 @@ class _Placement:
         places: dict[int, tuple[str, int]] = {index: ("fixed", row) for row, index in enumerate(self.fixed)}
         found: list[tuple[Function, list[tuple[str, int]]]] = []
         for step, index in enumerate(self.order):
-            function, operands = self.tape.operations[index] or (np.positive, ())
+            function, operands = self._operation(index)
             self._release(step, operands, places)
             places[index] = self._place(step, index)
             found.append((function, [*(places[i] for i in operands), places[index]]))
@@ -300,22 +322,24 @@ class _Placement:
                 found.append((np.positive, [places[index], ("output", row)]))
         return found
 
-    def _operands(self, index: int) -> tuple[int, ...]:
+    def _operation(self, index: int) -> Operation:
         operation = self.tape.operations[index]
-        return operation[1] if operation else ()
+        assert operation is not None, "arguments and constants are in no order"
+        return operation
 
     def _place(self, step: int, index: int) -> tuple[str, int]:
+        """Return a row for the result of a step: its own, one that was freed, or one of an output due later."""
         if index in self.tape.masks:
             return "mask", self.masks.take()
         if index in self.own:
             return "output", self.own[index]
-        last = max(self.last[index], len(self.order) if index in self.outputs else 0)
-        fit = [row for row, due in enumerate(self.due) if self.lent[row] < step and last < due]
-        if fit and not self.scratch.free:
-            row = min(fit, key=lambda row: self.due[row])
-            self.lent[row] = last
-            return "output", row
-        return "scratch", self.scratch.take()
+        last = self.last[index]
+        lendable = [row for row, due in enumerate(self.due) if self.lent[row] < step and last < due]
+        if self.scratch.free or not lendable:
+            return "scratch", self.scratch.take()
+        row = min(lendable, key=lambda row: self.due[row])
+        self.lent[row] = last
+        return "output", row
 
     def _release(self, step: int, operands: Iterable[int], places: dict[int, tuple[str, int]]) -> None:
         """Free the rows of operands that no later step reads."""

@@ -26,7 +26,7 @@ def test_result_does_not_depend_on_the_number_of_processes():
     beside = build(CHARTS, Counting(), lines.append, processes=2)
     assert beside.texts == alone.texts
     assert [m.counts for m in beside.modules] == [m.counts for m in alone.modules]
-    assert len(lines) == len(set(lines)) == 3 * (len(CHARTS) + 1)
+    assert len(lines) == len(set(lines)) == 4 * (len(CHARTS) + 1)
 
 
 @pytest.mark.parametrize("processes", [1, 2])

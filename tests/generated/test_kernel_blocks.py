@@ -1,8 +1,7 @@
-"""The in-place form: blocks that cover every batch, the same results whatever the cut, memory that is not shared."""
+"""Batches: blocks cover them once, results do not depend on the cut, calls share no scratch memory."""
 
 from __future__ import annotations
 
-import math
 from types import ModuleType
 
 import numpy as np
@@ -17,7 +16,7 @@ order = orders(ALIKE)
 
 @pytest.mark.parametrize("batch", [(), (1,), (7,), (0,), (3, 0), (5, 7), (4, 3, 2), (2, 100), (100, 2), (3, 17, 5)])
 @pytest.mark.parametrize("size", [1, 4, 10, 64, 1000])
-def test_blocks_cover_a_batch_once_and_none_is_too_large(batch: tuple[int, ...], size: int) -> None:
+def test_blocks_cover_a_batch_once(batch: tuple[int, ...], size: int) -> None:
     seen = np.zeros(batch, int)
     for index in _kernel.blocks(batch, size):
         assert seen[(*index, ...)].size <= size
@@ -31,7 +30,7 @@ def test_blocks_cover_a_batch_once_and_none_is_too_large(batch: tuple[int, ...],
 def test_results_do_not_depend_on_the_cut(
     kernel: ModuleType, order: int, name: str, dtype: type, axis: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(_runtime, "FEW", -1)
+    monkeypatch.setattr(_runtime, "POINTWISE_MAX", -1)
     arguments = inputs(kernel, name, order, (10, 4), dtype)
     if axis == 0:
         arguments = [np.ascontiguousarray(np.moveaxis(a, (0, 1), (-2, -1))) for a in arguments]
@@ -41,30 +40,17 @@ def test_results_do_not_depend_on_the_cut(
         assert_nearly_equal(getattr(kernel, name)(*arguments, axis=axis), whole)
 
 
-def test_a_call_within_a_call_has_scratch_of_its_own() -> None:
+def test_nested_call_has_its_own_scratch() -> None:
     scratch = _kernel.Scratch()
     outer, inner = scratch.take(1000), scratch.take(1000)
     assert not np.may_share_memory(outer, inner)
-    assert outer.ctypes.data % _kernel.LINE == inner.ctypes.data % _kernel.LINE == 0
+    assert outer.ctypes.data % _kernel.CACHE_LINE == inner.ctypes.data % _kernel.CACHE_LINE == 0
     scratch.give_back(inner)
     assert np.may_share_memory(scratch.take(500), inner)
 
 
-@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble, object])
-def test_selection_takes_every_bit_of_the_chosen_side(dtype: type) -> None:
-    select = _kernel.selection(np.dtype(dtype))
-    a = np.array([1.5, math.inf, -0.0, math.nan, 2.0], dtype)
-    b = np.array([-1.0, 3.0, 0.0, 4.0, math.nan], dtype)
-    mask = select.masks(np.zeros(5, dtype))
-    select.less(np.array([0, 0, 0, 1, 1], dtype), np.array(1, dtype), mask)
-    found = select.where(mask, a, b, np.empty(5, dtype))
-    expected = [1.5, math.inf, -0.0, 4.0, math.nan]
-    np.testing.assert_array_equal(found.astype(float), expected)
-    assert math.copysign(1.0, float(found[2])) == -1.0
-
-
 @pytest.mark.parametrize("name", SIGNATURES)
-def test_few_poses_run_one_by_one_agree_with_blocks(
+def test_poses_one_by_one_agree_with_recorded_program(
     kernel: ModuleType, order: int, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     arguments = inputs(kernel, name, order, (3, 2))
@@ -72,5 +58,5 @@ def test_few_poses_run_one_by_one_agree_with_blocks(
     first = getattr(kernel, name)(*(np.moveaxis(a, (0, 1), (-2, -1)) for a in arguments), axis=0)
     np.testing.assert_array_equal(np.moveaxis(first, (-2, -1), (0, 1)), found)
     assert first.flags.c_contiguous
-    monkeypatch.setattr(_runtime, "FEW", -1)
+    monkeypatch.setattr(_runtime, "POINTWISE_MAX", -1)
     assert_nearly_equal(getattr(kernel, name)(*arguments), found, 64)

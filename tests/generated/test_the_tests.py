@@ -113,7 +113,7 @@ def only_form(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     name: str = request.param
     root = staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan)
     monkeypatch.setattr(_runtime.Floats, "sqrt", root)
-    monkeypatch.setattr(_runtime, "FEW", -1 if name.endswith("_blocks") else sys.maxsize)
+    monkeypatch.setattr(_runtime, "POINTWISE_MAX", -1 if name.endswith("_blocks") else sys.maxsize)
     return name
 
 

@@ -12,7 +12,7 @@ import sympy
 
 from derive.algebra import Coefficient, Quaternion
 from derive.algebra.arithmetic import Arithmetic
-from derive.maps import IsotropicMap, QuaternionMap, turns, x
+from derive.maps import IsotropicMap, QuaternionMap, branches, x
 from derive.maps.families import alpha
 
 HALF = sympy.Rational(1, 2)
@@ -237,10 +237,10 @@ class Sine:
         return m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
-        return turns.beyond(x, table, m)
+        return branches.beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        return turns.turn(3, branch)
+        return branches.turn(3, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return ((mpmath.mpf(1) / 4, *self.turn(-1)),)

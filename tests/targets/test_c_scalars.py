@@ -21,13 +21,13 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.codegen.cases.exact import ALGEBRAIC, Formulas, evaluated
 from derive.codegen.lowered import lower, lower_chart
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix
+from derive.codegen.validation.formulas import ALGEBRAIC, Formulas, evaluated
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove

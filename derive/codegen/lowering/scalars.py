@@ -10,10 +10,10 @@ from typing import Any
 import sympy
 
 from ...algebra import Quaternion, Vector
+from ...maps.any_phi.grammar import PhiError
+from ...maps.any_phi.lowering import number
+from ...maps.any_phi.real_constants import plus
 from ...maps.chart import Chart
-from ...maps.expressions import PhiError
-from ...maps.lowered_phi import number
-from ...maps.split import plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number

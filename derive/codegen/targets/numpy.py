@@ -41,7 +41,6 @@ class Numpy(python.PythonTarget):
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
-            "_selection.py": {},
             "_tools.py": {},
         }
 

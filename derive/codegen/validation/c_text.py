@@ -52,7 +52,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
-    """Compare both forms of functions with their expected values, perhaps in all layouts; return the number of calls."""
+    """Compare both forms of functions with their expected values, perhaps in all layouts; return the call count."""
     count, seen = 0, set()
     with mpmath.workdps(decimals.DIGITS):
         for batch in given:

@@ -54,7 +54,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def _validate(module: ModuleType, chart: Chart, table: Table, whole: bool) -> int:
-    _require_offers(module, chart, table)
+    require_module(module, chart, table)
     return sum(_check(module, batch) for batch in chosen(chart, table, whole))
 
 
@@ -72,9 +72,9 @@ def own_functions(chart: Chart, table: Table) -> Collection[str]:
     lowered, programs, found = lower_chart(chart, table), geometry(table), dict[str, None]()
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
-        own = row.kernel not in lowered.operations
-        new = set[tuple[str, int]]() if own else _results_read(programs[row.kernel], programs, lowered) - read
-        if own or new:
+        absent = row.kernel not in lowered.operations
+        new = set[tuple[str, int]]() if absent else _results_read(programs[row.kernel], programs, lowered) - read
+        if absent or new:
             found[name] = None
             read |= new
     return found
@@ -135,7 +135,7 @@ def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
     return array.reshape(len(rows), *shape)
 
 
-def _require_offers(module: ModuleType, chart: Chart, table: Table) -> None:
+def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
     """Compare names and constants of a module with its table and chart."""
     own = (*table.public, "singular_angles", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
     names = {name: name for name in own} | table.aliases(chart)

@@ -15,9 +15,9 @@ import sympy
 
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
+from ...maps.any_phi.edges import angle_of
+from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
-from ...maps.edges import angle_of
-from ...maps.elementary import evaluate
 from ...maps.families import alpha, by_square
 from ...maps.inverse import polar
 from ...maps.pose import Screw, natural_invariants, quaternion_from_screw

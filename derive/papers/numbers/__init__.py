@@ -5,6 +5,5 @@ fields       60 digits, and exact rational functions
 every_order  the exact field for symbolic n
 kinds        what a letter may stand for, special values included
 generic      letters at generic values of an exact field
-residues     the same as residues of a large prime
 ===========  ==================================================================================
 """

@@ -7,10 +7,10 @@ import subprocess
 
 import pytest
 from click.testing import CliRunner
+from derive.codegen.cases import cases
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check, generate
-from derive.codegen.cases import cases
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalars import SCALARS
 from derive.codegen.package import notices
@@ -19,6 +19,7 @@ from derive.codegen.rows import inside
 from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
+from derive.codegen.validation.float_cases import cases
 from derive.maps import Cayley
 from derive.output import files
 from tests.support import packages

@@ -8,10 +8,10 @@ from functools import cache
 
 import mpmath
 import pytest
+from derive.codegen.cases.decimals import DIGITS
 
 from derive.codegen import ValidationFailed, cases
 from derive.codegen.build import build
-from derive.codegen.cases.decimals import DIGITS
 from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS

@@ -19,9 +19,9 @@ from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
-from derive.maps.elementary import evaluate
+from derive.maps.any_phi.elementary import evaluate
+from derive.maps.any_phi.lowering import Lowering
 from derive.maps.families import alpha
-from derive.maps.lowered_phi import Lowering
 from derive.output import files
 from derive.proof import prove
 from tests.support import families

@@ -17,12 +17,13 @@ import derive
 from derive import about
 from derive.codegen import ValidationFailed, check, publish, signatures
 from derive.codegen import build as road
-from derive.codegen.cases import batches, digits, exact
 from derive.codegen.package import notices
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, PUBLIC
 from derive.codegen.targets import TARGETS, python
-from derive.codegen.validation import validate
+from derive.codegen.validation import formulas as exact
+from derive.codegen.validation import samples, validate
+from derive.codegen.validation.samples import batches
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import ProofFailed
@@ -64,25 +65,16 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
     ("file", "function", "pattern", "replacement"),
     [
         ("cayley3.py", "_quaternion", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
-        ("cayley3.py", "_pose_blocks", r"o1\)", "k1)"),
-        ("cayley3.py", "_tangent_blocks", r"return o1, o2", "return o2, o1"),
         ("cayley4.py", "_ray", r"return p, q, root", "return p, q, 1"),
         ("cayley3.py", "_gain_unit", r"/ 3\b", "/ 4"),
         ("cayley4.py", "_gain_positive", r"\(1 \+ ", "(1 - "),
-        ("cayley3.py", "_gain_product_blocks", r"m\.equal", "m.less"),
         ("cayley3.py", "_turned", r"iden \* iden", "iden"),
-        ("cayley3.py", "_turned_blocks", r"add\(mul\(r, cos", "sub(mul(r, cos"),
-        ("cayley3.py", "_beyond_blocks", r"sub\(x, limit1", "sub(limit1, x"),
-        ("cayley3.py", "_direction_blocks", r"m\.both", "m.either"),
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
         (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
         (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
-        (GEOMETRY, "pose_blocks", r"v22 = mul\(v2, v2, k\d+\)", "v22 = mul(v2, v2, k1)"),
-        (GEOMETRY, "rate_blocks", r"sub\(", "add("),
-        (GEOMETRY, "from_pose_blocks", r"m\.where\(larger3, s23", "m.where(larger3, s13"),
     ],
 )
 def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
@@ -93,29 +85,24 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
     texts[file] = flipped(texts[file], function, pattern, replacement)
     files.write(tmp_path, texts)
     with pytest.raises(ValidationFailed, match=rf"cayley{order}\.\w+.*component"):
-        validate(tmp_path, Cayley(order))
+        validate(tmp_path, Cayley(order), geometry=True)
 
 
-def test_untouched_kernels_pass_and_every_call_is_compared_in_both_layouts(
-    package, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
-    # wrong calls count by themselves
-    monkeypatch.setattr("derive.codegen.validation.run.refuse", lambda module, table: 0)
+def test_untouched_kernels_pass_and_every_case_is_compared_in_a_batch_and_alone(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
     for chart, tables in ((Cayley(3), NUMPY.tables), (Cayley(4), (POSES,))):
-        # each batch in both layouts, and each pose alone
-        compared = sum(2 + len(batch.cases) for table in tables for batch in batches(chart, table))
-        assert validate(tmp_path, chart, tables=tables) == compared
+        compared = sum(1 + len(batch.cases) for table in tables for batch in batches(chart, table))
+        assert validate(tmp_path, chart, geometry=True, tables=tables) == compared
 
 
 @pytest.mark.parametrize("name", ["pose", "from_pose", "rate_jacobian", "interpolate"])
 def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
-    for source in (exact, digits):
+    for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
 
-        def without(*given, original=source.expectations):
+        def without(*given, original=getattr(source, attribute)):
             return (found for found in original(*given) if _function_of(found) != name)
 
-        monkeypatch.setattr(source, "expectations", without)
+        monkeypatch.setattr(source, attribute, without)
     with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
         batches.__wrapped__(Cayley(3), POSES)
 
@@ -180,8 +167,7 @@ def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.
     original = road.module_texts
 
     def wrong(*arguments):
-        texts = original(*arguments)
-        name = f"{arguments[0].chart.name}.py"
+        texts, name = original(*arguments), f"{arguments[0].chart.name}.py"
         return texts | ({name: flipped(texts[name], "_pose", r"N / N / N", "1 / N / N")} if "2" in name else {})
 
     monkeypatch.setattr(road, "module_texts", wrong)

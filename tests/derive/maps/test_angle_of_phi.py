@@ -9,11 +9,12 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import PhiError, first_guess, parameterization
-from derive.maps.edges import DIGITS, angle_of, edge_of
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import first_guess
+from derive.maps.any_phi.edges import DIGITS, angle_of, edge_of
+from derive.maps.any_phi.first_guess import Fitted, Guarded, Guess
+from derive.maps.any_phi.general import General
 from derive.maps.families import Family, alpha
-from derive.maps.first_guess import Fitted, Guarded, Guess
-from derive.maps.general import General
 
 FITTED = {
     "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",

@@ -10,7 +10,7 @@ import sympy
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, functions
 from derive.maps import closed_forms, first_principles
-from derive.maps.elementary import evaluate
+from derive.maps.any_phi.elementary import evaluate
 from derive.maps.families import (
     Family,
     alpha,

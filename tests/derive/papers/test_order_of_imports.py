@@ -9,10 +9,10 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("readings", "poles", "sharp", "counterexample", "explore", "decide")
+DECIDING = ("poles", "sharp", "counterexample", "explore", "decide")
 ENTRIES = ("equation", "result", "paper")
 ROOMS = (
-    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "equivalence", "mutation", "report", "", "witnesses",
+    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "",
 )  # fmt: skip
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 

@@ -51,11 +51,9 @@ def test_what_is_found_true_is_changed() -> None:
 
 
 def test_a_mutant_is_killed_or_survives_or_combines_what_cannot_be() -> None:
-    same, false, nonsense = equal((b + a) ** 2, a**2 + 2 * (a * b) + b**2), equal(a + b, a), equal(a + b, cross(a, b))
-    assert try_mutant(entry(), "x", SQUARE, false) == Score(killed=1)
-    assert try_mutant(entry(), "x", SQUARE, nonsense) == Score(meaningless=1)
-    assert try_mutant(entry(), "x", SQUARE, same) == Score(meaningless=1, equivalent=[Survivor("1", "x", text(same))])
-    assert try_mutant(entry(), "x", SQUARE, equal(a, a)) == Score(survivors=[Survivor("1", "x", "a=a")])
+    assert try_mutant(entry(), "x", equal(a + b, a)) == Score(killed=1)
+    assert try_mutant(entry(), "x", equal(a + b, cross(a, b))) == Score(meaningless=1)
+    assert try_mutant(entry(), "x", equal(a, a)) == Score(survivors=[Survivor("1", "x", "a=a")])
 
 
 def test_a_survivor_of_a_domain_shows_the_statement() -> None:
@@ -74,8 +72,8 @@ def test_only_every_so_many_mutants_are_tried() -> None:
 
 def test_scores_add_up() -> None:
     one, two = Survivor("1", "x", "a"), Survivor("2", "y", "b")
-    total = Score(3, 2, [one], [two]) + Score(4, 1, [two], [one])
-    assert total == Score(7, 3, [one, two], [two, one])
+    total = Score(3, 2, [one]) + Score(4, 1, [two])
+    assert total == Score(7, 3, [one, two])
     assert total.share == 7 / 9
     assert Score().share == Score(killed=2).share == 1
     assert Score(survivors=[one]).share == 0

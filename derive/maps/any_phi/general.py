@@ -1,0 +1,288 @@
+r"""Any parameterization v = φ(α) u: its scalars near v = 0 by ``a(x) = α/|v|``, beyond by φ at its angle.
+
+.. math::
+    w = \tfrac12 a\,c_1(\tfrac\xi4) \qquad \rho = a + 2 x a' \qquad h = a^3 c_3(\xi) + 2 a' \qquad
+    \xi = \alpha^2 = x a^2
+
+Beyond, ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and ``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``, by theorems on
+every φ, with ``ρ = 1/φ′``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import mpmath
+import sympy
+
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from .. import stumpff
+from ..dependent import DependentScalars
+from ..families import alpha
+from ..order_charts import double_angle
+from .angle_chart import AngleChart
+from .edges import DIGITS, Edge, edge_of
+from .first_guess import Guess, guess
+from .lowering import Lowering, require_known
+from .near_zero import Ratio, ratio
+from .real_constants import plus
+
+
+class GeneralScalars(DependentScalars):
+    """The scalars at x = φ²."""
+
+    def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
+        super().__init__(x, m)
+        m.name_rest("e")
+        self.chart = chart
+        limit = chart.near.limit
+        self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
+
+    def _select(self, name: str, near: Coefficient, far: Coefficient) -> Coefficient:
+        return self.m.name(name, self.m.where(self.is_near, near, far))
+
+    # --- near ---------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _x(self) -> Coefficient:
+        """x of what is near; else 0 of its type."""
+        return self.m.name("xn", self.m.where(self.is_near, self.x, self.x - self.x))
+
+    def _a(self, count: int) -> Coefficient:
+        """A derivative of a(x)."""
+        if count not in self._found:
+            of = self.chart.near.polynomials[count]
+            self._found[count] = of.at(self._x, self.m, f"a{count}")
+        return self._found[count]
+
+    @cached_property
+    def _found(self) -> dict[int, Coefficient]:
+        return {}
+
+    @cached_property
+    def _aa(self) -> Coefficient:
+        return self.m.name("aa", self._a(0) * self._a(0))
+
+    @cached_property
+    def _half(self) -> stumpff.HalfAngle:
+        zeta = self.m.name("zeta", self.m.div(self._x * self._aa, 4))
+        return stumpff.HalfAngle(zeta, self.m)
+
+    @cached_property
+    def _whole(self) -> stumpff.WholeAngle:
+        return stumpff.WholeAngle(self._half, self.m)
+
+    @cached_property
+    def _c3(self) -> Coefficient:
+        return self.m.name("c3", self._whole.c3)
+
+    @cached_property
+    def _bend(self) -> Coefficient:
+        """``2 c₃′``."""
+        return self.m.name("c3x", 3 * self._whole.c5 - self._whole.c4)
+
+    @cached_property
+    def _rate_near(self) -> Coefficient:
+        return self.m.name("rhon", self._a(0) + 2 * (self._x * self._a(1)))
+
+    @cached_property
+    def _ratey_near(self) -> Coefficient:
+        return self.m.name("rhony", 6 * self._a(1) + 4 * (self._x * self._a(2)))
+
+    @cached_property
+    def _growth(self) -> Coefficient:
+        """dξ/dx."""
+        return self.m.name("xix", self._a(0) * self._rate_near)
+
+    @cached_property
+    def _cube(self) -> Coefficient:
+        return self.m.name("aaa", self._aa * self._a(0))
+
+    @property
+    def _hy_near(self) -> Coefficient:
+        direct = 6 * (self._aa * self._a(1)) * self._c3 + 4 * self._a(2)
+        return direct + self._cube * self._growth * self._bend
+
+    @property
+    def _hyy_near(self) -> Coefficient:
+        a, a1, a2, a3 = map(self._a, range(4))
+        twist = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
+        of_growth = self.m.div(2 * (a1 * self._rate_near) + a * self._ratey_near, 2)
+        direct = (12 * (a * a1 * a1) + 6 * (self._aa * a2)) * self._c3 + 4 * a3
+        first = 6 * (self._aa * a1) * self._growth * self._bend
+        last = self._cube * (self.m.div(twist * self._growth * self._growth, 2) + of_growth * self._bend)
+        return 2 * (direct + first + last)
+
+    # --- beyond -------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _square(self) -> Coefficient:
+        """x of what is far; else some number beyond the limit."""
+        limit = self.chart.near.limit
+        beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
+        return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
+
+    @cached_property
+    def _length(self) -> Coefficient:
+        return self.m.name("length_x", self.m.sqrt(self._square))
+
+    @cached_property
+    def far_angle(self) -> Coefficient:
+        """α of what is far."""
+        return self.chart.far_angle(self._square, self._length, self.m)
+
+    def angle_of(self, r: Coefficient) -> Coefficient:
+        """α of the length r, of which x is the square."""
+        return self._select("alpha", self._a(0) * r, self.far_angle)
+
+    @cached_property
+    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+        """Cosine of α/2, and sine of it over |v|."""
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
+        return cosine, sine / self._length
+
+    @cached_property
+    def _slopes(self) -> Lowering:
+        return Lowering(self.far_angle, self.m, "slope_")
+
+    def _derivative(self, count: int) -> Coefficient:
+        return self._slopes.at(self.chart.phi.diff(alpha, count))
+
+    @cached_property
+    def _rate_far(self) -> Coefficient:
+        return self.m.name("rhof", self.m.div(1, self._derivative(1)))
+
+    @property
+    def _ratey_far(self) -> Coefficient:
+        cube = self.m.name("rho3", self._rate_far * self._rate_far * self._rate_far)
+        return -self._derivative(2) * cube / self._length
+
+    @property
+    def _rateyy_far(self) -> Coefficient:
+        first, second, third = map(self._derivative, (1, 2, 3))
+        change = 3 * (second * second) * self._rate_far - third + second * first / self._length
+        return change / (self._square * (first * first * (first * first)))
+
+    # --- both ---------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def s(self) -> Coefficient:
+        return self._select("s", self._half.c0, self._trigonometry[0])
+
+    @cached_property
+    def w(self) -> Coefficient:
+        return self._select("w", self.m.div(self._a(0) * self._half.c1, 2), self._trigonometry[1])
+
+    @cached_property
+    def rate(self) -> Coefficient:
+        return self._select("rho", self._rate_near, self._rate_far)
+
+    @cached_property
+    def ratey(self) -> Coefficient:
+        return self._select("rhoy", self._ratey_near, self._ratey_far)
+
+    @cached_property
+    def rateyy(self) -> Coefficient:
+        near = 20 * self._a(2) + 8 * (self._x * self._a(3))
+        return self._select("rhoyy", near, self._rateyy_far)
+
+    @cached_property
+    def h(self) -> Coefficient:
+        near = self._cube * self._c3 + 2 * self._a(1)
+        return self._select("h", near, (self.rate - self.f) / self._square)
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        far = (self.ratey - 3 * self.h + self.rate * self.g) / self._square
+        return self._select("hy", self._hy_near, far)
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        change = self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
+        return self._select("hyy", self._hyy_near, change / self._square)
+
+
+class GeneralAtAngle(GeneralScalars):
+    """The same where f_i and α are known."""
+
+    def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
+        super().__init__(chart, x, m)
+        self.fi = fi
+        # of what is near some angle where all is regular
+        beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
+        self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
+
+
+@dataclass(frozen=True)
+class General(AngleChart):
+    """v = φ(α) u up to the first φ′ = 0 or pole of φ, at most to 4π."""
+
+    name: str
+    expression: sympy.Expr
+    selection: tuple[str, str]
+    title: str = "Parameterization by an angle"
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return self.expression
+
+    @cached_property
+    def _edge(self) -> Edge:
+        return edge_of(self.expression)
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self._edge.angle
+
+    @cached_property
+    def near(self) -> Ratio:
+        """a(x) below a limit."""
+        require_known(self.expression)
+        return ratio(self.expression, self._edge)
+
+    @cached_property
+    def far(self) -> Guess:
+        """Where Newton's method begins beyond it."""
+        return guess(self.expression, self._edge, self.near.limit)
+
+    @property
+    def remainder(self) -> float:
+        return self.near.remainder + stumpff.REMAINDER
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        if self._edge.kind == "pole":
+            return "x overflows", float(largest**0.5)
+        with mpmath.workdps(DIGITS):
+            size = float(self.phi.subs(alpha, self.edge).evalf(DIGITS))
+        return f"v ends, at |Re v| = {size:.6g}", size
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
+        return GeneralScalars(self, x, m)
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        if self._edge.kind == "fold":
+            return GeneralAtAngle(self, x, fi, angle, m)
+        return super().at_angle(x, fi, angle, m)
+
+    def own_angle(self, at: GeneralScalars, r: Coefficient) -> Coefficient:
+        return at.angle_of(r)
+
+    def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """By Newton's method from the first guess."""
+        angle = m.name("guess", self.far.lowered(x, r, m))
+        slope = self.phi.diff(alpha)
+        for step in range(self.far.steps):
+            at = Lowering(m.corrected(angle), m, f"newton{step}_")
+            angle = m.name(f"alpha{step}", angle - m.div(at.at(self.phi) - r, at.at(slope)))
+        return angle
+
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+        """NaN beyond the edge, where the root is none."""
+        with mpmath.workdps(DIGITS):
+            square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
+        left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
+        one = m.name(f"inside{mark}", m.div(left, left))
+        at = Lowering(angle, m, f"phi{mark}_")
+        return at.at(self.phi) * one, at.at(self.phi.diff(alpha)) * one

@@ -1,0 +1,130 @@
+"""Numbers and polynomials with real coefficients in arithmetic that knows small integers only.
+
+A coefficient is split into levels of `BITS` bits, ``c = (n0 + (n1 + n2/B)/B)/2^k`` with ``B = 2^BITS``: integers that
+every type of number holds, in every language. Exact numbers see the same rational coefficients as floats.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+
+BITS, LEVELS = 22, 3
+SMALL = 2**24
+"""Integers up to this every type of number holds."""
+
+
+def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
+    """The value over 2^bits, by powers of two that are small integers."""
+    while bits > BITS:
+        value, bits = m.div(value, 2**BITS), bits - BITS
+    while bits < -BITS:
+        value, bits = value * 2**BITS, bits + BITS
+    return value * 2**-bits if bits < 0 else m.div(value, 2**bits) if bits else value
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """``Σ c_k t^k``, ``t = (x − centre)/2^scale``, each c_k split; ``shift``: the power of 2 below the first level."""
+
+    levels: tuple[tuple[int, ...], ...]
+    shift: int
+    scale: int
+    centre: Fraction = Fraction(0)
+
+    def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
+        """The value at x."""
+        centred = x - self.centre if self.centre else x
+        t = m.name(f"{name}_t", shifted(centred, self.scale, m))
+        unit = m.name(f"{name}_unit", t - t + 1) if self._is_long else 1
+        total: Coefficient = 0
+        for place, level in reversed(list(enumerate(self.levels))):
+            value: Coefficient = 0
+            for coefficient in reversed(level):
+                value = value * t + coefficient * unit
+            below = self.shift if place == 0 else BITS
+            total = shifted(value + total, below, m)
+        return m.name(name, total)
+
+    @property
+    def _is_long(self) -> bool:
+        """Whether it is a constant of many digits, powers of which would be integers that float32 does not hold."""
+        return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
+
+    @property
+    def rounding(self) -> Any:
+        """What splitting has changed at most, for |t| ≤ 1."""
+        return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)
+
+    def value(self, x: Any) -> Any:
+        """The value at a number of mpmath."""
+        centre = mpmath.mpf(self.centre.numerator) / self.centre.denominator
+        t, total = (mpmath.mpf(x) - centre) / mpmath.mpf(2) ** self.scale, mpmath.mpf(0)
+        for place, level in reversed(list(enumerate(self.levels))):
+            below = self.shift if place == 0 else BITS
+            total = (mpmath.polyval(list(reversed(level)), t) + total) / mpmath.mpf(2) ** below
+        return total
+
+
+@dataclass(frozen=True)
+class Exactly:
+    """The polynomial that is a fraction of small integers everywhere."""
+
+    constant: Fraction
+
+    def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
+        return self.constant if self.constant.denominator != 1 else int(self.constant)
+
+    def value(self, x: Any) -> Any:
+        """The value at a number of mpmath."""
+        return mpmath.mpf(self.constant.numerator) / self.constant.denominator
+
+
+def polynomial(
+    coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
+) -> Polynomial:
+    """Split the coefficients of powers of (x − centre)/2^scale."""
+    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # a caller may have less, which cut the last level
+        largest = max(map(abs, coefficients))
+        shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
+        rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
+        for _ in range(levels):
+            level = tuple(int(mpmath.nint(c)) for c in rest)
+            found.append(level)
+            rest = [(c - n) * 2**BITS for c, n in zip(rest, level, strict=True)]
+    return Polynomial(tuple(found), shift, scale, centre)
+
+
+def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
+    """A real number times a value."""
+    if is_small(number):
+        return m.div(number.numerator * value, number.denominator)
+    split = polynomial([number], levels=levels)
+    total: Coefficient = 0
+    for place, (digit,) in reversed(list(enumerate(split.levels))):
+        total = shifted(digit * value + total, split.shift if place == 0 else BITS, m)
+    return m.name(name, total)
+
+
+def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
+    """A value and a real number."""
+    if is_small(number):
+        return value + number
+    split = polynomial([number], levels=levels)
+    total, below = value, split.shift
+    for (digit,) in split.levels:
+        total = shifted(shifted(total, -below, m) + digit, below, m)
+        below += BITS
+    return m.name(name, total)
+
+
+def is_small(number: Any) -> bool:
+    """Whether it is a fraction of small integers."""
+    return isinstance(number, int | Fraction) and max(abs(number.numerator), number.denominator) <= SMALL

@@ -1,0 +1,117 @@
+r"""From branch to branch of a Cayley map: the axis of the principal angle, and the step of kπ/n in θ = α/2n.
+
+One formula serves values and programs. v_k = r_k u comes from v = r u by ``r_k = (r cos + sin)/(cos − r sin)`` with the
+cosine and sine of ``kπ/n``, CP23 (49).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import mpmath
+import sympy
+
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
+from . import polynomials
+from .cayley_scalars import CayleyScalars
+
+NOISE = 16
+"""A term that is lost beside another when divided by this is below 8 eps of it: 0 but for rounding.
+
+A vector of half a turn is off by up to 4 eps of its length, so its α by 4π eps at most and ``cot(α/2)`` by 2π eps.
+"""
+
+
+def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+    """Return sign(p q): u = sign(p q) v/|v|. Where p = 0 that of q, where q = 0 the translation along v decides."""
+    sign, _ = _direction(n, at, y, r, m)
+    return sign
+
+
+def _direction(
+    n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
+) -> tuple[Coefficient, Coefficient]:
+    """The direction, and ``r |q|``, both NaN where p or that has overflowed (for n = 1, x) and signs say nothing.
+
+    At half a turn, where q > 0, p is 0 but for rounding: then the side that v is on stands.
+    """
+    sine = m.name("rq", r * m.abs(at.q))
+    either = at.x if n == 1 else m.name("either", sine + at.p)
+    one = m.name("one", either - either + 1)
+    if n == 1:
+        return one, sine * one
+    negative = m.name("qneg", m.less(at.q, 0))
+    kept = m.name("kept", m.where(negative, 0, sine))
+    turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
+    backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
+    return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
+
+
+def natural(
+    n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
+) -> tuple[Coefficient, Coefficient, Coefficient]:
+    """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the direction."""
+    sign, sine = _direction(n, at, y, r, m)
+    return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
+
+
+def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    """Return ``(r cos + sin)/(cos − r sin)`` and its derivative ``1/(cos − r sin)²``."""
+    cosine, sine = turn
+    inverse = m.name("iden", m.div(1, cosine - r * sine))
+    return m.name("rk", (r * cosine + sine) * inverse), m.name("slope", inverse * inverse)
+
+
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
+    """Return whether x lies beyond the first limit of the table, and the turn of the last limit it lies beyond."""
+    first, *others = table[::3]
+    # at half a turn, but for rounding, v is on the first branch
+    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
+    cosine, sine = table[1:3]
+    for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
+        cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))
+        sine = m.name(f"sine{j}", m.where(further, values[1], sine))
+    return limits[0], (cosine, sine)
+
+
+def turn(n: int, branch: int) -> tuple[Any, Any]:
+    """Return cosine and sine of kπ/n."""
+    step = mpmath.mpf(branch) / n
+    return mpmath.cospi(step), mpmath.sinpi(step)
+
+
+def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
+    """By steps of π/n, the ``tan²((2j − 1)π/2n)`` beyond which θ goes back by one more, and its turn."""
+    for j in range(1, n // 2 + 1):
+        half = mpmath.mpf(2 * j - 1) / (2 * n)
+        yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
+
+
+class BranchesOfOrder:
+    """A chart of order n, up to |Re α| = nπ; from each of its n branches to the next θ turns by π/n."""
+
+    order: int
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.order * sympy.pi
+
+    @property
+    def branches(self) -> int:
+        return self.order
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Re α > 0 where T loses rank (2πk), then the edge, where v or T is infinite (nπ)."""
+        return polynomials.singular_angles(self.order)
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        return beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turn(self.order, branch)
