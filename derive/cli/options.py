@@ -13,7 +13,6 @@ from typing import Any
 import click
 
 from .. import about
-from ..maps.any_phi.grammar import PhiError, syntax_tree
 
 RANGE_MAX = 10_000
 """Largest number of orders in a range."""
@@ -53,16 +52,6 @@ def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter,
 def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
     """Return comma-separated names, each once; none for no value."""
     return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
-
-
-def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
-    """Return the text of a φ; refuse wrong grammar before SymPy is loaded."""
-    try:
-        if value is not None:
-            syntax_tree(value.strip())
-    except PhiError as error:
-        raise click.BadParameter(str(error), param_hint="--phi") from None
-    return value
 
 
 def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:

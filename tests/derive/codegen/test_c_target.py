@@ -7,7 +7,6 @@ import subprocess
 
 import pytest
 from click.testing import CliRunner
-from derive.codegen.cases import cases
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check, generate

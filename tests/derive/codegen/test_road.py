@@ -98,8 +98,9 @@ def test_untouched_kernels_pass_and_every_case_is_compared_in_a_batch_and_alone(
 @pytest.mark.parametrize("name", ["pose", "from_pose", "rate_jacobian", "interpolate"])
 def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
     for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+        original = getattr(source, attribute)
 
-        def without(*given, original=getattr(source, attribute)):
+        def without(*given, original=original):
             return (found for found in original(*given) if _function_of(found) != name)
 
         monkeypatch.setattr(source, attribute, without)

@@ -69,8 +69,9 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
         return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
     for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+        original = getattr(source, attribute)
 
-        def without(*given, original=getattr(source, attribute)):
+        def without(*given, original=original):
             return (found for found in original(*given) if of(found) != name)
 
         monkeypatch.setattr(source, attribute, without)
