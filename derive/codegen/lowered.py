@@ -12,18 +12,42 @@ from ..maps.chart import Chart
 from ..proof import Proved
 from .lowering.scalars import scalar_program, scalar_programs
 from .programs.program import Call, Program, Step
+from .programs.written_out import written_out
 from .rows import Table
 from .signatures import POSES, ROTATIONS
 
 
 def geometry(table: Table = POSES) -> Mapping[str, Program]:
-    """The programs that all charts share, by name; scalars of the chart are calls in them."""
-    return _traced(table)
+    """Return the programs of a table's functions by name, for analyses: geometry programs that they call written out.
+
+    Scalars of the chart are calls in them.
+    """
+    return _written_out(table)
 
 
 @cache
-def _traced(table: Table) -> Mapping[str, Program]:
-    return {name: row.traced() for name, row in table.kernels.items()}
+def _written_out(table: Table) -> Mapping[str, Program]:
+    return {name: written_out(row.traced()) for name, row in table.kernels.items()}
+
+
+def printed_geometry(table: Table = POSES) -> Mapping[str, Program]:
+    """Return the geometry programs that all charts share, by name, as they are printed: each after those it calls."""
+    return _printed(table)
+
+
+@cache
+def _printed(table: Table) -> Mapping[str, Program]:
+    found: dict[str, Program] = {}
+    for row in table.kernels.values():
+        _add(found, row.traced())
+    return found
+
+
+def _add(found: dict[str, Program], program: Program) -> None:
+    """Add a program after those it calls."""
+    for called in program.called:
+        _add(found, called)
+    found.setdefault(program.name, program)
 
 
 @dataclass(frozen=True)

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from ..maps.chart import Chart
-from .lowering.point import Geometry
-from .lowering.real import RealGeometry
+from .lowering.point import Recipe, traced, traced_kernel
 from .programs.program import Program
-
-Recipe = Callable[[Geometry], Program]
-
 
 @dataclass(frozen=True, slots=True)
 class Array:
@@ -137,10 +133,7 @@ class Function:
         """
         if self.recipe is None:
             raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
-        if self.pose is None:
-            return self.recipe(Geometry())
-        kept = [array.places for array in self.pose.arguments]
-        return self.recipe(RealGeometry(self.name, kept, self.pose.kept))
+        return traced(self.recipe) if self.pose is None else traced_kernel(self.recipe, self.name, self.pose.kept)
 
     @property
     def kernel(self) -> str:

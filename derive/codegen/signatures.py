@@ -125,7 +125,7 @@ _ROWS = (
     ),
     Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
     Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
-    Function("between", TWO, (V,), groups.between, exact=False, real=True),
+    Function("between", TWO, (V,), inverse.between, exact=False, real=True),
     Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
     Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
     _by_exponential("retract", (V, DELTA), retraction.retract, MOVED_V),

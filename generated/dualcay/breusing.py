@@ -466,7 +466,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="505b25b47702a086",
+    programs="300fda24e472b060",
 )
 
 KERNELS = PoseKernels(CHART)

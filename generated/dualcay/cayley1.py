@@ -244,7 +244,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="9a340c20e4169f31",
+    programs="1864021bb84a52d5",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -317,7 +317,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="905f7a0e3c50cd22",
+    programs="73f9ac33c302483b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -381,7 +381,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="4bad99e9aa999b0e",
+    programs="e6d1952ee083db51",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -404,7 +404,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="f187e3984fba07e9",
+    programs="1e8290bcec4cd993",
 )
 
 KERNELS = PoseKernels(CHART)

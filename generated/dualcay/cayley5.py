@@ -413,7 +413,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="7d58654f59eed7d7",
+    programs="cd66369b30ad56c8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -437,7 +437,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="6b5f64f5569053ce",
+    programs="3450b3fe5ac8ce74",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -669,7 +669,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="1e87430bb77d4e49",
+    programs="3261f89cf07e6847",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -398,7 +398,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="3d9763b231b2dc04",
+    programs="4628677e84398cee",
 )
 
 KERNELS = PoseKernels(CHART)

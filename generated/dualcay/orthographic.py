@@ -292,7 +292,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="e253dd67e389eecd",
+    programs="d4c4b5ca0d9f7944",
 )
 
 KERNELS = PoseKernels(CHART)

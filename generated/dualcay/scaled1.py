@@ -286,7 +286,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="2ca4b63e559995fa",
+    programs="6049bf74e431bf89",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -376,7 +376,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="8839adb436a286da",
+    programs="839e0150fd4b4f6b",
 )
 
 KERNELS = PoseKernels(CHART)

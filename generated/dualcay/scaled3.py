@@ -445,7 +445,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="c35305e0429f87a4",
+    programs="242b53eef6cf6399",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -462,7 +462,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="f370e355b11d1123",
+    programs="daaa984e36fa1ccd",
 )
 
 KERNELS = PoseKernels(CHART)

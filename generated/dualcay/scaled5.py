@@ -477,7 +477,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="5bf25fde9fb9f1fb",
+    programs="fa81c69efac83b8e",
 )
 
 KERNELS = PoseKernels(CHART)

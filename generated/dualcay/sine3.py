@@ -426,7 +426,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="3e1e0ff7d233c46d",
+    programs="81dda54d1abdb326",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -429,7 +429,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="5e1e04e48bb14200",
+    programs="595fff0660658f9e",
 )
 
 KERNELS = PoseKernels(CHART)

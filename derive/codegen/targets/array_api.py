@@ -8,12 +8,12 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from ..lowered import Lowered, geometry
+from ..lowered import Lowered
 from ..package import Data, Facts
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
-from . import infix, python
+from . import python
 
 WORDS = python.Words(
     options="*, axis: int = -1",
@@ -47,15 +47,10 @@ class ArrayApi(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
-        return {"programs": programs, "rows": table.kernels}
+        return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [
-            python.printed(program, infix.body(program, alone=True), python.components(program))
-            for name, program in lowered.scalars.items()
-            if name not in known
-        ]
+        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
         return {"scalars": scalars}
 
     def libraries(self) -> Sequence[Library]:

@@ -16,11 +16,13 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..lowered import Lowered, lower_chart
+from ..lowered import printed_geometry as lowered_geometry
 from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
+from . import infix
 from .expression import WIDTH
 from .target import require_functions
 
@@ -65,12 +67,12 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters of its function, operations, and what the printer makes of it."""
+    """A program as its template shows it: the parameters of its function and the text of its body."""
 
     name: str
-    summary: str
     parameters: tuple[str, ...]
     forms: Any
+    summary: str = ""
 
 
 class PythonTarget(ABC):
@@ -203,15 +205,25 @@ def _quoted(names: Iterable[str]) -> str:
     return "\n".join(f"    {line}" for line in lines)
 
 
-def printed(program: Program, forms: Any, parameters: tuple[str, ...] = ()) -> Printed:
-    """A program of a geometry, whose parameters are its arguments, or another with the parameters given."""
-    arguments = tuple(argument for argument, _ in program.inputs)
-    return Printed(program.name, f"operations {summary(program.operations)}", parameters or arguments, forms)
+def printed_geometry(table: Table) -> list[Printed]:
+    """Return the geometry programs of a table as plain functions; those that users call all take ``m`` and ``c``."""
+    return [
+        Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+        for name, program in lowered_geometry(table).items()
+    ]
 
 
-def components(program: Program) -> tuple[str, ...]:
-    """The parameters of a scalar program."""
-    return tuple(name for _, names in program.inputs for name in names)
+def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
+    context = ("m: Any", "c: Any")[: 2 if kernel else len(program.context.split(", ")) if program.context else 0]
+    numbers = (names == (argument,) for argument, names in program.inputs)
+    given = (f"{argument}: {'Any' if n else 'Components'}" for n, (argument, _) in zip(numbers, program.inputs))
+    return (*context, *given)
+
+
+def printed_scalar(program: Program) -> Printed:
+    """Return a scalar program as a plain function of numbers."""
+    parameters = tuple(name for _, names in program.inputs for name in names)
+    return Printed(program.name, parameters, infix.body(program, alone=True), f"operations {summary(program.operations)}")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="ba3cfff2d68cc5ba",
+    programs="970770ff0b649fb7",
 )
 
 KERNELS = RotationKernels(CHART)

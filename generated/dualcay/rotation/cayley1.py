@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="dfc329e59ba03cf0",
+    programs="d6a03c87408a807c",
 )
 
 KERNELS = RotationKernels(CHART)

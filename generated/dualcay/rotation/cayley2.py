@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="1114c114922446c4",
+    programs="a0a2ad4fce0a37bb",
 )
 
 KERNELS = RotationKernels(CHART)

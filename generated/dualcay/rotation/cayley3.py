@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="3940c0da30b7aebd",
+    programs="343845aac014edd3",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="05c54c23eaa0bebb",
+    programs="e2474b4c83dea327",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="7e1c742922216458",
+    programs="d61fadfddbe33b17",
 )
 
 KERNELS = RotationKernels(CHART)

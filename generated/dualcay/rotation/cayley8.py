@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="089acdfdc8b656b2",
+    programs="40cfbdcca257354b",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="1d1542e448a0a2eb",
+    programs="352871b9ca5a0fa6",
 )
 
 KERNELS = RotationKernels(CHART)

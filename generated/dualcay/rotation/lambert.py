@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="0c276b4781db942f",
+    programs="b9ba3ba33baf3424",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="3ddcef11463a6db7",
+    programs="e83e26f9a4047ac8",
 )
 
 KERNELS = RotationKernels(CHART)

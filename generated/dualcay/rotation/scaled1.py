@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="b994be1300f07775",
+    programs="8475cd48d2feff9e",
 )
 
 KERNELS = RotationKernels(CHART)

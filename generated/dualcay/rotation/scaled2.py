@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="655c893ae678466e",
+    programs="93777b60ff3aeebe",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="89b03b410bd16b25",
+    programs="3365a13cf467e465",
 )
 
 KERNELS = RotationKernels(CHART)

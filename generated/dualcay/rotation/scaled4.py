@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="7f764cc5ef421523",
+    programs="03ab3db13eca44ca",
 )
 
 KERNELS = RotationKernels(CHART)

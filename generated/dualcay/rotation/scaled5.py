@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="a54de2599a422a0e",
+    programs="e2295306c46095b5",
 )
 
 KERNELS = RotationKernels(CHART)

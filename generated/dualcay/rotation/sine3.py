@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="42b774bf014262f5",
+    programs="4a6dacbbad25d846",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -43,7 +43,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="34e6498836ad1904",
+    programs="ec0ea9fec78a1456",
 )
 
 KERNELS = RotationKernels(CHART)
