@@ -14,8 +14,8 @@ import pytest
 
 import dualcay
 from derive.codegen import ValidationFailed
+from derive.codegen.build import print_package
 from derive.codegen.catalogue import committed
-from derive.codegen.compiler import geometry_chart, print_charts
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.signatures import FUNCTIONS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
@@ -34,23 +34,12 @@ def test_own_functions_read_every_result_of_every_scalar_program(chart: Any) -> 
     lowered, programs = lower_chart(chart), geometry()
 
     def read(names: Any) -> set[tuple[str, int]]:
-        found, waiting = set(), [programs[FUNCTIONS[name].kernel] for name in names]
-        while waiting:
-            program = waiting.pop()
-            for call in program.calls:
-                waiting += [programs[call.function]] if call.function in programs else []
-                found |= {(call.function, i) for i, name in enumerate(call.names) if name in program.operands}
-        return {(function, i) for function, i in found if function in lowered.scalars}
+        found = [programs[FUNCTIONS[name].kernel] for name in names]
+        pairs = ((p, call, i, name) for p in found for call in p.calls for i, name in enumerate(call.names))
+        return {(call.function, i) for p, call, i, name in pairs if name in p.operands}
 
-    kept = [name for name in POSES.public if FUNCTIONS[name].kernel in lowered.operations]
-    shared = [name for name in kept if FUNCTIONS[name].kernel not in lowered.own]
+    shared = [name for name in POSES.public if FUNCTIONS[name].kernel in lowered.operations]
     assert read(set(own_functions(chart, POSES)) & set(shared)) == read(shared)
-
-
-def test_geometry_is_shown_in_a_chart_of_low_order() -> None:
-    assert geometry_chart([Cayley(1), Cayley(64)]) == Cayley(3)
-    assert geometry_chart([Cayley(64), Cayley(7), Cayley(5)]) == Cayley(5)
-    assert geometry_chart([family("orthographic")]) == Cayley(3)
 
 
 # --- wrong text -------------------------------------------------------------------------------------------------------
@@ -58,7 +47,7 @@ def test_geometry_is_shown_in_a_chart_of_low_order() -> None:
 
 @pytest.fixture(scope="module")
 def texts() -> Mapping[str, Mapping[str, str]]:
-    return {name: print_charts(CHARTS, TARGETS[name]).texts for name in ("numpy", "array-api", "numba")}
+    return {name: print_package(CHARTS, TARGETS[name]).texts for name in ("numpy", "array-api", "numba")}
 
 
 SLIPS = {
