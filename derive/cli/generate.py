@@ -11,6 +11,7 @@ from .. import about
 from ..codegen import Package, catalogue, generate_charts, publish
 from ..codegen.build import with_geometry
 from ..maps.chart import Chart
+from ..maps.named import described
 from ..output.tables import Grid, columns, figures
 from ..workers import cores
 from . import display, options
@@ -41,6 +42,8 @@ def generate(
         raise click.UsageError("--phi and --name belong together")
     with options.refusals("--family" if phi is None else "--name"):
         charts = catalogue.charts(orders, families, phi, name) or catalogue.committed()
+    if phi is not None and (known := described(charts[0])):
+        click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
     folder = output or publish.home(target)
     if folder is None:
         raise click.UsageError(f"name a folder with -o: only {about.TARGET} kernels have a place, in a checkout")
@@ -61,6 +64,7 @@ def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> No
 
 
 def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
+    charts = publish.with_bases(charts, target)
     processes = cores() if len(charts) > SERIAL_MAX else 1
     with display.progress(WRITE_STEPS * len(with_geometry(charts))) as step:
         package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)

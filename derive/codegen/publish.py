@@ -92,11 +92,17 @@ def generate_charts(
     chosen, folder = _target(target), Path(output) if output else home(target)
     if folder is None:
         raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
-    entry = notices(charts, chosen)
+    charts, entry = with_bases(charts, target), notices(charts, chosen)
     files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
     package = build(charts, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
     return package
+
+
+def with_bases(charts: Sequence[Chart], target: str) -> list[Chart]:
+    """Return charts with the bases of multiples before them, where modules of multiples import those."""
+    bases = [chart.base for chart in charts if chart.base] if _target(target).imports_bases else []
+    return list({chart.name: chart for chart in (*bases, *charts)}.values())
 
 
 def home(target: str) -> Path | None:
@@ -129,7 +135,7 @@ def expected(
     folder: Path, asked: Iterable[Chart], target: str, cap: int = about.MAX_ORDER
 ) -> tuple[list[Chart], dict[str, str]]:
     """Return the charts whose modules a folder should hold, and by file name why others are not printed."""
-    chosen, wanted = _target(target), {chart.name: chart for chart in asked}
+    chosen, wanted = _target(target), {chart.name: chart for chart in with_bases(list(asked), target)}
     further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
     unmade = {module_name(c, chosen): f"order {c.order} {reason}" for c in further if c.order > cap}

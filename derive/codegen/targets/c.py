@@ -160,6 +160,7 @@ class C:
     entry = "dualcay.h"
     comment = "//"
     tables: Sequence[Table] = (POSES, ROTATIONS)
+    imports_bases = False
     unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:

@@ -22,6 +22,10 @@ class Target(Printer, Protocol):
     def tables(self) -> Sequence[Table]:
         """Whose functions it prints, a module of every chart for each, that of poses first."""
 
+    @property
+    def imports_bases(self) -> bool:
+        """True if the module of a multiple imports the module of its base chart."""
+
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Execute the text of a module in a folder; return how many calls equal the formula.
 

@@ -212,7 +212,7 @@ class Caller:
         for dtype, axis in itertools.product(self.library.dtypes, (-1, 0)):
             self.check(group, np.arange(self.few + BLOCK) % len(group.cases), dtype, axis)
         self.check(group, np.arange(max(self.few // 2, 1)) % len(group.cases), double, -1)
-        for name in group.row.aliases if chart.cayley else ():
+        for name in group.row.aliases_in(chart):
             self.check(group, np.array(0), double, -1, name=name)
         for turns in (-1, 2) if group.branch else ():
             self.check(group, np.array(0), double, -1, branch=(group.branch[0] + turns * chart.branches,))
