@@ -72,18 +72,15 @@ class Module:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """All files of a package of kernels by name, and the modules among them."""
+    """Files that all modules of a package share, by name, and the modules."""
 
-    texts: dict[str, str]
+    shared: Mapping[str, str]
     modules: tuple[Module, ...]
 
-    @classmethod
-    def of(cls, shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
-        """Join the files that all modules share with those of each module."""
-        texts = dict(shared)
-        for module in modules:
-            texts |= module.texts
-        return cls(texts, tuple(modules))
+    @property
+    def texts(self) -> dict[str, str]:
+        """All files by name."""
+        return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
         return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
