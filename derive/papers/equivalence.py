@@ -21,8 +21,8 @@ from functools import partial
 from typing import Any
 
 from derive.algebra import Dual, Structure
-from derive.proof.polynomial_backend import Polynomial, Polynomials
-from derive.proof.ratio import Ratio
+from derive.algebra.polynomial_backend import Polynomial, Polynomials
+from derive.algebra.exact import Element
 
 from .equation import Equation
 from .language import values
@@ -38,7 +38,7 @@ STEPS = 24
 """Sine and cosine of multiples of angle/24 are exact, and at order n of angle/4n."""
 FREE = {"number": "dual number"}
 """What stands for letters that only a definition has a value for, once that is forgotten."""
-NUMBERS = (Ratio, Residue, Dual, int, Fraction)
+NUMBERS = (Element, Residue, Dual, int, Fraction)
 FIXED = (ORDER, BRANCH, SIGN)
 Pair = tuple[Term, Term]
 """A part of a formula before and after the change."""
@@ -132,11 +132,11 @@ def _vanish_together(env: Env, a: Term, b: Term) -> bool:
     first, second = env.value(a), env.value(b)
     if _opposite(env, a, b):
         return True
-    if not (isinstance(first, Ratio) and isinstance(second, Ratio) and first and second):
+    if not (isinstance(first, Element) and isinstance(second, Element) and first and second):
         return False
-    library = first.field.library
+    library = first.ring.library
     one, other = (_zeros_and_poles(library, x) for x in (first, second))
-    tangents = [i for i, name in enumerate(first.field.names) if name.startswith("tan_")]
+    tangents = [i for i, name in enumerate(first.ring.names) if name.startswith("tan_")]
     at_infinity = all(_degree(library, first, i) * _degree(library, second, i) != 0
                       or _degree(library, first, i) == _degree(library, second, i) for i in tangents)  # fmt: skip
     return at_infinity and _divides_a_power(library, one, other) and _divides_a_power(library, other, one)
@@ -145,18 +145,18 @@ def _vanish_together(env: Env, a: Term, b: Term) -> bool:
 def _same_sign(env: Env, a: Term, b: Term) -> bool:
     """Whether two numbers are positive at the same places: neither vanishes alone, and their product is a square."""
     product = env.value(a) * env.value(b)
-    return _vanish_together(env, a, b) and isinstance(product, Ratio) and bool(product.sqrt())
+    return _vanish_together(env, a, b) and isinstance(product, Element) and bool(product.sqrt())
 
 
-def _zeros_and_poles(library: Polynomials, a: Ratio) -> Polynomial:
+def _zeros_and_poles(library: Polynomials, a: Element) -> Polynomial:
     """Numerator times denominator, in lowest terms."""
-    common = library.gcd(a.numerator, a.denominator)
-    return library.quotient(a.numerator, common) * library.quotient(a.denominator, common)
+    common = a.numerator.gcd(a.denominator)
+    return (a.numerator / common) * (a.denominator / common)
 
 
-def _degree(library: Polynomials, a: Ratio, i: int) -> int:
+def _degree(library: Polynomials, a: Element, i: int) -> int:
     """The order of the pole where a generator is infinite: it is 0 if there is a value other than 0."""
-    parts = (library.coefficients(part) for part in (a.numerator, a.denominator))
+    parts = (library.terms(part) for part in (a.numerator, a.denominator))
     above, below = (max(exponents[i] for exponents in part) for part in parts)
     return above - below
 
@@ -164,12 +164,12 @@ def _degree(library: Polynomials, a: Ratio, i: int) -> int:
 def _divides_a_power(library: Polynomials, a: Polynomial, b: Polynomial) -> bool:
     """Whether all factors of one polynomial, numbers apart, are factors of another."""
     while not _is_constant(library, a):
-        common = library.gcd(a, b)
+        common = a.gcd(b)
         if _is_constant(library, common):
             return False
-        a = library.quotient(a, common)
+        a = a / common
     return True
 
 
 def _is_constant(library: Polynomials, a: Polynomial) -> bool:
-    return not any(any(exponents) for exponents in library.coefficients(a))
+    return not any(any(exponents) for exponents in library.terms(a))

@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
 from derive.algebra.mixed import MeaninglessError
-from derive.proof.ratio import NotExactError
+from derive.algebra.exact import NotExactError
 
 from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env

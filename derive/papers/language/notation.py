@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.proof.ratio import NotExactError
+from derive.algebra.exact import NotExactError
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from derive.proof.ratio import NotExactError
+from derive.algebra.exact import NotExactError
 
 from .fields import Exact, Field
 from .generic import Generic

@@ -16,7 +16,7 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Tensor, Vector
-from derive.proof.ratio import NotExactError
+from derive.algebra.exact import NotExactError
 
 from ..equation import Equation
 from ..language import values

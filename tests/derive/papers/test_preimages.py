@@ -13,7 +13,7 @@ from derive.papers import PAPERS, UndecidedError
 from derive.papers.condurache_popa_2023.alphabet import LOST
 from derive.papers.condurache_popa_2023.meanings import preimages
 from derive.papers.decide import decide
-from derive.proof.ratio import Ratio
+from derive.algebra.exact import Element
 
 ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}
 THEOREMS = ("theorem-11-onto", "theorem-12-branches")
@@ -42,7 +42,7 @@ def test_the_theorem_is_proved_and_not_only_tried(number: str) -> None:
 
 @pytest.mark.parametrize("number", THEOREMS)
 def test_it_fails_with_its_identities(monkeypatch, number: str) -> None:
-    def wrong(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
+    def wrong(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
         return F + t * G, G + t * F
 
     monkeypatch.setattr(preimages, "next_parts", wrong)

@@ -11,7 +11,7 @@ from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
 from derive.papers.numbers.kinds import KINDS
-from derive.proof.ratio import NotExactError
+from derive.algebra.exact import NotExactError
 
 DRAWN = [kind for kind in KINDS.values() if kind.draw is not None]
 EXACT = [kind for kind in KINDS.values() if kind.exact is not None]
