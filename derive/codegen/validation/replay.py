@@ -51,8 +51,6 @@ GATE = 16
 TOLERANCE_SAME = 1e-6
 """Relative difference of two calls on the same numbers."""
 
-DOUBLE = np.dtype(np.float64)
-
 
 @dataclass(frozen=True, slots=True)
 class Library:
@@ -194,14 +192,15 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function, and perhaps one of every kind in all ways, as run-time parts tell kinds apart."""
+        """Call every function; perhaps in all types, and one of every kind that run-time parts tell apart in all ways."""
         kinds: dict[tuple[Any, ...], Group] = {}
+        dtypes = self.library.dtypes if in_all_ways else self.library.dtypes[:1]
         for group in groups:
             row, count = group.row, len(group.cases)
             kinds[len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real] = group
             for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count):
                 self.check(group, index)
-            for dtype, axis in itertools.product(self.library.dtypes, (-1, 0)):
+            for dtype, axis in itertools.product(dtypes, (-1, 0)):
                 self.check(group, np.arange(self.few + BLOCK) % count, dtype, axis)
             for name in row.aliases if chart.cayley else ():
                 self.check(group, np.array(0), name=name)
@@ -212,9 +211,10 @@ class Caller:
                 self._ways(group, np.arange(count) % len(group.cases), axis)
 
     def check(
-        self, group: Group, index: Array, dtype: np.dtype[Any] = DOUBLE, axis: int = -1, **named: Any
+        self, group: Group, index: Array, dtype: np.dtype[Any] | None = None, axis: int = -1, **named: Any
     ) -> list[Array]:
         """Call a function on the cases at an index and compare the results with the formula; return them."""
+        dtype = dtype or self.library.dtypes[0]
         results = self._run(group, group.given(index, dtype, axis), axis, **named)
         parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
         if any((p.shape[-1], p.dtype) != (kind.size, dtype) for p, kind in zip(parts, group.row.results, strict=True)):
@@ -243,7 +243,7 @@ class Caller:
 
     def _ways(self, group: Group, index: Array, axis: int) -> None:
         """Compare calls with strided, broadcast and overlapping arrays with the plain call on the same numbers."""
-        given, plain = group.given(index, DOUBLE, axis), self.check(group, index, axis=axis)
+        given, plain = group.given(index, self.library.dtypes[0], axis), self.check(group, index, axis=axis)
 
         def same(how: str, arrays: Sequence[Array], wanted: Sequence[Array] = plain, **options: Any) -> list[Array]:
             found = self._run(group, arrays, axis, **options)
@@ -260,7 +260,7 @@ class Caller:
                 copies = np.repeat(single, len(index), axis=-1 if axis == 0 else 0)
                 same("broadcast", [*before, single, *after], self._run(group, [*before, copies, *after], axis))
             if self.out and len(plain) == 1:
-                memory = np.full(max(array.size, plain[0].size), np.nan)
+                memory = np.full(max(array.size, plain[0].size), np.nan, array.dtype)
                 moved, target = (memory[: part.size].reshape(part.shape) for part in (array, plain[0]))
                 moved[...] = array
                 if same("overlapping", [*before, moved, *after], out=target)[0] is not target:
