@@ -8,7 +8,6 @@ from __future__ import annotations
 from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
-from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation_at
 from .groups import dual_product

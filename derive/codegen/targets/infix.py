@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, left_associative
 
+
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     """Return the dialect of Python with functions of a prefix and constants written in a way."""
 

@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from ...maps.chart import Chart
-from ..facts import Facts
+from ..package import Printer
 from ..rows import Table
 
-Data = Mapping[str, Any]
-"""What fills the holes of a template, by name, but for ``header``."""
 
-
-class Target(Protocol):
-    """A language kernels are printed in; `name` is its template folder too."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def extension(self) -> str:
-        """Of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
-
-    @property
-    def entry(self) -> str:
-        """The shared file that is read before any other."""
-
-    @property
-    def comment(self) -> str:
-        """What begins a comment line."""
+class Target(Printer, Protocol):
+    """A language kernels are printed in."""
 
     @property
     def unproved(self) -> str:
@@ -40,17 +22,9 @@ class Target(Protocol):
     def tables(self) -> Sequence[Table]:
         """Whose functions it prints, a module of every chart for each, that of poses first."""
 
-    def shared(self) -> Mapping[str, Data]:
-        """Files that every package of the target holds, each from the template of its name."""
-
-    def module(self, facts: Facts) -> Data:
-        """What the module of a chart says."""
-
-    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Further files of a chart: by name, the template and what it is given."""
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
+    @property
+    def imports_bases(self) -> bool:
+        """True if the module of a multiple imports the module of its base chart."""
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Execute the text of a module in a folder; return how many calls equal the formula.

@@ -192,7 +192,7 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function; perhaps in all types, and one of every kind that run-time parts tell apart in all ways."""
+        """Call every function, perhaps in all types and one of every kind in all ways, as run-time parts tell them apart."""
         kinds: dict[tuple[Any, ...], Group] = {}
         dtypes = self.library.dtypes if in_all_ways else self.library.dtypes[:1]
         for group in groups:
@@ -202,7 +202,7 @@ class Caller:
                 self.check(group, index)
             for dtype, axis in itertools.product(dtypes, (-1, 0)):
                 self.check(group, np.arange(self.few + BLOCK) % count, dtype, axis)
-            for name in row.aliases if chart.cayley else ():
+            for name in row.aliases_in(chart):
                 self.check(group, np.array(0), name=name)
             for turns in (-1, 2) if group.branch else ():
                 self.check(group, np.array(0), branch=(group.branch[0] + turns * chart.branches,))
