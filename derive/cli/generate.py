@@ -10,6 +10,7 @@ from ..codegen import Package, catalogue, generate_charts
 from ..codegen.compiler import check_charts as check_folder
 from ..codegen.compiler import expected
 from ..maps import PhiError
+from ..maps.named import described
 from ..output.tables import Column, Grid, columns
 from ..workers import cores
 from . import display, options
@@ -44,6 +45,8 @@ def generate(
         raise click.BadParameter(str(error), param_hint="--phi") from None
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint="--family" if phi is None else "--name") from None
+    if phi is not None and (known := described(charts[0])):
+        click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
     if output is None and not catalogue.has_place(target):
         raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
     folder = output or catalogue.COMMITTED

@@ -20,6 +20,7 @@ from .any_phi.real_constants import is_small
 from .any_phi.recognition import multiple_of_known
 from .breusing import Breusing
 from .cayley import Cayley
+from .chart import Chart
 from .exponential_chart import Exponential
 from .multiple import Multiple
 from .polynomials import require_order
@@ -95,16 +96,16 @@ def recognized(phi: sympy.Expr) -> Named | None:
     return Multiple("", base, factor, title=f"{factor} times the vector of {base.name}")
 
 
-def described(chart: Named | General) -> str:
+def described(chart: Chart) -> str:
     """Return the name of a known chart, ``cayley1`` or ``2 sine1``; nothing for another φ."""
     match chart:
-        case General():
-            return ""
         case Multiple():
-            return f"{chart.factor} {described(chart.base)}"  # type: ignore[arg-type]
+            return f"{chart.factor} {described(chart.base)}"
         case Breusing() | Exponential():
             return type(chart).__name__.lower()
-    return f"{type(chart).__name__.lower()}{chart.order}"
+        case Cayley() | Sine():
+            return f"{type(chart).__name__.lower()}{chart.order}"
+    return ""
 
 
 def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:

@@ -1,8 +1,8 @@
 """Every equation of two papers, decided: `verify` computes the status of each.
 
 =====================  ========================================================================
-numbers                the numbers that formulas are executed on, and the values letters take
-language               how a formula is written down: terms, marks, meaning, execution
+numbers                the numbers that formulas are executed on, and the values symbols take
+language               how a formula is written down: terms, operators, values, execution
 equation               an entry
 result                 what came out for it
 paper                  a paper, its sections and the inventory of its text

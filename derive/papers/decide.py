@@ -14,10 +14,10 @@ from .equation import Equation, Reading, UndecidedError, faithful
 from .explore import Outcome, explore
 from .language.evaluation import Env
 from .language.notation import over
-from .language.terms import Apply, Number, Term, Trait, marked, takes_apart, walk
+from .language.terms import Apply, Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.every_order import EveryOrder
 from .numbers.generic import Generic, GenericOrder
-from .numbers.kinds import BRANCH, ORDER, SIGN
+from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
@@ -50,7 +50,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
         raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
     for reading in entry.readings:
         if entry.extract and not faithful(reading.statement, entry.extract, lost):
-            raise UndecidedError(f"({entry.number}): a reading does not have the marks of line {entry.line}")
+            raise UndecidedError(f"({entry.number}): a reading does not have the characters of line {entry.line}")
     if entry.because is not None:
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
@@ -84,7 +84,7 @@ def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:
 
 def _support(entry: Equation, identity: Term) -> None:
     """Require that the supporting identity is proved; where it has no value it says nothing."""
-    moving = entry.moving or bool(marked(Trait.RATE, identity))
+    moving = entry.moving or bool(with_trait(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
     refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
     if refuted is not None or prove(entry, identity, ORDERS) is None:
@@ -109,12 +109,12 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 
 
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """A point outside the condition at which a statement happens to be true, for two letters are special there.
+    """A point outside the condition at which a statement happens to be true, for two symbols are special there.
 
     Raises
     ------
     UndecidedError
-        If one special letter is enough, for then the condition is too strict; or if the statement has a value where
+        If one special symbol is enough, for then the condition is too strict; or if the statement has a value where
         its form says that it has none.
     """
     for outcome in outside:
@@ -133,15 +133,15 @@ def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Ou
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
-    """How a true statement is known. What is more than an identity can still fail where letters are special."""
+    """How a true statement is known. What is more than an identity can still fail where symbols are special."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
     if exact is None and entry.argument:
         return f"proved by the argument in {entry.argument} from identities proved exactly; {evidence} besides"
     if exact is None:
         return f"evidence: {evidence}{supported}"
-    if any(entry.free(part) for part in marked(Trait.DELICATE, statement)):
-        return f"{exact} where letters are generic, {evidence}{supported}"
+    if any(entry.free(part) for part in with_trait(Trait.DELICATE, statement)):
+        return f"{exact} where symbols are generic, {evidence}{supported}"
     return f"{exact}{supported}"
 
 
@@ -154,11 +154,11 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
         If it is true at all points and false exactly: then one of the two is wrong.
     """
     free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind is ORDER), None)
-    branch = next((letter for letter in free if letter.kind is BRANCH), None)
+    order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
+    branch = next((symbol for symbol in free if symbol.quantity is BRANCH), None)
     # the first vector's magnitude is no root
-    lengths = {letter for part in marked(Trait.LENGTH, statement) for letter in entry.free(part)}
-    signs = [letter for letter in free if letter.kind is SIGN]
+    lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
+    signs = [symbol for symbol in free if symbol.quantity is SIGN]
     generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
         try:
@@ -186,7 +186,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 def _steps(statement: Term) -> int:
     """The integer M such that only multiples of angle/M occur."""
-    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.mark is over]
+    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 

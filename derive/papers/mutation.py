@@ -14,8 +14,8 @@ from .decide import ORDERS
 from .equation import Equation
 from .explore import explore
 from .language.notation import negated
-from .language.terms import Apply, Letter, Number, Term, text
-from .numbers.kinds import PROPOSITION
+from .language.terms import Apply, Number, Symbol, Term, text
+from .numbers.quantities import PROPOSITION
 from .result import Result
 
 UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
@@ -149,13 +149,13 @@ def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
 def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
     if isinstance(node, Number):
         yield f"{node.value} raised by 1", Number(node.value + 1)
-    if isinstance(node, Letter) and node.kind is PROPOSITION:
+    if isinstance(node, Symbol) and node.quantity is PROPOSITION:
         yield f"{node.name} negated", negated(node)
     if not isinstance(node, Apply):
         return
-    for change in node.mark.changes:
-        yield change.what.format(node.mark.name), change.made(node)
+    for change in node.operator.changes:
+        yield change.what.format(node.operator.name), change.made(node)
     arguments = node.arguments
     for i, argument in enumerate(arguments):
         for what, mutant in _mutants(argument):
-            yield what, node.mark(*arguments[:i], mutant, *arguments[i + 1 :])
+            yield what, node.operator(*arguments[:i], mutant, *arguments[i + 1 :])

@@ -29,19 +29,19 @@ class Counterexample:
     ----------
     point : str
         What is special about it.
-    letters : dict of str to list of str
-        LaTeX of each free letter to the numbers it consists of: real parts, then dual parts.
+    symbols : dict of str to list of str
+        LaTeX of each free symbol to the numbers it consists of: real parts, then dual parts.
     sides : tuple of list of str
         The numbers that the two sides of the equation that fails consist of; none for a claim in words.
     """
 
     point: str
-    letters: Mapping[str, list[str]]
+    symbols: Mapping[str, list[str]]
     sides: tuple[list[str], ...]
 
     def as_json(self) -> dict[str, Any]:
         """As plain data."""
-        return {"point": self.point, "letters": dict(self.letters), "sides": list(self.sides)}
+        return {"point": self.point, "letters": dict(self.symbols), "sides": list(self.sides)}
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 
+from ...maps.chart import Chart
 from ..facts import Facts
 from ..fingerprint import fingerprint
-from ..lowered import Lowered
+from ..lowered import Lowered, lower_chart
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
@@ -40,6 +41,7 @@ class Numpy(python.PythonTarget):
             "_chart.py": {},
             "_checks.py": {},
             "_kernel.py": {},
+            "_multiple.py": {},
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
@@ -50,5 +52,15 @@ class Numpy(python.PythonTarget):
         return {"programs": python.printed_geometry(table), "rows": table.kernels}
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
-        return {"scalars": scalars, "programs": fingerprint(facts, lowered)}
+        base = facts.chart.base
+        own = {} if base else {name: p for name, p in lowered.scalars.items() if name not in known}
+        found = {"scalars": list(map(python.printed_scalar, own.values())), "programs": fingerprint(facts, lowered)}
+        return {**found, **_multiple(facts.chart)} if lowered.table is POSES else found
+
+
+def _multiple(chart: Chart) -> Data:
+    """Return the base chart of a multiple, the factor, and the scalar programs of the base that return integers."""
+    base = chart.base
+    programs = lower_chart(base).scalars.values() if base else ()
+    constant = tuple(p.name for p in programs if not all(isinstance(output, str) for output in p.outputs))
+    return {"base": base.name if base else None, "factor": chart.factor, "constant": constant}

@@ -11,7 +11,7 @@ def made(sibling: str) -> Change:
 
 
 def _swapped(term: Apply) -> Term:
-    return term.mark(*reversed(term.arguments))
+    return term.operator(*reversed(term.arguments))
 
 
 SWAPPED = Change("arguments of {} swapped", _swapped)
@@ -20,6 +20,6 @@ SECOND_DROPPED = Change("second part of {} dropped", lambda term: term.arguments
 FIRST_DROPPED = Change("first part of {} dropped", lambda term: term.arguments[1])
 NEGATED = Change("{} negated", lambda term: Apply("negated", term))
 SECOND_NEGATED = Change(
-    "second part of {} negated", lambda term: term.mark(term.arguments[0], Apply("negated", term.arguments[1]))
+    "second part of {} negated", lambda term: term.operator(term.arguments[0], Apply("negated", term.arguments[1]))
 )
 MINUEND_DROPPED = Change("first part of {} dropped", lambda term: -term.arguments[1])

@@ -1,6 +1,6 @@
 """Marks of claims in words: what has a value, what avoids a value, what is a rotation or a unit quaternion.
 
-A claim that no formula says is a letter bound to a function that computes its truth (`proposition`).
+A claim that no formula says is a symbol bound to a function that computes its truth (`proposition`).
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from . import values
 from .changes import NEGATED
 from .evaluation import Env
 from .notation import define
-from .terms import ATOM, LIST, RELATION, SUM, Letter, Term, Trait
+from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
-def proposition(name: str, latex: str) -> Letter:
-    """A letter for a statement in words; its definition computes whether it is true."""
-    return Letter(name, "proposition", rf"\text{{{latex}}}", name)
+def proposition(name: str, latex: str) -> Symbol:
+    """A symbol for a statement in words; its definition computes whether it is true."""
+    return Symbol(name, "proposition", rf"\text{{{latex}}}", name)
 
 
 def _defined(env: Env, statement: Term) -> bool:

@@ -28,7 +28,22 @@ from .changes import (
     SWAPPED,
     made,
 )
-from .terms import ATOM, LIST, MARKS, POWER, PRODUCT, RELATION, SUM, Apply, Change, Letter, Mark, Number, Term, Trait
+from .terms import (
+    ATOM,
+    LIST,
+    OPERATORS,
+    POWER,
+    PRODUCT,
+    RELATION,
+    SUM,
+    Apply,
+    Change,
+    Number,
+    Operator,
+    Symbol,
+    Term,
+    Trait,
+)
 
 if TYPE_CHECKING:
     from .evaluation import Env
@@ -44,12 +59,12 @@ def define(
     lazy: bool = False,
     traits: Trait = Trait.NONE,
     changes: tuple[Change, ...] = (),
-) -> Mark:
+) -> Operator:
     """Add a row to the table and return it: called, it builds terms."""
-    if name in MARKS:
-        raise ValueError(f"mark {name!r} is defined twice")
-    MARKS[name] = Mark(name, latex, text, level, slots, value, lazy, traits, changes)
-    return MARKS[name]
+    if name in OPERATORS:
+        raise ValueError(f"operator {name!r} is defined twice")
+    OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits, changes)
+    return OPERATORS[name]
 
 
 # ---- numbers and structures: what Python's operators build ----------------------------------------------------
@@ -74,7 +89,7 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
-    if isinstance(base, Apply) and Trait.LENGTH in base.mark.traits and isinstance(e, int) and e % 2 == 0:
+    if isinstance(base, Apply) and Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
         return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² is v·v: no root
     value = env.value(base)
     return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
@@ -119,9 +134,9 @@ remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambd
                 traits=Trait.JOINS)  # fmt: skip
 
 
-def words(latex: str, text: str) -> Letter:
-    """Marks that say where the letters live and carry no value: the second argument of `remark`."""
-    return Letter(f"words:{text}", "words", latex, text)
+def words(latex: str, text: str) -> Symbol:
+    """Marks that say where the symbols live and carry no value: the second argument of `remark`."""
+    return Symbol(f"words:{text}", "words", latex, text)
 
 
 def _cases(env: Env, *arms: Term) -> Any:
@@ -134,7 +149,7 @@ def _cases(env: Env, *arms: Term) -> Any:
 def cases(*arms: tuple[Any, Term]) -> Apply:
     """A value by cases: ``cases((value, condition), ...)``."""
     name = f"cases{len(arms)}"
-    if name not in MARKS:
+    if name not in OPERATORS:
         rows = range(0, 2 * len(arms), 2)
         inside = r"\\ ".join(f"{{{i}}}, & {{{i + 1}}}" for i in rows)
         latex = rf"\begin{{{{cases}}}} {inside} \end{{{{cases}}}}"
@@ -143,7 +158,7 @@ def cases(*arms: tuple[Any, Term]) -> Apply:
     return Apply(name, *(part for arm in arms for part in arm))
 
 
-infinity = Letter("infinity", "∞", r"\infty", "∞")
+infinity = Symbol("infinity", "∞", r"\infty", "∞")
 factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
 power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
                     traits=Trait.TRANSCENDENTAL)  # fmt: skip
@@ -189,7 +204,7 @@ binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, L
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
 
-epsilon = Letter("epsilon", "dual unit", r"\varepsilon", "ε")
+epsilon = Symbol("epsilon", "dual unit", r"\varepsilon", "ε")
 Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
             traits=Trait.APART, changes=(made("Du"),))  # fmt: skip
 Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
@@ -237,8 +252,8 @@ ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lam
              traits=Trait.RATE)  # fmt: skip
 
 half = Number(1) / 2
-identity = Letter("I", "identity", "I", "I")
-pi = Letter("pi", "π", r"\pi", "π")
+identity = Symbol("I", "identity", "I", "I")
+pi = Symbol("pi", "π", r"\pi", "π")
 
 
 # ---- functions ------------------------------------------------------------------------------------------------
@@ -250,7 +265,7 @@ def _over(a: Any, b: Any) -> Any:
     return a / b
 
 
-def _function(name: str, value: Callable[..., Any], *siblings: str, traits: Trait = Trait.NONE) -> Mark:
+def _function(name: str, value: Callable[..., Any], *siblings: str, traits: Trait = Trait.NONE) -> Operator:
     return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value,
                   traits=traits | Trait.TRANSCENDENTAL, changes=(DROPPED, *map(made, siblings)))  # fmt: skip
 
@@ -264,7 +279,7 @@ cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)),
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
-def _squared(f: Mark, sibling: str) -> Mark:
+def _squared(f: Operator, sibling: str) -> Operator:
     return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
                   lambda env, a: env.power(f.value(env, a), 2), traits=f.traits,
                   changes=(DROPPED, made(sibling)))  # fmt: skip
@@ -292,7 +307,7 @@ branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
     lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE, changes=(NEGATED,),
 )  # fmt: skip
-"""Claims about a letter that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
+"""Claims about a symbol that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
 
 
 def zero(a: Term | int) -> Apply:

@@ -122,8 +122,8 @@ DIGITS = 10
 
 
 def example(found: Counterexample) -> tuple[str, ...]:
-    """A counterexample in lines: the letters, then the first number in which the sides differ."""
-    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items()]
+    """A counterexample in lines: the symbols, then the first number in which the sides differ."""
+    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
     if len(found.sides) == 2 and all(found.sides):
         left, right = found.sides
         differing = (i for i, pair in enumerate(zip(left, right, strict=False)) if pair[0][:DIGITS] != pair[1][:DIGITS])

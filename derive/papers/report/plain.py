@@ -57,8 +57,8 @@ def _part(token: str, tokens: Iterator[str]) -> str:
     if token == "\\sqrt":
         return f"√{_grouped(_argument(tokens))}"
     if token in _ACCENTS:
-        letter = _argument(tokens).strip()
-        return letter[:1] + _ACCENTS[token] + letter[1:]
+        symbol = _argument(tokens).strip()
+        return symbol[:1] + _ACCENTS[token] + symbol[1:]
     if token in ("\\begin", "\\end"):
         _argument(tokens)
         return "[" if token == "\\begin" else "]"
@@ -72,11 +72,11 @@ def _argument(tokens: Iterator[str]) -> str:
     return _part(token, tokens) if token else ""
 
 
-def _script(value: str, mark: str) -> str:
-    table = _SUPERSCRIPTS if mark == "^" else _SUBSCRIPTS
+def _script(value: str, sign: str) -> str:
+    table = _SUPERSCRIPTS if sign == "^" else _SUBSCRIPTS
     if all(ord(character) in table for character in value):
         return value.translate(table)
-    return f"{mark}{value}" if len(value) == 1 else f"{mark}({value})"
+    return f"{sign}{value}" if len(value) == 1 else f"{sign}({value})"
 
 
 def _grouped(value: str) -> str:

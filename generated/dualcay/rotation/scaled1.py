@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="8475cd48d2feff9e",
+    programs="8c26c2d66f7243bb",
 )
 
 KERNELS = RotationKernels(CHART)

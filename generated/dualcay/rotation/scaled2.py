@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="93777b60ff3aeebe",
+    programs="8f5099c32fc926d1",
 )
 
 KERNELS = RotationKernels(CHART)

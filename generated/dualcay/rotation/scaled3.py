@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="3365a13cf467e465",
+    programs="21c5b45514ca42db",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="03ab3db13eca44ca",
+    programs="34b4cb4cc99d0a2d",
 )
 
 KERNELS = RotationKernels(CHART)

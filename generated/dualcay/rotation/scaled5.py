@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     functions=POSES.functions,
     kernels=SHARED,
-    programs="e2295306c46095b5",
+    programs="972e0dc6803ac1d7",
 )
 
 KERNELS = RotationKernels(CHART)

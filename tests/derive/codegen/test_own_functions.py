@@ -34,17 +34,12 @@ def test_own_functions_read_every_result_of_every_scalar_program(chart: Any) -> 
     lowered, programs = lower_chart(chart), geometry()
 
     def read(names: Any) -> set[tuple[str, int]]:
-        found, waiting = set(), [programs[FUNCTIONS[name].kernel] for name in names]
-        while waiting:
-            program = waiting.pop()
-            for call in program.calls:
-                waiting += [programs[call.function]] if call.function in programs else []
-                found |= {(call.function, i) for i, name in enumerate(call.names) if name in program.operands}
-        return {(function, i) for function, i in found if function in lowered.scalars}
+        found = [programs[FUNCTIONS[name].kernel] for name in names]
+        pairs = ((p, call, i, name) for p in found for call in p.calls for i, name in enumerate(call.names))
+        return {(call.function, i) for p, call, i, name in pairs if name in p.operands}
 
-    kept = [name for name in POSES.public if FUNCTIONS[name].kernel in lowered.operations]
-    shared = [name for name in kept if FUNCTIONS[name].kernel not in lowered.own]
-    assert read(set(own_functions(chart, POSES)) & set(shared)) == read(shared)
+    kept = {name for name in POSES.public if FUNCTIONS[name].kernel in lowered.operations}
+    assert read(set(own_functions(chart, POSES)) & kept) == read(kept)
 
 
 def test_geometry_is_shown_in_a_chart_of_low_order() -> None:

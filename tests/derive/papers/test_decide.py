@@ -8,9 +8,9 @@ import sys
 import pytest
 
 from derive.papers import PAPERS, Reading, Status, UndecidedError, equation
-from derive.papers.condurache_popa_2023.alphabet import LOST, alpha, u, v
-from derive.papers.condurache_popa_2023.marks import positive
-from derive.papers.condurache_popa_2023.meanings import cayley_maps
+from derive.papers.condurache_popa_2023.definitions import cayley_maps
+from derive.papers.condurache_popa_2023.operators import positive
+from derive.papers.condurache_popa_2023.symbols import LOST, alpha, u, v
 from derive.papers.decide import decide
 from derive.papers.equation import Equation, faithful
 from derive.papers.language.claims import defined, unequal
@@ -33,13 +33,13 @@ from derive.papers.language.notation import (
     tan,
     zero,
 )  # fmt: skip
-from derive.papers.language.terms import Letter, latex, text
+from derive.papers.language.terms import Symbol, latex, text
 from derive.papers.mutation import mutants, trials, try_mutants
 from derive.papers.result import Result
 
-a, b = Letter("a", "dual number"), Letter("b", "dual number")
-w = Letter("w", "dual vector")
-k = Letter("k", "index", "k", "k")
+a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
+w = Symbol("w", "dual vector")
+k = Symbol("k", "index", "k", "k")
 square_of_sum = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 
 
@@ -83,7 +83,7 @@ def test_unfaithful_readings(statement, extract: str) -> None:
 
 
 def test_an_unfaithful_reading_is_refused() -> None:
-    with pytest.raises(UndecidedError, match="does not have the marks of line 1"):
+    with pytest.raises(UndecidedError, match="does not have the characters of line 1"):
         decided(square_of_sum, extract="a + b 2 = a 2 + a b + b 2")
 
 
@@ -174,7 +174,7 @@ def test_a_sharp_condition_is_known_by_its_denominator() -> None:
     assert decided(quotient, condition=nonzero(Re(b))).exact
 
 
-def test_what_is_true_for_two_special_letters_is_no_sharp_condition() -> None:
+def test_what_is_true_for_two_special_symbols_is_no_sharp_condition() -> None:
     result = decided(implies(nonzero(Re(a)), quotient), condition=nonzero(Re(b)))
     assert result.status is Status.HOLDS_IF
     assert not result.exact
@@ -187,7 +187,7 @@ def test_a_value_where_the_form_says_none_is_refused(monkeypatch) -> None:
         decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
 
 
-def test_two_letters_are_special_at_once() -> None:
+def test_two_symbols_are_special_at_once() -> None:
     (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == "59")
     with pytest.raises(UndecidedError, match="refuted at n = 1, a_: negative, w: real part 0: no value"):
         decide("paper", dataclasses.replace(entry, condition=None), LOST)
@@ -202,9 +202,9 @@ def test_a_domain_that_is_too_strict_is_an_erratum() -> None:
 # ---- methods ------------------------------------------------------------------------------------------------------
 
 
-def test_more_than_an_identity_is_exact_where_letters_are_generic() -> None:
+def test_more_than_an_identity_is_exact_where_symbols_are_generic() -> None:
     method = decided(iff(zero(a * b), zero(b * a))).method
-    assert method.startswith("exact where letters are generic, 60-digit evaluation at ")
+    assert method.startswith("exact where symbols are generic, 60-digit evaluation at ")
 
 
 def test_what_leaves_the_exact_fields_is_evidence() -> None:
@@ -256,7 +256,7 @@ def test_a_domain_narrower_than_needed_survives() -> None:
 
 
 def test_claims_in_words_and_both_ways_of_an_equivalence_are_changed() -> None:
-    changes = {change for change, _ in mutants(iff(zero(a), implies(Letter("claim", "proposition"), nonzero(a))))}
+    changes = {change for change, _ in mutants(iff(zero(a), implies(Symbol("claim", "proposition"), nonzero(a))))}
     assert {"claim negated", "arguments of implies swapped"} <= changes
     assert {"second part of implies negated", "second part of iff negated"} <= changes
 

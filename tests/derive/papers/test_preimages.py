@@ -10,8 +10,8 @@ import pytest
 import sympy
 
 from derive.papers import PAPERS, UndecidedError
-from derive.papers.condurache_popa_2023.alphabet import LOST
-from derive.papers.condurache_popa_2023.meanings import preimages
+from derive.papers.condurache_popa_2023.definitions import preimages
+from derive.papers.condurache_popa_2023.symbols import LOST
 from derive.papers.decide import decide
 from derive.proof.ratio import Ratio
 

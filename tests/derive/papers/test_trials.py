@@ -7,11 +7,11 @@ import pytest
 from derive.papers.decide import ORDERS, decide
 from derive.papers.equation import Equation, equation
 from derive.papers.language.notation import Re, cross, equal, nonzero
-from derive.papers.language.terms import Letter, Number, Term, text
+from derive.papers.language.terms import Number, Symbol, Term, text
 from derive.papers.mutation import Score, Survivor, domains, mutants, trials, true_statements, try_mutant, try_mutants
 
-a, b = Letter("a", "dual number"), Letter("b", "dual number")
-u, v, p = Letter("u", "dual vector"), Letter("v", "dual vector"), Letter("p", "proposition")
+a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
+u, v, p = Symbol("u", "dual vector"), Symbol("v", "dual vector"), Symbol("p", "proposition")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 
 

@@ -36,33 +36,33 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import ATOM, LIST, PRODUCT, Letter, Trait
-from ..alphabet import alpha, tensor, u
-from ..meanings import motions
+from ...language.terms import ATOM, LIST, PRODUCT, Symbol, Trait
+from ..definitions import motions
+from ..symbols import alpha, tensor, u
 
 I = identity
 R = tensor("R", "orthogonal tensor")
-R1, R2 = (Letter(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
-R_of = Letter("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
-g, g1, g2 = (Letter(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
-Q, Q1, Q2 = (Letter(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
-any_turn = Letter("Q any", "rotation", r"\mathbf{Q}", "Q")
-any_shift = Letter("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
-turns = tuple(Letter(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-shifts = tuple(Letter(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
-phi, phi_inv = Letter("phi", "function", r"\phi", "ϕ"), Letter("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
-screw_map = Letter("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
-angle = Letter("alpha real", "real angle", r"\alpha", "α")
-shift = Letter("d of α", "real", "d", "d")
-axis = Letter("u real", "real vector", r"\mathbf{u}", "u")
-moment = Letter("u0", "real vector", r"\mathbf{u}^0", "u0")
-turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
-shift_only = Letter("d", "real", "d", "d")
-point = Letter("r", "real vector", r"\mathbf{r}", "r")
-lam = Letter("lambda", "real", r"\lambda", "λ")
-v = Letter("v real", "real vector", r"\mathbf{v}", "v")
-sign = Letter("sign", "sign", r"\pm", "±")
+R1, R2 = (Symbol(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
+R_of = Symbol("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
+g, g1, g2 = (Symbol(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
+Q, Q1, Q2 = (Symbol(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
+any_turn = Symbol("Q any", "rotation", r"\mathbf{Q}", "Q")
+any_shift = Symbol("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
+turns = tuple(Symbol(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+shifts = tuple(Symbol(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
+phi, phi_inv = Symbol("phi", "function", r"\phi", "ϕ"), Symbol("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
+screw_map = Symbol("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
+angle = Symbol("alpha real", "real angle", r"\alpha", "α")
+shift = Symbol("d of α", "real", "d", "d")
+axis = Symbol("u real", "real vector", r"\mathbf{u}", "u")
+moment = Symbol("u0", "real vector", r"\mathbf{u}^0", "u0")
+turn_only = Symbol("alpha only", "real angle", r"\alpha", "α")
+shift_only = Symbol("d", "real", "d", "d")
+point = Symbol("r", "real vector", r"\mathbf{r}", "r")
+lam = Symbol("lambda", "real", r"\lambda", "λ")
+v = Symbol("v real", "real vector", r"\mathbf{v}", "v")
+sign = Symbol("sign", "sign", r"\pm", "±")
 principal = proposition("principal angle", r"$-\pi < \alpha \leq \pi$")
 of_two = define("of two", r"{0}\left({1}, {2}\right)", "{0} {1},{2}", ATOM, (ATOM, LIST, LIST),
                 lambda env, f, a, b: f(a, b))  # fmt: skip
@@ -76,7 +76,7 @@ when_between = define(
 )  # fmt: skip
 
 INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
-GIVEN = tuple(let(letter, homogeneous, Q_i, rho_i) for letter, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
+GIVEN = tuple(let(symbol, homogeneous, Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
 PHI = (let(phi, motions.line_map), let(phi_inv, motions.inverse_line_map))
 SCREW = (
     let(R, motions.screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),

@@ -33,33 +33,33 @@ from ...language.notation import (
     vect,
     zero,
 )  # fmt: skip
-from ...language.terms import PRODUCT, Letter
-from ..alphabet import alpha, quaternion, tensor, u, vector
-from ..meanings import motions, quaternion_maps
+from ...language.terms import PRODUCT, Symbol
+from ..definitions import motions, quaternion_maps
+from ..symbols import alpha, quaternion, tensor, u, vector
 from .s02_2_dual_vectors import lam, mu
 
 I = identity
-any_q = Letter("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
-some = tuple(Letter(f"q{i}", "quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2, 3))
+any_q = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+some = tuple(Symbol(f"q{i}", "quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2, 3))
 q1, q2, q3 = some
-s, s1, s2 = (Letter(f"scalar{i}", "dual number", rf"\underline{{q}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2"))
+s, s1, s2 = (Symbol(f"scalar{i}", "dual number", rf"\underline{{q}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2"))
 w, w1, w2 = (
-    Letter(f"vector{i}", "dual vector", rf"\underline{{\mathbf{{q}}}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2")
+    Symbol(f"vector{i}", "dual vector", rf"\underline{{\mathbf{{q}}}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2")
 )
-q_re, q_du = (Letter(name, "real quaternion", latex, text) for name, latex, text in (
+q_re, q_du = (Symbol(name, "real quaternion", latex, text) for name, latex, text in (
     ("q real", r"\hat{\mathbf{q}}", "q^"), ("q0", r"\hat{\mathbf{q}}^0", "q^0")))  # fmt: skip
 unit = quaternion("q")
 units = tuple(
-    Letter(f"unit{i}", "unit quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2)
+    Symbol(f"unit{i}", "unit quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2)
 )
-rho = Letter("rho", "real vector", r"\hat{\boldsymbol{\rho}}", "ρ^")
+rho = Symbol("rho", "real vector", r"\hat{\boldsymbol{\rho}}", "ρ^")
 a, b = vector("a"), vector("b")
-euler = Letter("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
+euler = Symbol("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
 R = tensor("R", "orthogonal tensor")
-Delta = Letter("Delta", "function", r"\Delta", " ")
-Delta_map = Letter("Delta map", "map", r"\Delta", " ")
-exp_map = Letter("exp map", "map", r"\exp \tfrac{1}{2}", " ")
-i_, j_ = (Letter(f"unit {name}", "quaternion", rf"\hat{{\mathbf{{{name}}}}}", name) for name in "ij")
+Delta = Symbol("Delta", "function", r"\Delta", " ")
+Delta_map = Symbol("Delta map", "map", r"\Delta", " ")
+exp_map = Symbol("exp map", "map", r"\exp \tfrac{1}{2}", " ")
+i_, j_ = (Symbol(f"unit {name}", "quaternion", rf"\hat{{\mathbf{{{name}}}}}", name) for name in "ij")
 scalar = define("scalar part", r"\operatorname{{scal}} {0}", "{0}", PRODUCT, (PRODUCT,), scalar_part)
 
 PARTS = (let(s, scalar_part, any_q), let(w, vector_part, any_q))

@@ -40,34 +40,34 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import ATOM, LIST, Letter
-from ..alphabet import alpha, tensor, u, v, vector
-from ..meanings import low_orders, motions, quaternion_maps
+from ...language.terms import ATOM, LIST, Symbol
+from ..definitions import low_orders, motions, quaternion_maps
+from ..symbols import alpha, tensor, u, v, vector
 
 I, V = identity, skew(v)
 x = norm(v) ** 2
 R = tensor("R", "orthogonal tensor")
-A = Letter("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
-a = Letter("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
-a1, a2 = (Letter(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
-a_re, a_du = (Letter(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
+A = Symbol("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
+a = Symbol("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
+a1, a2 = (Symbol(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
+a_re, a_du = (Symbol(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
 b = vector("b")
-k = Letter("k", "index", "k", "k")
-turns = Letter("k", "branch", "k", "k")
-cay = Letter("cay", "function", r"\mathrm{cay}", "cay")
-cay_map = Letter("cay map", "map", r"\mathrm{cay}", "cay")
-exp_map = Letter("exp map", "map", r"\exp", "exp")
-recovered = Letter("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
-slope = Letter("slope", "tensor",
+k = Symbol("k", "index", "k", "k")
+turns = Symbol("k", "branch", "k", "k")
+cay = Symbol("cay", "function", r"\mathrm{cay}", "cay")
+cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
+exp_map = Symbol("exp map", "map", r"\exp", "exp")
+recovered = Symbol("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
+slope = Symbol("slope", "tensor",
                r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")  # fmt: skip
-start = Letter("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
-angle = Letter("angle of v", "dual number", r"\underline{\alpha}", "α")
-axis = Letter("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
-turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
-shift_only = Letter("d", "real", "d", "d")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+start = Symbol("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
+angle = Symbol("angle of v", "dual number", r"\underline{\alpha}", "α")
+axis = Symbol("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
+turn_only = Symbol("alpha only", "real angle", r"\alpha", "α")
+shift_only = Symbol("d", "real", "d", "d")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
@@ -78,9 +78,9 @@ commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LI
 EULER = (let(a, quaternion_maps.multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
 CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
-KINDS = low_orders.kinds(rotates, translates, general)
-EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in KINDS))
-OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in KINDS), let(Q, motions.rotation_of, R),
+TYPES = low_orders.displacement_types(rotates, translates, general)
+EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
+OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in TYPES), let(Q, motions.rotation_of, R),
         let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))  # fmt: skip
 AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
 

@@ -31,29 +31,29 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import Letter, Number, Term
-from ..alphabet import alpha, quaternion, u, v, vector
-from ..meanings import low_orders, motions, quaternion_maps
+from ...language.terms import Number, Symbol, Term
+from ..definitions import low_orders, motions, quaternion_maps
+from ..symbols import alpha, quaternion, u, v, vector
 from .s04_dual_quaternions import scalar
 
 x = norm(v) ** 2
 q = quaternion("q")
-q0 = Letter("q scalar", "dual number", r"\underline{q}", "q")
-cay = Letter("cay", "function", r"\mathrm{cay}", "cay")
-cay_half = Letter("cay½", "function", r"\mathrm{cay}_{1/2}", "cay12")
-cay_map = Letter("cay map", "map", r"\mathrm{cay}", "cay")
-half_map = Letter("cay½ map", "map", r"\mathrm{cay}_{1/2}", "cay12")
-sigma = Letter("sigma", "dual vector", r"\underline{\boldsymbol{\sigma}}", "σ")
+q0 = Symbol("q scalar", "dual number", r"\underline{q}", "q")
+cay = Symbol("cay", "function", r"\mathrm{cay}", "cay")
+cay_half = Symbol("cay½", "function", r"\mathrm{cay}_{1/2}", "cay12")
+cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
+half_map = Symbol("cay½ map", "map", r"\mathrm{cay}_{1/2}", "cay12")
+sigma = Symbol("sigma", "dual vector", r"\underline{\boldsymbol{\sigma}}", "σ")
 sigma1, sigma2 = (
-    Letter(f"sigma{i}", "dual vector", rf"\underline{{\boldsymbol{{\sigma}}}}_{i}", f"σ{i}") for i in (1, 2)
+    Symbol(f"sigma{i}", "dual vector", rf"\underline{{\boldsymbol{{\sigma}}}}_{i}", f"σ{i}") for i in (1, 2)
 )
 b = vector("b")
-b1, b2 = (Letter(f"b{i}", "dual vector", rf"\underline{{\mathbf{{b}}}}_{i}", f"b{i}") for i in (1, 2))
-k = Letter("k", "index", "k", "k")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
-R = Letter("R", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
+b1, b2 = (Symbol(f"b{i}", "dual vector", rf"\underline{{\mathbf{{b}}}}_{i}", f"b{i}") for i in (1, 2))
+k = Symbol("k", "index", "k", "k")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+R = Symbol("R", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
@@ -73,8 +73,8 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
 
     `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
     """
-    kinds = low_orders.kinds(rotates, translates, general)
-    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in kinds),
+    types = low_orders.displacement_types(rotates, translates, general)
+    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in types),
              let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
              let(v_du, dual_of, v))  # fmt: skip
     return (

@@ -34,31 +34,31 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import Letter, Number
+from ...language.terms import Number, Symbol
 from ...numbers.draw import Draw
-from ..alphabet import alpha, n, u, v, vector
-from ..marks import no_less, positive, preimage_count, tends
-from ..meanings import cayley_maps, orders, preimages
-from ..meanings.quaternion_maps import lift
+from ..definitions import cayley_maps, orders, preimages
+from ..definitions.quaternion_maps import lift
+from ..operators import no_less, positive, preimage_count, tends
+from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import CAYLEY, POLYNOMIALS, I, R, V, X, finite, full_turns, k, p, q, q_hat, x
 
-cay = Letter("cay_{n/2}", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
-cay_counted = Letter("cay_{n/2} counted", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
-cay_v = Letter("cay_{n/2}(v)", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}", "cayn2v")
-target = Letter("target", "unit quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
-scalar = Letter("q_0", "number", r"\underline{q}", "q")
-s_1, s_2 = (Letter(f"q_0 of order {i}", "number", rf"\underline{{q}}^{{(n={i})}}", "q") for i in (1, 2))
+cay = Symbol("cay_{n/2}", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
+cay_counted = Symbol("cay_{n/2} counted", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
+cay_v = Symbol("cay_{n/2}(v)", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}", "cayn2v")
+target = Symbol("target", "unit quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+scalar = Symbol("q_0", "number", r"\underline{q}", "q")
+s_1, s_2 = (Symbol(f"q_0 of order {i}", "number", rf"\underline{{q}}^{{(n={i})}}", "q") for i in (1, 2))
 by_induction = proposition("binomial sums for every n", "the binomial sums and powers of 1 + v, by induction on n")
 by_roots = proposition("preimages counted by roots", "the identities of the roots of $F_n$, by induction on n")
-image = Letter("image", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}_k", "cayvk")
+image = Symbol("image", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}_k", "cayvk")
 v_0, v_k = vector("v_0", text="v0"), vector("v_k", text="vk")
-r_0, r_k = (Letter(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
-r_far = Letter("r_k at infinity", "number", r"\underline{v}_k", "vk")
-index = Letter("j", "index", "k", "k")
-exponent, power = Letter("exponent", "branch", "k", "k"), Letter("quarter of k", "number", "p", "p")
-p_next = Letter("p_{n+1}", "function", "p_{n+1}", "pn+1")
-q_next = Letter("q_{n+1}", "function", "q_{n+1}", "qn+1")
-p_1, q_1 = Letter("p_1", "function", "p_1", "p1"), Letter("q_1", "function", "q_1", "q1")
+r_0, r_k = (Symbol(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
+r_far = Symbol("r_k at infinity", "number", r"\underline{v}_k", "vk")
+index = Symbol("j", "index", "k", "k")
+exponent, power = Symbol("exponent", "branch", "k", "k"), Symbol("quarter of k", "number", "p", "p")
+p_next = Symbol("p_{n+1}", "function", "p_{n+1}", "pn+1")
+q_next = Symbol("q_{n+1}", "function", "q_{n+1}", "qn+1")
+p_1, q_1 = Symbol("p_1", "function", "p_1", "p1"), Symbol("q_1", "function", "q_1", "q1")
 v_1, v_2 = vector("v_1", text="v1"), vector("v_2", text="v2")
 v_composed = vector("v composed", "v", "v")
 is_rotation, is_translation, is_screw = (
@@ -69,7 +69,7 @@ is_rotation, is_translation, is_screw = (
 STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
         let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))  # fmt: skip
 step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
-ARGUMENT = "meanings/preimages, for every n,"
+ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
         let(scalar, cayley_maps.scalar, target),
@@ -91,7 +91,7 @@ TYPES = (
 )  # fmt: skip
 
 
-def opposite_axes(draw: Draw) -> dict[str, dict[Letter, object]]:
+def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
     """Two displacements whose product is a half turn at n = 1, and −1 at n = 2."""
     return {"a quarter turn twice": {v_1: draw.still((1, 0, 0), (1, 2, 3)), v_2: draw.still((1, 0, 0), (0, 1, 2))}}
 

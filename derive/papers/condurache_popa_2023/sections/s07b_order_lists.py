@@ -9,10 +9,10 @@ import mpmath
 from ...equation import Equation, equation
 from ...language.evaluation import let
 from ...language.notation import both, equal, norm, pm, root, skew, tan
-from ...language.terms import Letter
-from ..alphabet import alpha, n, u, v, vector
-from ..meanings import cayley_maps, orders
-from ..meanings.motions import screw_tensor
+from ...language.terms import Symbol
+from ..definitions import cayley_maps, orders
+from ..definitions.motions import screw_tensor
+from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import I as identity
 from .s07_general_order import R, V, X, finite, k, q_hat, x
 from .s07_general_order import p as p_n
@@ -24,8 +24,8 @@ p3, p4, p5 = 1 - 3 * x, 1 - 6 * x + x2, 1 - 10 * x + 5 * x2
 q5 = 5 - 10 * x + x2
 v_k = vector("v_k", "v", "v")
 skew_k = skew(v_k)
-p = {i: Letter(f"p{i}", "function", f"p_{{{i}}}", f"p{i}") for i in range(1, 6)}
-q = {i: Letter(f"q{i}", "function", f"q_{{{i}}}", f"q{i}") for i in range(1, 6)}
+p = {i: Symbol(f"p{i}", "function", f"p_{{{i}}}", f"p{i}") for i in range(1, 6)}
+q = {i: Symbol(f"q{i}", "function", f"q_{{{i}}}", f"q{i}") for i in range(1, 6)}
 
 
 def polynomials(i: int, line: int, first: Any, second: Any, extract: str) -> Equation:

@@ -26,19 +26,19 @@ from ...language.notation import (
     words,
     zero,
 )  # fmt: skip
-from ...language.terms import Letter, Number
-from ..alphabet import alpha, n, u, v
-from ..marks import positive, preimage_count
-from ..meanings import cayley_maps, orders
+from ...language.terms import Number, Symbol
+from ..definitions import cayley_maps, orders
+from ..operators import positive, preimage_count
+from ..symbols import alpha, n, u, v
 from .s07_general_order import POLYNOMIALS, I, R, V, X, a, a_value, finite, k, p, q, q_hat, q_of, w, x
 from .s07a_fractional_transform import FOR_EVERY_N, by_induction, index, target, turned
 
-caym = Letter("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
-caym_v = Letter("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \underline{\mathbf{v}}", "caymn2v")
-caym_map = Letter("caym with a = 1 + v·v", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
-v_of_q = Letter("v(q)", "function", r"\underline{\mathbf{v}}", "v")
-phi_inv = Letter("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
-axis = Letter("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
+caym = Symbol("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
+caym_v = Symbol("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \underline{\mathbf{v}}", "caymn2v")
+caym_map = Symbol("caym with a = 1 + v·v", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
+v_of_q = Symbol("v(q)", "function", r"\underline{\mathbf{v}}", "v")
+phi_inv = Symbol("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
+axis = Symbol("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
 W, xw = skew(w), norm(w) ** 2
 
 FACTOR = (let(a, cayley_maps.constant, a_value), let(v, cayley_maps.product, a_value, w))

@@ -10,11 +10,11 @@ from derive.maps.families import breusing, lambert, orthographic
 from ...equation import Reading, equation
 from ...language.evaluation import Definition, let
 from ...language.notation import Re, both, cos, cot, equal, exp, nonzero, norm, pm, root, sin, skew, tan
-from ...language.terms import Letter
-from ..alphabet import alpha, n, u, v, vector
-from ..marks import limit, positive
-from ..meanings import cayley_maps, orders
-from ..meanings.quaternion_maps import multiple
+from ...language.terms import Symbol
+from ..definitions import cayley_maps, orders
+from ..definitions.quaternion_maps import multiple
+from ..operators import limit, positive
+from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import (
     SCREW,
     SCREW_OF_V,
@@ -35,17 +35,17 @@ from .s07_general_order import (
 from .s07c_parameterizations import W, xw
 
 alpha_vector = vector("α", r"\alpha")
-screw = Letter("screw quaternion", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
-P, Q = Letter("P_n", "function", "P_n", "Pn"), Letter("Q_n", "function", "Q_n", "Qn")
-c, x_breusing = Letter("c", "scale", "c", "c"), Letter("x", "number", "x", "x")
-one, two = (let(Letter(f"order {i}", "number", str(i), str(i)), orders.at_order(i, lambda env, i: i)) for i in (1, 2))
+screw = Symbol("screw quaternion", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+P, Q = Symbol("P_n", "function", "P_n", "Pn"), Symbol("Q_n", "function", "Q_n", "Qn")
+c, x_breusing = Symbol("c", "scale", "c", "c"), Symbol("x", "number", "x", "x")
+one, two = (let(Symbol(f"order {i}", "number", str(i), str(i)), orders.at_order(i, lambda env, i: i)) for i in (1, 2))
 
 
-def family(meaning: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
+def family(definition: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
     """v of a family, and every factor a(v) that makes its Cayley map the displacement of α and u."""
-    of_order = order.letter if order else n
+    of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
-    return (*((order,) if order else ()), let(v, meaning, *arguments),
+    return (*((order,) if order else ()), let(v, definition, *arguments),
             let(screw, orders.screw_quaternion, alpha, u),
             let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)  # fmt: skip
 
@@ -106,13 +106,13 @@ SECOND = (
 )  # fmt: skip
 
 w_two = vector("w of order 2", "w", "w")
-image_two = Letter("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
+image_two = Symbol("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
 BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c),
-            let(w_two, cayley_maps.rodrigues_vector, two.letter, alpha, u),
-            let(image_two, orders.cayley, two.letter, w_two))  # fmt: skip
+            let(w_two, cayley_maps.rodrigues_vector, two.symbol, alpha, u),
+            let(image_two, orders.cayley, two.symbol, w_two))  # fmt: skip
 ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
-              let(q_of, cayley_maps.function_of(cayley_maps.modified), two.letter, a_value, v),
-              let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.letter, a_value, v))  # fmt: skip
+              let(q_of, cayley_maps.function_of(cayley_maps.modified), two.symbol, a_value, v),
+              let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.symbol, a_value, v))  # fmt: skip
 factor = equal(a(v), root((root(4 + norm(v) ** 4) - x) / 2))
 FOURTH = (
     equation("breusing-vector", "Breusing parameters and their factor", 333,

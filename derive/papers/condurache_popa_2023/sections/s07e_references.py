@@ -6,8 +6,8 @@ from ...equation import Equation, equation
 from ...language.claims import proposition
 from ...language.evaluation import let
 from ...language.terms import Term, latex, term
-from ..alphabet import n, v
-from ..meanings.references import displays
+from ..definitions.references import displays
+from ..symbols import n, v
 from . import s06_cayley_quaternions, s07a_fractional_transform, s07c_parameterizations
 from .s07_general_order import q_of
 from .s07a_fractional_transform import turned

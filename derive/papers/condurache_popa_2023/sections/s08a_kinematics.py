@@ -24,33 +24,33 @@ from ...language.notation import (
     transpose,
     vect,
 )  # fmt: skip
-from ...language.terms import Letter
-from ..alphabet import alpha, tensor, u, vector
-from ..marks import equations_in
-from ..meanings import orders, velocities
-from ..meanings.motions import screw_tensor
+from ...language.terms import Symbol
+from ..definitions import orders, velocities
+from ..definitions.motions import screw_tensor
+from ..operators import equations_in
+from ..symbols import alpha, tensor, u, vector
 
 R = tensor("R", "orthogonal tensor")
-R_t = Letter("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
-R_0, other = Letter("R_0", "orthogonal tensor", r"\underline{\mathbf{R}}_0", "R0"), tensor("S")
+R_t = Symbol("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
+R_0, other = Symbol("R_0", "orthogonal tensor", r"\underline{\mathbf{R}}_0", "R0"), tensor("S")
 T = tensor("T")
-q_hat = Letter("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 omega = vector("omega", r"\omega", "ω")
-omega_B = Letter("omega_B", "dual vector", r"\underline{\boldsymbol{\omega}}_B", "ωB")
-skew_B = Letter("skew omega_B", "tensor", r"\tilde{\underline{\boldsymbol{\omega}}}_B", "ω~B")
-Phi = Letter("Phi", "tensor", r"\underline{\Phi}", "Φ")
+omega_B = Symbol("omega_B", "dual vector", r"\underline{\boldsymbol{\omega}}_B", "ωB")
+skew_B = Symbol("skew omega_B", "tensor", r"\tilde{\underline{\boldsymbol{\omega}}}_B", "ω~B")
+Phi = Symbol("Phi", "tensor", r"\underline{\Phi}", "Φ")
 line, line_0 = vector("l", r"l"), vector("l_0", "l_0", "l0")
-line_t = Letter("l(t)", "line", r"\underline{\mathbf{l}}(t)", "lt")
+line_t = Symbol("l(t)", "line", r"\underline{\mathbf{l}}(t)", "lt")
 free_line = vector("line")
-point, along = (Letter(name, "real vector", rf"\mathbf{{{name}}}", name) for name in ("point", "direction"))
-w_real = Letter("w", "real vector", r"\boldsymbol{\omega}", "ω")
-v_real = Letter("v of the origin", "real vector", r"\mathbf{v}", "v")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-zero_tensor = Letter("0 tensor", "tensor", r"\underline{\mathbf{0}}", "0")
-at_start = Letter("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline{\mathbf{R}}^T)(t_0)", "RRTt0")
-Theta = Letter("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
-half_sine = Letter("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
+point, along = (Symbol(name, "real vector", rf"\mathbf{{{name}}}", name) for name in ("point", "direction"))
+w_real = Symbol("w", "real vector", r"\boldsymbol{\omega}", "ω")
+v_real = Symbol("v of the origin", "real vector", r"\mathbf{v}", "v")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+zero_tensor = Symbol("0 tensor", "tensor", r"\underline{\mathbf{0}}", "0")
+at_start = Symbol("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline{\mathbf{R}}^T)(t_0)", "RRTt0")
+Theta = Symbol("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
+half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
 
 MOTION = (
     let(R, screw_tensor, alpha, u), let(q_hat, orders.screw_quaternion, alpha, u), let(omega, velocities.twist, R),

@@ -16,19 +16,19 @@ from ...language.notation import (
     tan,
     words,
 )
-from ...language.terms import Letter, Term
-from ..alphabet import X, alpha, u, v
-from ..meanings import orders
+from ...language.terms import Symbol, Term
+from ..definitions import orders
+from ..symbols import X, alpha, u, v
 from .s07_general_order import VV, I, R, V, finite, k, q_hat, x
 
 
 class Order:
-    """The letters that belong to one order, and what they stand for."""
+    """The symbols that belong to one order, and what they stand for."""
 
     def __init__(self, n: int) -> None:
-        self.p, self.q = (Letter(f"{f}{n}", "function", f"{f}_{{{n}}}", f"{f}{n}") for f in "pq")
-        self.dcay = Letter(f"dcay{n}", "tensor", rf"\mathrm{{dcay}}_{{{n}}}", f"dcay{n}")
-        self.dcay_inv = Letter(f"dcay{n}⁻¹", "tensor", rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}", f"dcay{n}-1")
+        self.p, self.q = (Symbol(f"{f}{n}", "function", f"{f}_{{{n}}}", f"{f}{n}") for f in "pq")
+        self.dcay = Symbol(f"dcay{n}", "tensor", rf"\mathrm{{dcay}}_{{{n}}}", f"dcay{n}")
+        self.dcay_inv = Symbol(f"dcay{n}⁻¹", "tensor", rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}", f"dcay{n}-1")
         of_x = ((self.p, orders.p), (self.q, orders.q))
         of_v = (
             (q_hat, orders.cayley),
@@ -37,8 +37,8 @@ class Order:
             (self.dcay_inv, orders.tangent_inv),
         )
         self.where = (
-            *(let(letter, orders.at_order(n, meaning)) for letter, meaning in of_x),
-            *(let(letter, orders.at_order(n, meaning), v) for letter, meaning in of_v),
+            *(let(symbol, orders.at_order(n, definition)) for symbol, definition in of_x),
+            *(let(symbol, orders.at_order(n, definition), v) for symbol, definition in of_v),
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 

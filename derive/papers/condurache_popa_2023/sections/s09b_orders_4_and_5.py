@@ -6,7 +6,7 @@ import mpmath
 
 from ...equation import equation
 from ...language.notation import Re, both, equal, half, nonzero, norm, pm, remark, root, tan
-from ..alphabet import X, u, v
+from ..symbols import X, u, v
 from .s07_general_order import VV, I, R, V, finite, q_hat, x
 from .s09a_orders_1_to_3 import ROOT, Order, branch_of, branches
 

@@ -7,16 +7,16 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Dual
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic, GenericOrder
-from derive.papers.numbers.kinds import KINDS
+from derive.papers.numbers.quantities import QUANTITIES
 from derive.proof.ratio import NotExactError
 
-t, v, w = (Letter(name, "dual vector") for name in "tvw")
-u1, u2, u3 = (Letter(f"u{i}", "unit vector") for i in (1, 2, 3))
-a, alpha, n, k = Letter("a", "dual number"), Letter("α", "angle"), Letter("n", "order"), Letter("k", "branch")
-q, r, T = Letter("q", "unit quaternion"), Letter("r", "real"), Letter("T", "tensor")
+t, v, w = (Symbol(name, "dual vector") for name in "tvw")
+u1, u2, u3 = (Symbol(f"u{i}", "unit vector") for i in (1, 2, 3))
+a, alpha, n, k = Symbol("a", "dual number"), Symbol("α", "angle"), Symbol("n", "order"), Symbol("k", "branch")
+q, r, T = Symbol("q", "unit quaternion"), Symbol("r", "real"), Symbol("T", "tensor")
 
 
 def zeros(vector) -> list[bool]:
@@ -68,7 +68,7 @@ def test_magnitudes_of_the_first_vector_are_tangents() -> None:
 
 
 @pytest.mark.parametrize(("dual", "moving"), [(False, False), (True, False), (False, True), (True, True)])
-def test_numbers_have_the_parts_of_their_layout(make, dual: bool, moving: bool) -> None:
+def test_numbers_have_the_parts_of_their_layout(dual: bool, moving: bool) -> None:
     value = Generic([a], dual, moving).values[a]
     layers = 0
     while isinstance(value, Dual):
@@ -77,24 +77,24 @@ def test_numbers_have_the_parts_of_their_layout(make, dual: bool, moving: bool) 
     assert layers == dual + moving
 
 
-def test_letters_are_independent() -> None:
-    b = Letter("b", "dual number")
+def test_symbols_are_independent() -> None:
+    b = Symbol("b", "dual number")
     found = Generic([a, b, v], dual=True, moving=False).values
     parts = [found[a].re, found[a].du, found[b].re, found[b].du, found[v].c1.re, found[v].c1.du]
     assert all(one != other for i, one in enumerate(parts) for other in parts[:i])
 
 
-def test_real_letters_do_not_move() -> None:
+def test_real_symbols_do_not_move() -> None:
     assert not isinstance(Generic([r], dual=True, moving=False).values[r], Dual)
     assert not isinstance(Generic([r], dual=False, moving=False).values[r], Dual)
-    with pytest.raises(NotExactError, match="real letters in motion"):
+    with pytest.raises(NotExactError, match="real symbols in motion"):
         Generic([r], dual=True, moving=True)
     with pytest.raises(NotExactError, match="a moving displacement"):
         Generic([q], dual=True, moving=True)
 
 
 @pytest.mark.parametrize("steps", [2, 4, 6])
-def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
+def test_parts_of_angles_have_sine_and_cosine(steps: int) -> None:
     point = Generic([alpha], dual=False, moving=False, steps=steps)
     for multiple in (1, 3, -2):
         part = point.values[alpha] * Fraction(multiple, steps)
@@ -106,7 +106,7 @@ def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
 
 
 @pytest.mark.parametrize("branch", [0, 1, 2])
-def test_a_branch_is_so_many_turns_less(make, branch: int) -> None:
+def test_a_branch_is_so_many_turns_less(branch: int) -> None:
     point = Generic([alpha, a], dual=False, moving=False)
     before = dict(point.values)
     point.fix_branch(k, branch)
@@ -119,23 +119,23 @@ def test_a_branch_is_so_many_turns_less(make, branch: int) -> None:
 
 
 def test_displacements_are_unit_quaternions() -> None:
-    for letters in ([q], [v, q], [q, u1]):
-        point = Generic(letters, dual=False, moving=False)
+    for symbols in ([q], [v, q], [q, u1]):
+        point = Generic(symbols, dual=False, moving=False)
         value = point.values[q]
         assert value.norm2() == 1
         assert value.scalar == point.field.cos(point.field.symbol("q"))
 
 
 def test_for_every_order_a_displacement_is_a_square() -> None:
-    for letters in ([q], [v, q]):
-        point = GenericOrder(letters, n, moving=False)
+    for symbols in ([q], [v, q]):
+        point = GenericOrder(symbols, n, moving=False)
         assert point.values[q].norm2() == 1
         assert not any(zeros(point.values[q].vector))
         assert point.values[q].scalar not in (0, 1)
 
 
 def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
-    x, s = Letter("x", "argument"), Letter("s", "scale")
+    x, s = Symbol("x", "argument"), Symbol("s", "scale")
     point = GenericOrder([v, alpha, x, s], n, moving=False)
     field = point.field
     assert isinstance(field, EveryOrder)
@@ -147,7 +147,7 @@ def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
 
 
 def test_what_only_a_definition_has_is_refused() -> None:
-    for name, kind in KINDS.items():
-        if kind.exact is None:
+    for name, quantity in QUANTITIES.items():
+        if quantity.exact is None:
             with pytest.raises(NotExactError, match=f"no generic {name}"):
-                Generic([Letter("x", name)], dual=False, moving=False)
+                Generic([Symbol("x", name)], dual=False, moving=False)

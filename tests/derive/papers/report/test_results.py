@@ -8,7 +8,7 @@ import pytest
 
 from derive.papers import PAPERS, Equation, Reading, Result, Status, equation
 from derive.papers.language.notation import Re, equal, nonzero
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.report.content import (
     Report,
     command,
@@ -24,7 +24,7 @@ from derive.papers.report.pages import notes
 from derive.papers.report.text import ambiguous, as_text, conditional, errata, true
 from derive.papers.result import Counterexample, Verdict
 
-a, b = Letter("a", "dual number"), Letter("b", "dual number")
+a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 SHOWN = Counterexample("generic point 1", {"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]))
 SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_orders_1_to_3.py"
 
@@ -121,7 +121,7 @@ def test_domains_are_found_or_stated() -> None:
 
 
 @pytest.mark.parametrize(
-    ("letters", "sides", "lines"),
+    ("symbols", "sides", "lines"),
     [({"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]),
       ("a = 0.5 + ε -0.25", "α = 2", "number 2 of 2: left 3, right 4")),
      ({"v": list("123456")}, (["1"], ["2"]), ("v = (1, 2, 3) + ε (4, 5, 6)", "left 1, right 2")),
@@ -131,13 +131,13 @@ def test_domains_are_found_or_stated() -> None:
      ({}, (["0.12345678901234", "7"], ["0.12345678991234", "8"]), ("number 2 of 2: left 7, right 8",)),
      ({"a": ["0.12345678901234"]}, (["1"], ["1"]), ("a = 0.1234567890", "left 1, right 1"))],
 )  # fmt: skip
-def test_a_counterexample_in_lines(letters, sides, lines) -> None:
-    assert example(Counterexample("the point", letters, sides)) == lines
+def test_a_counterexample_in_lines(symbols, sides, lines) -> None:
+    assert example(Counterexample("the point", symbols, sides)) == lines
 
 
 def test_notes_are_the_words_the_remark_and_the_place() -> None:
     full = result(fixed_by="line 9")
-    assert notes(full) == ("In the paper: “words”", "A sign is missing. More.", "Reading fixed by line 9.")
+    assert notes(full) == ("In the paper: “words”", "A sign is missing. More.", "The reading follows from line 9.")
     assert notes(result(said="", remark="")) == ()
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 
 from derive.papers import PAPERS
-from derive.papers.condurache_popa_2023.marks import is_algebraic
-from derive.papers.karakilic_2010.marks import Cos, Sin, Tan, Tan2, length
+from derive.papers.condurache_popa_2023.operators import is_algebraic
+from derive.papers.karakilic_2010.operators import Cos, Sin, Tan, Tan2, length
 from derive.papers.language.notation import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
-from derive.papers.language.terms import MARKS, Apply, Letter, Trait, letters, marked, takes_apart, text, walk
+from derive.papers.language.terms import OPERATORS, Apply, Symbol, Trait, symbols, takes_apart, text, walk, with_trait
 from derive.papers.mutation import mutants
-from derive.papers.numbers.kinds import KINDS
+from derive.papers.numbers.quantities import QUANTITIES
 
-a, b, r = Letter("a", "dual number"), Letter("b", "dual number"), Letter("r", "real")
+a, b, r = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("r", "real")
 
 
 def statements(entry):
@@ -29,9 +29,9 @@ def terms() -> list[Apply]:
 def test_every_change_of_every_term_is_another_term(terms) -> None:
     assert len(terms) > 4000
     for term in terms:
-        for change in term.mark.changes:
+        for change in term.operator.changes:
             symmetric = len(set(term.arguments)) < len(term.arguments)
-            assert symmetric or change.made(term) != term, change.what.format(term.mark.name)
+            assert symmetric or change.made(term) != term, change.what.format(term.operator.name)
 
 
 def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
@@ -43,7 +43,7 @@ def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
 
 
 def test_every_mark_without_changes_is_known() -> None:
-    functions = [mark for mark in MARKS.values() if Trait.TRANSCENDENTAL in mark.traits]
+    functions = [mark for mark in OPERATORS.values() if Trait.TRANSCENDENTAL in mark.traits]
     assert len(functions) > 15
     assert {mark.name for mark in functions if not mark.changes} == {"exp", "power of e", "K10 natural"}
 
@@ -55,10 +55,10 @@ def test_what_takes_numbers_apart() -> None:
     assert not takes_apart(equal(norm(a), sin(b)))
 
 
-def test_delicate_marks_are_found_with_their_letters() -> None:
-    (found,) = marked(Trait.DELICATE, equal(a, b) + nonzero(b))
-    assert letters(found) == (b,)
-    assert len(marked(Trait.DELICATE, implies(nonzero(a), equal(a, b)))) == 2
+def test_delicate_marks_are_found_with_their_symbols() -> None:
+    (found,) = with_trait(Trait.DELICATE, equal(a, b) + nonzero(b))
+    assert symbols(found) == (b,)
+    assert len(with_trait(Trait.DELICATE, implies(nonzero(a), equal(a, b)))) == 2
 
 
 def test_transcendental_marks_of_either_paper() -> None:
@@ -68,18 +68,18 @@ def test_transcendental_marks_of_either_paper() -> None:
 
 
 def test_what_is_not_in_a_table_is_refused() -> None:
-    with pytest.raises(ValueError, match="no mark 'sine'"):
+    with pytest.raises(ValueError, match="no operator 'sine'"):
         Apply("sine", a)
-    with pytest.raises(ValueError, match="no kind 'scalar': expected order, branch"):
-        Letter("a", "scalar")
+    with pytest.raises(ValueError, match="no quantity 'scalar': expected order, branch"):
+        Symbol("a", "scalar")
 
 
 def test_every_kind_is_in_use_and_names_are_unique_in_an_entry() -> None:
     used = set()
     for entry in (entry for paper in PAPERS for entry in paper.entries()):
         parts = [*statements(entry), *filter(None, (entry.claimed, entry.condition))]
-        found = {letter for part in parts for letter in letters(part)}
-        found |= {letter for d in entry.where for letter in (d.letter, *d.arguments)}
-        assert len({letter.name for letter in found}) == len(found), entry.number
-        used |= {letter.kind for letter in found}
-    assert used == set(KINDS.values())
+        found = {symbol for part in parts for symbol in symbols(part)}
+        found |= {symbol for d in entry.where for symbol in (d.symbol, *d.arguments)}
+        assert len({symbol.name for symbol in found}) == len(found), entry.number
+        used |= {symbol.quantity for symbol in found}
+    assert used == set(QUANTITIES.values())

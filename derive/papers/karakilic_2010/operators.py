@@ -1,4 +1,4 @@
-"""The paper's own marks: functions with capitals, norms and roots, components, sums over them, inequalities."""
+"""Operators of the paper: functions with capitals, norms and roots, components, sums over them, inequalities."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from derive.proof.ratio import NotExactError
 from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env
 from ..language.notation import cos, define, norm, sin, tan
-from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Mark, Term, Trait
-from .alphabet import i, j
+from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Operator, Term, Trait
+from .symbols import i, j
 
 
-def _function(name: str, mark: Mark, sibling: str, exponent: int = 1) -> Mark:
+def _function(name: str, function: Operator, sibling: str, exponent: int = 1) -> Operator:
     """A function with a capital, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
-                  (POWER,), lambda env, a: env.power(mark.value(env, a), exponent), traits=mark.traits,
+                  (POWER,), lambda env, a: env.power(function.value(env, a), exponent), traits=function.traits,
                   changes=(DROPPED, made(sibling)))  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""The paper's own marks in sections 7 and 8: limits, signs, numbers of preimages and of equations."""
+"""Operators of sections 7 and 8: limits, signs, numbers of preimages and of equations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from derive.proof.ratio import Ratio
 from ..language import values
 from ..language.evaluation import Env
 from ..language.notation import define
-from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Letter, Term, Trait, marked
+from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
 from ..numbers.fields import UndefinedError, innermost
 
 FAR = (40, 80)
@@ -30,11 +30,11 @@ no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
 
 def _limit(env: Env, index: Term, body: Term) -> Any:
     """The limit of a sequence that is constant from some order on; of any other it is not known."""
-    if not isinstance(index, Letter):
-        raise TypeError("only a letter can tend to infinity")
+    if not isinstance(index, Symbol):
+        raise TypeError("only a symbol can tend to infinity")
     if not isinstance(env.value(index), int):
         return env.value(body)
-    free = {letter: value for letter, value in env.values.items() if letter not in env.definitions}
+    free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
     first, second = (
         Env(env.field, {**free, index: order}, env.definitions, env.dual, env.moving).value(body) for order in FAR
     )
@@ -64,4 +64,4 @@ equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PR
 
 def is_algebraic(*statements: Term) -> bool:
     """Whether no transcendental function occurs in any of the statements."""
-    return not marked(Trait.TRANSCENDENTAL, *statements)
+    return not with_trait(Trait.TRANSCENDENTAL, *statements)
