@@ -1,4 +1,4 @@
-"""What a target is: a language, its files, its texts, and how what was printed is executed again."""
+"""Protocol of a target: a language, its files and texts, and how printed text is executed."""
 
 from __future__ import annotations
 
@@ -11,43 +11,43 @@ from ..facts import Facts
 from ..rows import Table
 
 Data = Mapping[str, Any]
-"""What fills the holes of a template, by name, but for ``header``."""
+"""Values for the holes of a template by name, without ``header``."""
 
 
 class Target(Protocol):
-    """A language kernels are printed in; `name` is its template folder too."""
+    """A language in which kernels are printed; `name` is also its template folder."""
 
     @property
     def name(self) -> str: ...
 
     @property
     def extension(self) -> str:
-        """Of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
+        """Extension of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
 
     @property
     def entry(self) -> str:
-        """The shared file that is read before any other."""
+        """Shared file that is read before any other."""
 
     @property
     def comment(self) -> str:
-        """What begins a comment line."""
+        """Mark that begins a comment line."""
 
     @property
     def unproved(self) -> str:
-        """What of its text is not executed when it is validated."""
+        """Parts of the text that validation does not execute."""
 
     @property
     def tables(self) -> Sequence[Table]:
-        """Whose functions it prints, a module of every chart for each, that of poses first."""
+        """Tables whose functions are printed, poses first; every chart has a module for each."""
 
     def shared(self) -> Mapping[str, Data]:
-        """Files that every package of the target holds, each from the template of its name."""
+        """Return data of the files that every package holds, by file name; each has a template of that name."""
 
     def module(self, facts: Facts) -> Data:
-        """What the module of a chart says."""
+        """Return data of the module of a chart."""
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Further files of a chart: by name, the template and what it is given."""
+        """Return template and data of further files of a chart, by file name."""
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
@@ -55,21 +55,21 @@ class Target(Protocol):
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Execute the text of a module in a folder; return how many calls equal the formula.
 
-        ``geometry`` asks for all functions, which shows the text that charts share; else for those that are its own.
+        With ``geometry`` all functions are executed, and so the text that charts share; else the chart's own ones.
         """
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Call the functions of a module on floats; return how many calls agree with the formula.
 
-        ``geometry`` asks for all functions, in all ways; else for those that are the chart's own.
+        With ``geometry`` all functions are called, in all ways; else the chart's own ones.
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
+        """Compile and run the tests among its companions; return how many calls agree, None without a compiler."""
 
 
 def require_functions(where: str, found: Iterable[str], table: Table) -> None:
-    """Compare the functions that a text defines with the public ones of a table.
+    """Compare the functions of a text with the public ones of a table.
 
     Raises
     ------
