@@ -17,7 +17,7 @@ from rich.console import Console
 from benchmarks.accuracy.__main__ import progress
 from benchmarks.kernels import GATED, fresh, measured
 from benchmarks.peers import Poses
-from derive.cli.compared import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.cli.compare import ANGLES, MEASURED, TIMED, Compared, measurements_file
 from derive.codegen import catalogue
 from derive.maps.chart import Chart
 from tests.support import families, oracle
@@ -70,7 +70,9 @@ def main() -> None:
         for chart in charts:
             found[chart.name] = {"errors": errors(chart), "nanoseconds": times[chart.name]}
             bar.advance(row)
-    MEASUREMENTS.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    file = measurements_file()
+    assert file is not None
+    file.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -8,17 +8,17 @@ from typing import Protocol, TypeVar
 
 
 class Shown(Protocol):
-    """What has a row in a table."""
+    """A result with a row in a table."""
 
     def cells(self) -> Mapping[str, str]:
-        """Texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
+        """Return texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
 
 
 T = TypeVar("T", bound=Shown)
 
 
 class Listing(list[T]):
-    """A list which shows itself."""
+    """A list with a line for each result, and a table in notebooks."""
 
     def __repr__(self) -> str:
         items = ",\n ".join(map(repr, self))

@@ -1,4 +1,4 @@
-"""Tables as plain text: ruled where they fit, else a line for each cell."""
+"""Tables as plain text: ruled where they fit, otherwise a line for each cell."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from rich.measure import Measurement
 from rich.table import Table
 
 WIDTH = 120
-"""Of tables in files and pipes, and on wider screens."""
+"""Largest width of a table, and its width in files and pipes."""
 
 INDENT = "  "
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column: numbers stand to the right; a width is fixed, or a share (``ratio``) of what is left."""
+    """A column: numbers are aligned to the right; a width is fixed, or a share (``ratio``) of the rest."""
 
     heading: str
     number: bool = False
@@ -34,16 +34,14 @@ class Grid:
 
     Parameters
     ----------
-    title : str
-    columns : sequence of Column
-    rows : sequence of rows of str
-        The first cell names the row.
+    title, columns, rows
+        The first cell of a row is its name.
     least : int, optional
-        The width below which it is lines, where cells may be broken; otherwise that of its longest words.
+        Smallest width of a ruled table; by default that of its longest words.
     ruled : bool
-        Lines between rows.
+        Rules between rows.
     remarks : collection of str
-        Rows whose cells are about the row before, not what the headings say.
+        Names of rows that comment on the row before: their cells get no heading.
     """
 
     title: str
@@ -54,7 +52,7 @@ class Grid:
     remarks: Collection[str] = ()
 
     def text(self, width: int = WIDTH) -> str:
-        """It within a width."""
+        """Return the table within a width."""
         screen = Console(file=io.StringIO(), width=width, highlight=False, color_system=None, markup=False, emoji=False)
         table = self._table()
         least = Measurement.get(screen, screen.options.update(width=10**6), table).minimum
@@ -85,5 +83,5 @@ class Grid:
 
 
 def columns() -> int:
-    """The width of the screen, or of ``COLUMNS``, up to that of tables in files; that where there is no screen."""
+    """Return the width of the screen (or ``COLUMNS``), at most `WIDTH`; `WIDTH` without a screen."""
     return min(shutil.get_terminal_size((WIDTH, 0)).columns, WIDTH)

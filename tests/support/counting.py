@@ -9,7 +9,6 @@ from typing import Any
 
 from derive.codegen.targets.numpy import Numpy
 from derive.codegen.validation import ValidationFailed
-from derive.codegen.validation.run import chosen
 from derive.maps.chart import Chart
 
 
@@ -24,7 +23,7 @@ class Counting(Numpy):
             time.sleep(0.5 if chart.name == self.failing[0] else 0)
             raise ValidationFailed(f"{chart.name}.pose, component 0: 1 is not 2")
         assert (folder / f"{chart.name}.py").is_file()
-        return sum(len(chosen(chart, table, geometry)) for table in self.tables)
+        return 1
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return 2 if geometry else 1

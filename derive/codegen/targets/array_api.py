@@ -8,12 +8,11 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from ..facts import Facts
+from ..package import Data, Facts
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
 from . import python
-from .target import Data
 
 WORDS = python.Words(
     options="*, axis: int = -1",

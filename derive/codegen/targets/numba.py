@@ -14,15 +14,14 @@ from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
 from ..lowered import geometry
+from ..package import Data, Facts
 from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
-from .target import Data
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from ...maps.chart import Chart
-from ..facts import Facts
-from ..fingerprint import fingerprint
 from ..lowered import Lowered, lower_chart
+from ..package import Data, Facts, fingerprint
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import python
-from .target import Data
 
 WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
@@ -29,6 +27,7 @@ class Numpy(python.PythonTarget):
     name = "numpy"
     words = WORDS
     tables = (POSES, ROTATIONS)
+    imports_bases = True
     uncompiled = WORDS.plain
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"

@@ -14,20 +14,21 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, numbers
 from ..lowered import Lowered, lower_chart
 from ..lowered import printed_geometry as lowered_geometry
+from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from . import infix
-from .target import Data, require_functions
+from .target import require_functions
 
 INTERFACE = "_interface.py"
 
 CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
 """Classes of the documented interfaces, by table."""
+
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +84,7 @@ class PythonTarget(ABC):
     tables: Sequence[Table] = (POSES,)
     uncompiled: tuple[str, ...] = ()
     """Functions without a compiled form in ``dualcay-native``."""
+    imports_bases = False
     name: str
     words: Words
 

@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from ...maps.chart import Chart
-from ..facts import Facts
+from ..package import Printer
 from ..rows import Table
 
-Data = Mapping[str, Any]
-"""Values for the holes of a template by name, without ``header``."""
 
-
-class Target(Protocol):
-    """A language in which kernels are printed; `name` is also its template folder."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def extension(self) -> str:
-        """Extension of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
-
-    @property
-    def entry(self) -> str:
-        """Shared file that is read before any other."""
-
-    @property
-    def comment(self) -> str:
-        """Mark that begins a comment line."""
+class Target(Printer, Protocol):
+    """A language in which kernels are printed."""
 
     @property
     def unproved(self) -> str:
@@ -40,17 +22,9 @@ class Target(Protocol):
     def tables(self) -> Sequence[Table]:
         """Tables whose functions are printed, poses first; every chart has a module for each."""
 
-    def shared(self) -> Mapping[str, Data]:
-        """Return data of the files that every package holds, by file name; each has a template of that name."""
-
-    def module(self, facts: Facts) -> Data:
-        """Return data of the module of a chart."""
-
-    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return template and data of further files of a chart, by file name."""
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
+    @property
+    def imports_bases(self) -> bool:
+        """True if the module of a multiple imports the module of its base chart."""
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Execute the text of a module in a folder; return how many calls equal the formula.

@@ -15,10 +15,9 @@ import sympy
 
 from derive.algebra import Vector
 from derive.codegen import ValidationFailed
-from derive.codegen.compiler import build_charts
-from derive.codegen.lowered import geometry
+from derive.codegen.build import build
 from derive.codegen.lowering import calculus
-from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES, PUBLIC, ROTATIONS
+from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES, PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.run import chosen
 from derive.codegen.validation.vectors import Vectors, flat, vectors_of
@@ -82,14 +81,14 @@ BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
 # the headers of the native target are those of C, and its package is built in tests/targets
 @pytest.mark.parametrize("target", [t for t in TARGETS.values() if t.name != "native"], ids=lambda target: target.name)
 def test_it_is_printed_and_validated_in_every_target(target):
-    (module,) = build_charts([Sine()], target).modules
+    (module,) = build([Sine()], target).modules
     assert module.name == f"sine6.{target.extension}"
-    assert module.validated >= sum(len(batch.cases) for batch in chosen(Sine(), POSES, whole=False))
+    assert module.counts.validated >= sum(len(batch.cases) for batch in chosen(Sine(), POSES, whole=False))
 
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
-    return build_charts([Sine()], unvalidated(TARGETS["numpy"])).texts
+    return build([Sine()], unvalidated(TARGETS["numpy"])).texts
 
 
 @pytest.mark.parametrize(

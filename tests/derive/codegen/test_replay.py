@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derive.codegen import ValidationFailed, build
+from derive.codegen import ValidationFailed
+from derive.codegen.build import build
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, replay
@@ -26,7 +27,7 @@ TARGET = TARGETS["numpy"]
 
 @pytest.fixture(scope="module")
 def texts() -> Mapping[str, str]:
-    return build([3], unvalidated(TARGET)).texts
+    return build([Cayley(3)], unvalidated(TARGET)).texts
 
 
 WRONG = {

@@ -7,17 +7,15 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, catalogue
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.real import narrowed
 from derive.codegen.lowering.scalars import SQUARES
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, validate
+from derive.codegen.validation import NUMPY, Machinery, replay, samples, validate
 from derive.codegen.validation import formulas as exact
-from derive.codegen.validation import samples
 from derive.codegen.validation.samples import batches
 from derive.maps import Cayley
 from derive.output import files
@@ -71,8 +69,9 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
         return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
     for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+        original = getattr(source, attribute)
 
-        def without(*given, original=getattr(source, attribute)):
+        def without(*given, original=original):
             return (found for found in original(*given) if of(found) != name)
 
         monkeypatch.setattr(source, attribute, without)
@@ -84,8 +83,7 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
 def texts() -> dict[str, str]:
     chart, target = Cayley(1), TARGETS["numpy"]
     facts = Facts(prove(chart), lower_chart(chart))
-    module = {module_name(chart, target): module_text(facts, target)}
-    return {**shared_texts(target), **companion_texts(facts, target), **module}
+    return shared_texts(target) | module_texts(facts, target)
 
 
 GEOMETRY, INTERFACE, OWN = "rotation/_geometry.py", "rotation/_interface.py", "rotation/cayley1.py"
