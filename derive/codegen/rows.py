@@ -12,6 +12,7 @@ from ..maps.chart import Chart
 from .lowering.point import Recipe, traced, traced_kernel
 from .programs.program import Program
 
+
 @dataclass(frozen=True, slots=True)
 class Array:
     """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to.

@@ -48,7 +48,7 @@ class ArrayApi(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        return {"programs": python.printed_geometry(table), "rows": table.kernels}
+        return python.geometry(table)
 
     def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
         scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]

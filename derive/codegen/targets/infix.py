@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, left_associative
 
+
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     """Return the dialect of Python with functions of a prefix and constants written in a way."""
 
@@ -77,7 +78,8 @@ def _statements(
         if names != (argument,):
             yield from lists.unpacked(names, argument)
     statements = dialect.statements(program, lists)
-    for statement, text in statements[0]:
+    for statement, texts in statements[0]:
+        text = ", ".join(t if isinstance(t, str) else f"({', '.join(t)}{',' * (len(t) == 1)})" for t in texts)
         if not isinstance(statement, Call):
             yield f"{statement.name} = {text}"
         elif not statement.result:

@@ -16,7 +16,7 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..facts import Facts, numbers
-from ..lowered import Lowered, lower_chart
+from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
@@ -209,7 +209,14 @@ def printed_geometry(table: Table) -> list[Printed]:
     return [
         Printed(name, _parameters(program, name in table.kernels), infix.body(program))
         for name, program in lowered_geometry(table).items()
+        if name not in shared_with_poses(table)
     ]
+
+
+def geometry(table: Table) -> Data:
+    """Return what the template of a geometry of plain functions is given."""
+    same = {} if table is POSES else {"same": sorted(shared_with_poses(table))}
+    return {"programs": printed_geometry(table), "rows": table.kernels, **same}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
@@ -222,7 +229,8 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
 def printed_scalar(program: Program) -> Printed:
     """Return a scalar program as a plain function of numbers."""
     parameters = tuple(name for _, names in program.inputs for name in names)
-    return Printed(program.name, parameters, infix.body(program, alone=True), f"operations {summary(program.operations)}")
+    operations = f"operations {summary(program.operations)}"
+    return Printed(program.name, parameters, infix.body(program, alone=True), operations)
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:

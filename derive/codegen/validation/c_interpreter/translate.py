@@ -140,26 +140,24 @@ class Translator:
             self._visible(node, name, Value(type_, f"{variable}[0]", variable))
 
     def _array(self, node: c_ast.Decl, variable: str) -> None:
-        """Translate an array without first values, or a static table."""
-        if node.storage:
-            element, text = self._table(node.type, node.init)
+        """Translate an array, with first values or without, or a static table of constants."""
+        if node.storage or node.init is not None:
+            element, text = self._table(node.type, node.init, bool(node.storage))
             self._write(node, f"{variable} = {text}")
-        elif node.init is not None:
-            raise refuse(node, "an array with first values that is not static is not read here")
         else:
             element = self.type_of(node.type.type)
             self._write(node, f"{variable} = Pointer.to([UNSET] * {_length(node.type)})")
         self._visible(node, node.name, Value(Type("pointer", element), variable))
 
-    def _table(self, node: c_ast.ArrayDecl, first: c_ast.Node) -> tuple[Type, str]:
+    def _table(self, node: c_ast.ArrayDecl, first: c_ast.Node, static: bool) -> tuple[Type, str]:
         if not isinstance(first, c_ast.InitList) or len(first.exprs) != _length(node):
             raise refuse(node, f"a list of {_length(node)} values is expected")
         if isinstance(node.type, c_ast.ArrayDecl):
-            rows = [self._table(node.type, row) for row in first.exprs]
+            rows = [self._table(node.type, row, static) for row in first.exprs]
             return Type("pointer", rows[0][0]), f"Pointer.to([{', '.join(text for _, text in rows)}])"
         element = self.type_of(node.type)
         values = [converted(each, self.value(each), element) for each in first.exprs]
-        if not all(value.constant for value in values):
+        if static and not all(value.constant for value in values):
             raise refuse(node, "a static array takes constants")
         return element, f"Pointer.to([{', '.join(value.text for value in values)}])"
 
