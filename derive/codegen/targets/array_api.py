@@ -49,7 +49,7 @@ class ArrayApi(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        return {"scalars": list(map(python.printed_scalar, facts.lowered.scalars.values()))}
+        return {"scalars": python.printed_scalars(facts)}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""
