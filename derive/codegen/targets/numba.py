@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..lowered import Lowered, geometry
+from ..lowered import geometry
 from ..package import Data, Facts
 from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
@@ -175,9 +175,8 @@ class Numba(python.PythonTarget):
         calls = sorted(["prange", *_called(_cores(programs))])
         return {"programs": programs, "rows": table.kernels, "calls": calls}
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        named = lowered.scalars.items()
-        scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
+    def programs(self, facts: Facts) -> Data:
+        scalars = [python.printed(program, body(program)) for program in facts.lowered.scalars.values()]
         return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..lowered import Lowered, lower_chart
+from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
 from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
@@ -116,19 +116,22 @@ class PythonTarget(ABC):
         """Return what fills the template of a geometry."""
 
     @abstractmethod
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        """Return what fills the template of a chart with its programs, without the scalar programs already known."""
+    def programs(self, facts: Facts) -> Data:
+        """Return what fills the template of a chart with its scalar programs."""
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        """Return what fills the template of a chart for rotations, besides its description."""
+        return {}
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts), **self.programs(facts, facts.lowered)}
+        return {**described(facts), **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the modules of the chart for further tables; they use the scalar programs of the module for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            described = described_rotations(facts, lowered)
-            data = {**described, **self.programs(facts, lowered, facts.lowered.scalars)}
+            data = {**described_rotations(facts, lowered), **self.rotations(facts, lowered)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
 
@@ -202,7 +205,14 @@ def printed_geometry(table: Table) -> list[Printed]:
     return [
         Printed(name, _parameters(program, name in table.kernels), infix.body(program))
         for name, program in lowered_geometry(table).items()
+        if name not in shared_with_poses(table)
     ]
+
+
+def geometry(table: Table) -> Data:
+    """Return what the template of a geometry of plain functions is given."""
+    same = {} if table is POSES else {"same": sorted(shared_with_poses(table))}
+    return {"programs": printed_geometry(table), "rows": table.kernels, **same}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:

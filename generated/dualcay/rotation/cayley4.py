@@ -21,15 +21,15 @@ from ._interface import RotationKernels, exports
 
 ORDER = 4
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
+    POSES.functions,
+    SHARED,
     programs="e2474b4c83dea327",
 )
 
