@@ -103,7 +103,7 @@ ROTATION_LAWS = {
 """The same of rotations."""
 
 
-def require(law: Law, value: ArrayLike, axis: int) -> None:
+def require(law: Law, value: Any, axis: int) -> None:
     """Check an argument.
 
     Raises

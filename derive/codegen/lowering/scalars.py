@@ -170,9 +170,10 @@ def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Pr
     for argument in row.arguments:
         arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
     results = row.compute(chart, trace, arguments)
-    one = trace.name(trace.free_name("one"), arguments[0] - arguments[0] + 1)
+    zero = trace.name(trace.free_name("zero"), arguments[0] - arguments[0])
+    one = trace.name(trace.free_name("one"), zero + 1)
     outputs = list(results)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
         if isinstance(result, Constant) and (i in elements or result.denominator != 1):
-            outputs[i] = trace.name(trace.free_name(letter), result * one)
+            outputs[i] = trace.name(trace.free_name(letter), result * one if result else zero)
     return trace.program(name, outputs)

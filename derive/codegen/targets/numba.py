@@ -8,22 +8,20 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
-from ..lowered import Lowered, geometry
-from ..programs.program import Call, Operand, Program, Statement, summary
-from ..programs.registers import results
+from ..lowered import geometry
+from ..package import Data, Facts
+from ..programs.program import Call, Operand, Program, Statement, results, summary
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, Library, everything
+from ..validation import Library
 from . import infix, python
 from .expression import WIDTH
-from .target import Data
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""
@@ -144,10 +142,6 @@ def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
 
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32 and float64",
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
@@ -169,7 +163,7 @@ class Numba(python.PythonTarget):
             **self.package(),
             **self.per_table(),
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_compiled.py": {},
             "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
@@ -181,17 +175,14 @@ class Numba(python.PythonTarget):
         calls = sorted(["prange", *_called(_cores(programs))])
         return {"programs": programs, "rows": table.kernels, "calls": calls}
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        named = lowered.scalars.items()
-        scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
-        own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]
-        calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
+    def programs(self, facts: Facts) -> Data:
+        scalars = [python.printed(program, body(program)) for program in facts.lowered.scalars.values()]
+        return {"scalars": scalars, "calls": _called([program.forms for program in scalars])}
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart, choose)
+            return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

@@ -7,9 +7,8 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import geometry, is_worth, lower_chart
+from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.programs.trace import Trace, UnnamedValueError
-from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import infix
 from derive.maps import Cayley
 from derive.maps.named import family, parameterization
@@ -127,16 +126,6 @@ def test_a_call_gives_named_results_once_and_its_arguments_need_names():
         trace.program("f", (result,))
 
 
-@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
-def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(chart):
-    """Scalars are counted rightly, and where a chart is not traced itself, it would not have been worth it."""
-    lowered = lower_chart(chart)
-    for function, row in KERNELS.items():
-        if function in lowered.operations and function not in lowered.own:
-            alone = row.traced(chart).operations.total()
-            assert not is_worth(alone, lowered.operations[function].total()), function
-
-
 def test_long_statements_are_wrapped_and_mean_the_same():
     trace, *inputs = traced(12)
     value = trace.name("total", sum((a * a * a * a for a in inputs[1:]), inputs[0]))
@@ -153,7 +142,7 @@ def test_long_statements_are_wrapped_and_mean_the_same():
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 6, 7, 8, 9, 16, 33])
 def test_every_recipe_speaks_in_named_values(order):
     lowered = lower_chart(Cayley(order))
-    for name, program in (*lowered.scalars.items(), *lowered.own.items(), *geometry().items()):
+    for name, program in (*lowered.scalars.items(), *geometry().items()):
         assert program.name == name
         assert not [step.name for step in program.steps if not step.inline and step.name.startswith("t_")]
 

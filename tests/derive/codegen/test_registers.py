@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from derive.codegen.programs.registers import MASK_OPS, place, results
 
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.programs.program import Call, Program, Step
-from derive.codegen.programs.registers import MASK_OPS, place, results
 from derive.codegen.targets.numpy import two_scalar_forms
 from derive.maps import Cayley
 
@@ -17,8 +17,7 @@ def programs():
     shared = [pytest.param(program, id=name) for name, program in geometry().items()]
     for n in ORDERS:
         lowered = lower_chart(Cayley(n))
-        for kind, held in (("scalars", lowered.scalars), ("own", lowered.own)):
-            shared += [pytest.param(program, id=f"{kind}-{name}-{n}") for name, program in held.items()]
+        shared += [pytest.param(program, id=f"scalars-{name}-{n}") for name, program in lowered.scalars.items()]
     return shared
 
 
