@@ -162,6 +162,7 @@ class Numba(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
             "_checks.py": {},
             "_compiled.py": {},
