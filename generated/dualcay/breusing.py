@@ -451,7 +451,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="300fda24e472b060",
+    programs="21f29d510fd57dc8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -229,7 +229,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="1864021bb84a52d5",
+    programs="24691421aa39d08d",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -302,7 +302,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="73f9ac33c302483b",
+    programs="5841426977ad3f96",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -366,7 +366,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="e6d1952ee083db51",
+    programs="c9d56f744fc00f2a",
 )
 
 KERNELS = PoseKernels(CHART)

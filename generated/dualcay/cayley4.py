@@ -389,7 +389,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="1e8290bcec4cd993",
+    programs="3a9cecf9377cdf96",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -398,7 +398,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="cd66369b30ad56c8",
+    programs="cbce6f03a4b8dc4b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -422,7 +422,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="3450b3fe5ac8ce74",
+    programs="28370a203a7f78e0",
 )
 
 KERNELS = PoseKernels(CHART)

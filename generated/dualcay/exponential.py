@@ -654,7 +654,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="3261f89cf07e6847",
+    programs="583f0f68dd96fa9a",
 )
 
 KERNELS = PoseKernels(CHART)

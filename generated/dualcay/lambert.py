@@ -382,7 +382,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="4628677e84398cee",
+    programs="2aa7fa90d805dc2f",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -276,7 +276,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="d4c4b5ca0d9f7944",
+    programs="e5d8b2b7f159ae2f",
 )
 
 KERNELS = PoseKernels(CHART)

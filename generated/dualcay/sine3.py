@@ -410,7 +410,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="81dda54d1abdb326",
+    programs="e5b61fedf2c3d264",
 )
 
 KERNELS = PoseKernels(CHART)

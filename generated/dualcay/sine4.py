@@ -413,7 +413,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="595fff0660658f9e",
+    programs="035a64b058cf14f5",
 )
 
 KERNELS = PoseKernels(CHART)

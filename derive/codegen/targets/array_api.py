@@ -47,7 +47,7 @@ class ArrayApi(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        return {"programs": python.printed_geometry(table), "rows": table.kernels}
+        return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
         return {"scalars": list(map(python.printed_scalar, facts.lowered.scalars.values()))}

@@ -78,7 +78,8 @@ def _statements(
         if names != (argument,):
             yield from lists.unpacked(names, argument)
     statements = dialect.statements(program, lists)
-    for statement, text in statements[0]:
+    for statement, texts in statements[0]:
+        text = ", ".join(t if isinstance(t, str) else f"({', '.join(t)}{',' * (len(t) == 1)})" for t in texts)
         if not isinstance(statement, Call):
             yield f"{statement.name} = {text}"
         elif not statement.result:

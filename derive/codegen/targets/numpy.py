@@ -48,7 +48,7 @@ class Numpy(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        return {"programs": python.printed_geometry(table), "rows": table.kernels}
+        return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
         own = [] if facts.chart.base else list(map(python.printed_scalar, facts.lowered.scalars.values()))

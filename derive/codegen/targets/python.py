@@ -14,7 +14,7 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..lowered import Lowered, lower_chart
+from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
 from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
@@ -205,7 +205,14 @@ def printed_geometry(table: Table) -> list[Printed]:
     return [
         Printed(name, _parameters(program, name in table.kernels), infix.body(program))
         for name, program in lowered_geometry(table).items()
+        if name not in shared_with_poses(table)
     ]
+
+
+def geometry(table: Table) -> Data:
+    """Return what the template of a geometry of plain functions is given."""
+    same = {} if table is POSES else {"same": sorted(shared_with_poses(table))}
+    return {"programs": printed_geometry(table), "rows": table.kernels, **same}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:

@@ -188,8 +188,8 @@ def _require_aliases(unit: Unit, chart: Chart, table: Table) -> None:
 
 def _require_macros(unit: Unit, expected: Mapping[str, str]) -> None:
     for name, text in expected.items():
-        if unit.expand(name) != text:
-            raise ValidationFailed(f"{name} is {unit.expand(name)}, not {text}")
+        if unit.source.expand(name) != text:
+            raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
 
 
 def _require_constants(unit: Unit, chart: Chart) -> None:

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="970770ff0b649fb7",
+    programs="66eca25a5c3ef041",
 )
 
 KERNELS = RotationKernels(CHART)

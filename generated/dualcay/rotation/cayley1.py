@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="d6a03c87408a807c",
+    programs="87e6ce04ef73815a",
 )
 
 KERNELS = RotationKernels(CHART)

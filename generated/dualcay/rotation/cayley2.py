@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="a0a2ad4fce0a37bb",
+    programs="ab3605692d0fa822",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="343845aac014edd3",
+    programs="22aaa6683e8d4fc4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="e2474b4c83dea327",
+    programs="8a9f0e88616c7303",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="d61fadfddbe33b17",
+    programs="abe5d830c03b51f0",
 )
 
 KERNELS = RotationKernels(CHART)

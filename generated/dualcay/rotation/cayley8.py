@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="40cfbdcca257354b",
+    programs="ef8fa347b93da18e",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="352871b9ca5a0fa6",
+    programs="38247a4b9d1b9eb6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="b9ba3ba33baf3424",
+    programs="0decd58388e9c69d",
 )
 
 KERNELS = RotationKernels(CHART)

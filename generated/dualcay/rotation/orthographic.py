@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="e83e26f9a4047ac8",
+    programs="cd2bfb3114a531ca",
 )
 
 KERNELS = RotationKernels(CHART)

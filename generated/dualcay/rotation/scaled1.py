@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="8c26c2d66f7243bb",
+    programs="bf3829031856763e",
 )
 
 KERNELS = RotationKernels(CHART)

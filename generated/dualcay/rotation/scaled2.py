@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="8f5099c32fc926d1",
+    programs="fb8d5a3351643bf8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="21c5b45514ca42db",
+    programs="69e4fd6540b17802",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="34b4cb4cc99d0a2d",
+    programs="efc2b28bdfc27df7",
 )
 
 KERNELS = RotationKernels(CHART)

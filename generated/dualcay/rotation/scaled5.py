@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="972e0dc6803ac1d7",
+    programs="ef496daf2ea07259",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="4a6dacbbad25d846",
+    programs="27eabcba0e230933",
 )
 
 KERNELS = RotationKernels(CHART)

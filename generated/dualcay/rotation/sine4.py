@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     SHARED,
-    programs="ec0ea9fec78a1456",
+    programs="dea3afb48ba06a26",
 )
 
 KERNELS = RotationKernels(CHART)

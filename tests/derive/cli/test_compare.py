@@ -10,7 +10,7 @@ import pytest
 
 from derive import about
 from derive.cli import compare
-from derive.cli.compare import MEASURED, TIMED, Compared, measurements_file
+from derive.cli.compare import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
 from tests.support.command import ROOT, dualcay
 
@@ -25,7 +25,7 @@ def test_figures_of_some_charts():
     assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
     assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
     assert found["phi"]["measured"] is None
-    assert found["lambert"]["measured"] == json.loads(measurements_file().read_text(encoding="utf-8"))["lambert"]
+    assert found["lambert"]["measured"] == json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))["lambert"]
 
 
 def test_text_fits_a_line():

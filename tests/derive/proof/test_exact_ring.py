@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from derive.proof.element import BITS, Element
-from derive.proof.exact import Ring
+from derive.proof import Ring
 from derive.proof.polynomial_backend import packed_product, polynomials
-from derive.proof.ratio import RationalFunctions
+from derive.algebra.exact import RationalFunctions
 
 pytestmark = pytest.mark.smoke
 
