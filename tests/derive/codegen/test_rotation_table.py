@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 from derive.codegen.cases import batches, digits, exact
+from derive.codegen.lowering.real import narrowed
 
 from derive.codegen import ValidationFailed, catalogue
 from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
-from derive.codegen.lowering.real import narrowed
 from derive.codegen.lowering.scalars import SQUARES
 from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
 from derive.codegen.programs.program import Call
