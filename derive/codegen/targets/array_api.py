@@ -39,6 +39,7 @@ class ArrayApi(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
             "_checks.py": {},
             "_runtime.py": {},
