@@ -23,7 +23,7 @@ from rich.console import Console
 
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
-from derive.cli.compared import Compared
+from derive.cli.compare import Compared
 from derive.codegen import catalogue
 from derive.maps.any_phi.stretch import stretch
 from dualcay import cayley2

@@ -15,8 +15,8 @@ ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "co
 """Each room of derive may import itself and those before it."""
 
 IN_CODEGEN = (
-    "programs", "lowering", "rows", "signatures", "lowered", "cases", "differential", "validation", "facts",
-    "fingerprint", "targets", "taken", "catalogue", "module", "package", "compiler",
+    "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
+    "build", "publish",
 )  # fmt: skip
 """Likewise the rooms and modules of codegen; inside derive.papers a test of its own says what may."""
 

@@ -90,7 +90,7 @@ class Function:
         The function whose program it runs for a turn by no branch, where it runs its own for others; empty where the
         argument stands.
     aliases : tuple of str
-        Further names in the modules of Cayley maps.
+        Further names in the modules of Cayley maps; with dexp for dcay, in that of the exponential.
     keywords : tuple of str
         Keyword parameters besides those of every function, in languages that have them: they choose what is done to
         arguments and results, and change no program.
@@ -140,6 +140,11 @@ class Function:
     def kernel(self) -> str:
         """The function whose program it runs."""
         return self.shares or self.name
+
+    def aliases_in(self, chart: Chart) -> list[str]:
+        """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
+        stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
+        return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
 
     # --- rotations alone ----------------------------------------------------------------------------------------
 
@@ -207,8 +212,8 @@ class Table:
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
 
     def aliases(self, chart: Chart) -> dict[str, str]:
-        """Further names in the module of a chart, and the functions they are names of."""
-        return {alias: name for name, row in self.public.items() for alias in row.aliases} if chart.cayley else {}
+        """Return further names in the module of a chart, and the functions they name."""
+        return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}
 
 
 def inside(table: Table, name: str) -> str:

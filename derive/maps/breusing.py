@@ -220,5 +220,5 @@ class Breusing(OrderChart):
         c = cosine(x, m)
         return c, m.name("sigma", m.sqrt(c))
 
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return 1, m.sqrt(cosine)

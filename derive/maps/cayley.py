@@ -9,9 +9,9 @@ Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import sympy
 
@@ -22,6 +22,7 @@ from .cayley_scalars import CayleyScalars
 from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
+from .parameterized import Parameterized
 from .polynomials import FIELD, rational, require_order, x
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
@@ -32,13 +33,15 @@ _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 
 
 @dataclass(frozen=True)
-class Cayley(branches.BranchesOfOrder):
+class Cayley(branches.BranchesOfOrder, Parameterized):
     """The Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
     ----------
     order : int
         n ≥ 1. TypeError for anything but an integer, ValueError below 1.
+    name, selection : optional
+        Of a user's φ that is tan(α/2n): the name of its module, and the option that selects it.
 
     Attributes
     ----------
@@ -64,10 +67,14 @@ class Cayley(branches.BranchesOfOrder):
     """
 
     order: int
-    remainder: ClassVar[float] = 0.0
+    name: str = field(default="", repr=False)
+    selection: tuple[str, str] = field(default=("", ""), repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "order", require_order(self.order))
+        if not self.name:
+            object.__setattr__(self, "name", f"cayley{self.order}")
+            object.__setattr__(self, "selection", ("-n", str(self.order)))
 
     @property
     def n(self) -> int:
@@ -170,20 +177,8 @@ class Cayley(branches.BranchesOfOrder):
     # --- as a chart (see `Chart`) -----------------------------------------------------------------------------
 
     @property
-    def name(self) -> str:
-        return f"cayley{self.order}"
-
-    @property
-    def selection(self) -> tuple[str, str]:
-        return "-n", str(self.order)
-
-    @property
     def title(self) -> str:
         return f"Cayley map of order {self.order}"
-
-    @property
-    def parameter(self) -> str:
-        return f"tan(α/{2 * self.order})"
 
     @property
     def phi(self) -> sympy.Expr:
@@ -252,9 +247,6 @@ class Cayley(branches.BranchesOfOrder):
         lines += [f"{item.symbol} &= {item.definition}" for item in maps]
         separator = " \\\\\n"
         return f"\\begin{{aligned}}\n{separator.join(lines)}\n\\end{{aligned}}"
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
     @property
     def _letters(self) -> tuple[str, str, str]:

@@ -16,6 +16,7 @@ where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
 import sympy
@@ -134,6 +135,14 @@ class Chart(Protocol):
     @property
     def cayley(self) -> Cayley | None:
         """The Cayley map it is, about which there are theorems for every order; None for any other chart."""
+
+    @property
+    def base(self) -> Chart | None:
+        """The chart whose vectors w, times `factor`, are those of this chart; None where it is no multiple."""
+
+    @property
+    def factor(self) -> Fraction:
+        """K in ``v = K w``; 1 where there is no base chart."""
 
     def overflow(self, largest: float) -> tuple[str, float]:
         """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""

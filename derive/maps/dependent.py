@@ -14,17 +14,10 @@ difference of nearly equal terms is among them that matters: where two cancel, w
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from fractions import Fraction
 from functools import cached_property
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-
-
-def divided(value: Coefficient, by: Fraction, m: Arithmetic) -> Coefficient:
-    """The value over a rational number."""
-    above = value if by.denominator == 1 else by.denominator * value
-    return above if by.numerator == 1 else m.div(above, by.numerator)
 
 
 class DependentScalars(ABC):

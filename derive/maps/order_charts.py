@@ -17,7 +17,7 @@ from ..algebra.arithmetic import Arithmetic
 from . import branches
 from .families import alpha
 from .gains import has_ladder
-from .own_axis import QuaternionChart
+from .parameterized import QuaternionChart
 
 
 class OrderChart(branches.BranchesOfOrder, QuaternionChart):
@@ -34,7 +34,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         """cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """φ/sin θ, above and below."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
@@ -66,7 +66,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         for step in range(1, self.order.bit_length()):
             c = m.name(f"cos{step}", m.sqrt(m.div(1 + c, 2)))
             below = below * (2 * c)
-        above, root = self.factor(c, m)
+        above, root = self.over_sine(c, m)
         return above, below * root
 
     def _by_angle(
@@ -78,8 +78,8 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
-        above, below = self.factor(m.name("costheta", cos), m)
-        at_rest, below_rest = self.factor(1, m)
+        above, below = self.over_sine(m.name("costheta", cos), m)
+        at_rest, below_rest = self.over_sine(1, m)
         return (
             m.where(still, at_rest, of_angle * above),
             m.where(still, self.order * cosine * below_rest, sine * below),

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import fields
+from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import mpmath
 import sympy
@@ -13,10 +15,15 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from .any_phi.closed_inverse import closed_inverse
 from .any_phi.edges import angle_of
-from .chart import DEFINITIONS, Scalars
+from .branches import NOISE
+from .chart import DEFINITIONS, Chart, Scalars
+from .dependent import DependentScalars
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
+
+if TYPE_CHECKING:
+    from .cayley import Cayley
 
 Map = TypeVar("Map", bound=Formula)
 
@@ -32,9 +39,13 @@ IDENTITIES = {
 class Parameterized(ABC):
     """A chart v = φ(α) u whose formulas are made of its scalars."""
 
-    cayley: ClassVar[None] = None
     order: int
-    letters: ClassVar[tuple[tuple[str, sympy.Expr], ...]] = ()
+    base: Chart | None = None
+    factor: Fraction = Fraction(1)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields alone: cached formulas hold functions that cannot be sent to another process."""
+        return {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
 
     @property
     @abstractmethod
@@ -64,6 +75,14 @@ class Parameterized(ABC):
     @property
     def remainder(self) -> float:
         return 0.0
+
+    @property
+    def letters(self) -> tuple[tuple[str, sympy.Expr], ...]:
+        return ()
+
+    @property
+    def cayley(self) -> Cayley | None:
+        return None
 
     @property
     def parameter(self) -> str:
@@ -155,3 +174,38 @@ class Parameterized(ABC):
             symbol=SYMBOLS[name],
             definition=DEFINITIONS[name].split(" = ", 1)[1],
         )
+
+
+class QuaternionChart(Parameterized):
+    """A chart that reads angle and axis off its quaternion ``s + w v``."""
+
+    @abstractmethod
+    def scalars(self, x: Coefficient, m: Arithmetic) -> DependentScalars: ...
+
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return fi, self.scalars(x, m).hi
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        """With the f_i given, of which h_i is made: then T⁻¹ along the axis is φ′, whatever f_i is off by."""
+        at = self.scalars(x, m)
+        at.fi = fi
+        return at
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """The sign of sin α on v; where it is 0 at half a turn that of w, at a whole one that of the translation."""
+        return self._direction(self.scalars(x, m), y, m)
+
+    def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
+        # at half a turn, where w > 0, s is 0 but for rounding beside 1: then the side that v is on stands
+        kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
+        turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
+        backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
+        one = m.name("one", at.s - at.s + 1)  # or NaN, where x has overflowed and v/|v| is nothing
+        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        sign = self._direction(at, y, m)
+        return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

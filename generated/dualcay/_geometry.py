@@ -15,8 +15,8 @@ from typing import Any
 from ._kernel import Components, Kernel, Result
 
 
-# operations 24: 7 +, 17 *
 def quaternion(m: Any, c: Any, v: Components) -> Result:
+    """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -28,13 +28,14 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     return s, v1 * w, v2 * w, v3 * w, sy * y, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo
 
 
-# operations 81: 32 +, 49 *
-def tensor(m: Any, c: Any, v: Components) -> Result:
+def tensor_at(f: Any, g: Any, h: Any, v: Components) -> Result:
+    """R = Q of f and g, CP23 (57).
+    Its dual part is skew(ρ) Q, ρ of f, g and h.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
@@ -62,29 +63,24 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
     rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
     rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
     return (
-        Q11,
-        Q12,
-        Q13,
-        Q21,
-        Q22,
-        Q23,
-        Q31,
-        Q32,
-        Q33,
-        Q31 * rho2 - Q21 * rho3,
-        Q32 * rho2 - Q22 * rho3,
-        Q33 * rho2 - Q23 * rho3,
-        Q11 * rho3 - Q31 * rho1,
-        Q12 * rho3 - Q32 * rho1,
-        Q13 * rho3 - Q33 * rho1,
-        Q21 * rho1 - Q11 * rho2,
-        Q22 * rho1 - Q12 * rho2,
-        Q23 * rho1 - Q13 * rho2,
+        Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, Q31 * rho2 - Q21 * rho3, Q32 * rho2 - Q22 * rho3,
+        Q33 * rho2 - Q23 * rho3, Q11 * rho3 - Q31 * rho1, Q12 * rho3 - Q32 * rho1, Q13 * rho3 - Q33 * rho1,
+        Q21 * rho1 - Q11 * rho2, Q22 * rho1 - Q12 * rho2, Q23 * rho1 - Q13 * rho2,
     )
 
 
-# operations 54: 23 +, 31 *
+def tensor(m: Any, c: Any, v: Components) -> Result:
+    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    v1, v2, v3, _, _, _ = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, h = c.pose(m, v11, v22, v33)
+    return tensor_at(f, g, h, v)
+
+
 def pose(m: Any, c: Any, v: Components) -> Result:
+    """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -105,74 +101,67 @@ def pose(m: Any, c: Any, v: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     along = h * y
     return (
-        1 - g * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along,
-        gvv1 + fv3,
-        1 - g * x13,
-        gvv3 - fv1,
-        v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along,
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g * x12,
-        v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along,
-        0,
-        0,
-        0,
-        1,
+        1 - g * x23, gvv1 - fv3, gvv2 + fv2, v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along, gvv1 + fv3, 1 - g * x13,
+        gvv3 - fv1, v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
+        v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along, 0, 0, 0, 1,
     )
 
 
-# operations 66: 26 +, 40 *
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """Q r of a point r.
+    It moves by ρ besides.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g
-    gv_r2 = v_r2 * g
-    gv_r3 = v_r3 * g
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
     y = v1 * v1o + v2 * v2o + v3 * v3o
     along = h * y
     return (
-        r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along),
-        r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along),
-        r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along),
+        r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along),
+        r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along),
+        r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along),
     )
 
 
-# operations 105: 41 +, 64 *
+def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
+    """Q r = r + f v × r + v × (g v × r), at the real part of v."""
+    v1, v2, v3, _, _, _ = v
+    r1, r2, r3 = r
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    return (
+        r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)), r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)),
+        r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)),
+    )
+
+
 def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
+    """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    v_l1 = v2 * l3 - v3 * l2
-    v_l2 = v3 * l1 - v1 * l3
-    v_l3 = v1 * l2 - v2 * l1
-    gv_l1 = v_l1 * g
-    gv_l2 = v_l2 * g
-    gv_l3 = v_l3 * g
-    Ql1 = l1 + (v_l1 * f + (v2 * gv_l3 - v3 * gv_l2))
-    Ql2 = l2 + (v_l2 * f + (v3 * gv_l1 - v1 * gv_l3))
-    Ql3 = l3 + (v_l3 * f + (v1 * gv_l2 - v2 * gv_l1))
-    v_m1 = v2 * m3 - v3 * m2
-    v_m2 = v3 * m1 - v1 * m3
-    v_m3 = v1 * m2 - v2 * m1
-    gv_m1 = v_m1 * g
-    gv_m2 = v_m2 * g
-    gv_m3 = v_m3 * g
+    Ql = rotate_at(f, g, v, (l1, l2, l3))
+    Ql1, Ql2, Ql3 = Ql
+    Qm1, Qm2, Qm3 = rotate_at(f, g, v, (m1, m2, m3))
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
@@ -181,234 +170,127 @@ def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
     rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
     rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
     rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
-    return (
-        Ql1,
-        Ql2,
-        Ql3,
-        m1 + (v_m1 * f + (v2 * gv_m3 - v3 * gv_m2)) + (rho2 * Ql3 - rho3 * Ql2),
-        m2 + (v_m2 * f + (v3 * gv_m1 - v1 * gv_m3)) + (rho3 * Ql1 - rho1 * Ql3),
-        m3 + (v_m3 * f + (v1 * gv_m2 - v2 * gv_m1)) + (rho1 * Ql2 - rho2 * Ql1),
-    )
+    return *Ql, Qm1 + (rho2 * Ql3 - rho3 * Ql2), Qm2 + (rho3 * Ql1 - rho1 * Ql3), Qm3 + (rho1 * Ql2 - rho2 * Ql1)
 
 
-# operations 6: 6 neg
 def inverse(m: Any, c: Any, v: Components) -> Result:
+    """−v: R(−v) = R(v)ᵀ."""
     v1, v2, v3, v1o, v2o, v3o = v
     return -v1, -v2, -v3, -v1o, -v2o, -v3o
 
 
-# operations 77: 32 +, 45 *
+def tangent_at(f: Any, g: Any, h: Any, fy: Any, gy: Any, hy: Any, v: Components) -> Result:
+    """T = f I + g skew(v) + h v⊗v, CP23 (88).
+    fy, gy, hy are slopes: the dual part of f is fy v·v°.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    fo = fy * y
+    go = gy * y
+    ho = hy * y
+    gv1 = v1 * g
+    gv1o = v1 * go + v1o * g
+    gv2 = v2 * g
+    gv2o = v2 * go + v2o * g
+    gv3 = v3 * g
+    gv3o = v3 * go + v3o * g
+    hv1 = v1 * h
+    hv1o = v1 * ho + v1o * h
+    hv2 = v2 * h
+    hv2o = v2 * ho + v2o * h
+    hv3 = v3 * h
+    hv3o = v3 * ho + v3o * h
+    d12 = hv1 * v2
+    d12o = hv1 * v2o + hv1o * v2
+    d13 = hv1 * v3
+    d13o = hv1 * v3o + hv1o * v3
+    d23 = hv2 * v3
+    d23o = hv2 * v3o + hv2o * v3
+    return (
+        f + hv1 * v1, d12 - gv3, d13 + gv2, d12 + gv3, f + hv2 * v2, d23 - gv1, d13 - gv2, d23 + gv1, f + hv3 * v3,
+        fo + (hv1 * v1o + hv1o * v1), d12o - gv3o, d13o + gv2o, d12o + gv3o, fo + (hv2 * v2o + hv2o * v2), d23o - gv1o,
+        d13o - gv2o, d23o + gv1o, fo + (hv3 * v3o + hv3o * v3),
+    )
+
+
 def tangent(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
+    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    return tangent_at(f, g, h, fy, gy, hy, v)
+
+
+def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> Result:
+    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
+    fiy, hiy are slopes: the dual part of fi is fiy v·v°.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    go = gy * y
-    ho = hy * y
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    cvo1 = v1o * h + v1 * ho
-    cvo2 = v2o * h + v2 * ho
-    cvo3 = v3o * h + v3 * ho
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
+    fio = fiy * y
+    hio = hiy * y
+    half1 = v1 / 2
+    half1o = v1o / 2
+    half2 = v2 / 2
+    half2o = v2o / 2
+    half3 = v3 / 2
+    half3o = v3o / 2
+    hv1 = v1 * hi
+    hv1o = v1 * hio + v1o * hi
+    hv2 = v2 * hi
+    hv2o = v2 * hio + v2o * hi
+    hv3 = v3 * hi
+    hv3o = v3 * hio + v3o * hi
+    d12 = hv1 * half2
+    d12o = hv1 * half2o + hv1o * half2
+    d13 = hv1 * half3
+    d13o = hv1 * half3o + hv1o * half3
+    d23 = hv2 * half3
+    d23o = hv2 * half3o + hv2o * half3
     return (
-        f + cv1 * v1,
-        d12 - gv3,
-        d13 + gv2,
-        d12 + gv3,
-        f + cv2 * v2,
-        d23 - gv1,
-        d13 - gv2,
-        d23 + gv1,
-        f + cv3 * v3,
-        fo + (cv1 * v1o + cvo1 * v1),
-        d12o - gvo3,
-        d13o + gvo2,
-        d12o + gvo3,
-        fo + (cv2 * v2o + cvo2 * v2),
-        d23o - gvo1,
-        d13o - gvo2,
-        d23o + gvo1,
-        fo + (cv3 * v3o + cvo3 * v3),
+        (fi + hv1 * v1) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + hv2 * v2) / 2, d23 + half1, d13 + half2,
+        d23 - half1, (fi + hv3 * v3) / 2, (fio + (hv1 * v1o + hv1o * v1)) / 2, d12o + half3o, d13o - half2o,
+        d12o - half3o, (fio + (hv2 * v2o + hv2o * v2)) / 2, d23o + half1o, d13o + half2o, d23o - half1o,
+        (fio + (hv3 * v3o + hv3o * v3)) / 2,
     )
 
 
-# operations 75: 31 +, 35 *, 9 /
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
+    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = fi / 2
-    fio = fiy * yh
-    hih = hi / 2
-    hio = hiy * yh
-    cv1 = v1 * hih
-    cv2 = v2 * hih
-    cv3 = v3 * hih
-    cvo1 = v1o * hih + v1 * hio
-    cvo2 = v2o * hih + v2 * hio
-    cvo3 = v3o * hih + v3 * hio
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        fih + cv1 * v1,
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        fih + cv2 * v2,
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        fih + cv3 * v3,
-        fio + (cv1 * v1o + cvo1 * v1),
-        d12o - so3,
-        d13o + so2,
-        d12o + so3,
-        fio + (cv2 * v2o + cvo2 * v2),
-        d23o - so1,
-        d13o - so2,
-        d23o + so1,
-        fio + (cv3 * v3o + cvo3 * v3),
-    )
+    return tangent_inverse_at(fi, hi, fiy, hiy, v)
 
 
-# operations 77: 32 +, 45 *
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
+    """Tᵀ, which is T at −v, CP23 (86)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    fo = fy * y
-    go = gy * y
-    ho = hy * y
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    cvo1 = v1o * h + v1 * ho
-    cvo2 = v2o * h + v2 * ho
-    cvo3 = v3o * h + v3 * ho
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        f + cv1 * v1,
-        d12 + gv3,
-        d13 - gv2,
-        d12 - gv3,
-        f + cv2 * v2,
-        d23 + gv1,
-        d13 + gv2,
-        d23 - gv1,
-        f + cv3 * v3,
-        fo + (cv1 * v1o + cvo1 * v1),
-        d12o + gvo3,
-        d13o - gvo2,
-        d12o - gvo3,
-        fo + (cv2 * v2o + cvo2 * v2),
-        d23o + gvo1,
-        d13o + gvo2,
-        d23o - gvo1,
-        fo + (cv3 * v3o + cvo3 * v3),
-    )
+    return tangent_at(f, g, h, fy, gy, hy, (-v1, -v2, -v3, -v1o, -v2o, -v3o))
 
 
-# operations 75: 31 +, 35 *, 9 /
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    yh = y / 2
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    so1 = v1o / -2
-    so2 = v2o / -2
-    so3 = v3o / -2
-    fih = fi / 2
-    fio = fiy * yh
-    hih = hi / 2
-    hio = hiy * yh
-    cv1 = v1 * hih
-    cv2 = v2 * hih
-    cv3 = v3 * hih
-    cvo1 = v1o * hih + v1 * hio
-    cvo2 = v2o * hih + v2 * hio
-    cvo3 = v3o * hih + v3 * hio
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    return (
-        fih + cv1 * v1,
-        d12 + s3,
-        d13 - s2,
-        d12 - s3,
-        fih + cv2 * v2,
-        d23 + s1,
-        d13 + s2,
-        d23 - s1,
-        fih + cv3 * v3,
-        fio + (cv1 * v1o + cvo1 * v1),
-        d12o + so3,
-        d13o - so2,
-        d12o - so3,
-        fio + (cv2 * v2o + cvo2 * v2),
-        d23o + so1,
-        d13o + so2,
-        d23o - so1,
-        fio + (cv3 * v3o + cvo3 * v3),
-    )
+    return tangent_inverse_at(fi, hi, fiy, hiy, (-v1, -v2, -v3, -v1o, -v2o, -v3o))
 
 
-# operations 111: 43 +, 68 *
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -423,26 +305,28 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     gs = g * side
     gso = go * side
     gv1 = v1 * gs
+    gv1o = v1 * gso + v1o * gs
     gv2 = v2 * gs
+    gv2o = v2 * gso + v2o * gs
     gv3 = v3 * gs
-    gvo1 = v1o * gs + v1 * gso
-    gvo2 = v2o * gs + v2 * gso
-    gvo3 = v3o * gs + v3 * gso
+    gv3o = v3 * gso + v3o * gs
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = h * vw
-    cvwo = h * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o)) + ho * vw
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hvw = h * vw
+    hvwo = h * vwo + ho * vw
     return (
-        w1 * f + (gv2 * w3 - gv3 * w2) + v1 * cvw,
-        w2 * f + (gv3 * w1 - gv1 * w3) + v2 * cvw,
-        w3 * f + (gv1 * w2 - gv2 * w1) + v3 * cvw,
-        w1o * f + w1 * fo + (gv2 * w3o - gv3 * w2o) + (gvo2 * w3 - gvo3 * w2) + (v1o * cvw + v1 * cvwo),
-        w2o * f + w2 * fo + (gv3 * w1o - gv1 * w3o) + (gvo3 * w1 - gvo1 * w3) + (v2o * cvw + v2 * cvwo),
-        w3o * f + w3 * fo + (gv1 * w2o - gv2 * w1o) + (gvo1 * w2 - gvo2 * w1) + (v3o * cvw + v3 * cvwo),
+        w1 * f + (gv2 * w3 - gv3 * w2) + v1 * hvw, w2 * f + (gv3 * w1 - gv1 * w3) + v2 * hvw,
+        w3 * f + (gv1 * w2 - gv2 * w1) + v3 * hvw,
+        w1 * fo + w1o * f + (gv2 * w3o + gv2o * w3 - (gv3 * w2o + gv3o * w2)) + (v1 * hvwo + v1o * hvw),
+        w2 * fo + w2o * f + (gv3 * w1o + gv3o * w1 - (gv1 * w3o + gv1o * w3)) + (v2 * hvwo + v2o * hvw),
+        w3 * fo + w3o * f + (gv1 * w2o + gv1o * w2 - (gv2 * w1o + gv2o * w1)) + (v3 * hvwo + v3o * hvw),
     )
 
 
-# operations 107: 42 +, 65 *
 def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    """T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); with the side −1 the body's, T⁻ᵀ ω.
+    The table holds the side and half of it, by which ``side fi ω − v × ω + side hi (v·ω) v`` is multiplied.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
     side, half = table
@@ -452,26 +336,27 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
-    ys = y * side
-    fis = fi * side
-    fio = fiy * ys
+    fio = fiy * y
+    hio = hiy * y
     his = hi * side
-    hio = hiy * ys
+    hiso = hio * side
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = his * vw
-    cvwo = his * (v1o * w1 + v2o * w2 + v3o * w3 + (v1 * w1o + v2 * w2o + v3 * w3o)) + hio * vw
+    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
+    hvw = his * vw
+    hvwo = his * vwo + hiso * vw
+    fis = fi * side
+    fiso = fio * side
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
-        (w1o * fis + w1 * fio + (w2o * v3 - w3o * v2) + (w2 * v3o - w3 * v2o) + (v1o * cvw + v1 * cvwo)) * half,
-        (w2o * fis + w2 * fio + (w3o * v1 - w1o * v3) + (w3 * v1o - w1 * v3o) + (v2o * cvw + v2 * cvwo)) * half,
-        (w3o * fis + w3 * fio + (w1o * v2 - w2o * v1) + (w1 * v2o - w2 * v1o) + (v3o * cvw + v3 * cvwo)) * half,
+        (w1 * fis - (v2 * w3 - v3 * w2) + v1 * hvw) * half, (w2 * fis - (v3 * w1 - v1 * w3) + v2 * hvw) * half,
+        (w3 * fis - (v1 * w2 - v2 * w1) + v3 * hvw) * half,
+        (w1 * fiso + w1o * fis - (v2 * w3o + v2o * w3 - (v3 * w2o + v3o * w2)) + (v1 * hvwo + v1o * hvw)) * half,
+        (w2 * fiso + w2o * fis - (v3 * w1o + v3o * w1 - (v1 * w3o + v1o * w3)) + (v2 * hvwo + v2o * hvw)) * half,
+        (w3 * fiso + w3o * fis - (v1 * w2o + v1o * w2 - (v2 * w1o + v2o * w1)) + (v3 * hvwo + v3o * hvw)) * half,
     )
 
 
-# operations 175: 69 +, 104 *, 2 /
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -515,38 +400,23 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     b2o = v2 * hto + v2o * ht + hw2o
     b3 = v3 * ht + hw3
     b3o = v3 * hto + v3o * ht + hw3o
-    ft = fy * vw
-    fto = fy * vwo + fyo * vw
     d12 = v1 * b2 + b1 * v2
     d12o = v1 * b2o + v1o * b2 + (b1 * v2o + b1o * v2)
     d13 = v1 * b3 + b1 * v3
     d13o = v1 * b3o + v1o * b3 + (b1 * v3o + b1o * v3)
     d23 = v2 * b3 + b2 * v3
     d23o = v2 * b3o + v2o * b3 + (b2 * v3o + b2o * v3)
+    ft = fy * vw
+    fto = fy * vwo + fyo * vw
     return (
-        ft + 2 * (v1 * b1),
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        ft + 2 * (v2 * b2),
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
-        ft + 2 * (v3 * b3),
-        fto + 2 * (v1 * b1o + v1o * b1),
-        d12o - s3o,
-        d13o + s2o,
-        d12o + s3o,
-        fto + 2 * (v2 * b2o + v2o * b2),
-        d23o - s1o,
-        d13o - s2o,
-        d23o + s1o,
-        fto + 2 * (v3 * b3o + v3o * b3),
+        ft + 2 * (v1 * b1), d12 - s3, d13 + s2, d12 + s3, ft + 2 * (v2 * b2), d23 - s1, d13 - s2, d23 + s1,
+        ft + 2 * (v3 * b3), fto + 2 * (v1 * b1o + v1o * b1), d12o - s3o, d13o + s2o, d12o + s3o,
+        fto + 2 * (v2 * b2o + v2o * b2), d23o - s1o, d13o - s2o, d23o + s1o, fto + 2 * (v3 * b3o + v3o * b3),
     )
 
 
-# operations 203: 82 +, 121 *
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     z1, z2, z3, z1o, z2o, z3o = v_ddot
@@ -589,8 +459,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     s3 = gz3 * side
     s3o = gz3o * side
     return (
-        z1 * f + w1 * fh + (v2 * s3 - v3 * s2) + v1 * cvv,
-        z2 * f + w2 * fh + (v3 * s1 - v1 * s3) + v2 * cvv,
+        z1 * f + w1 * fh + (v2 * s3 - v3 * s2) + v1 * cvv, z2 * f + w2 * fh + (v3 * s1 - v1 * s3) + v2 * cvv,
         z3 * f + w3 * fh + (v1 * s2 - v2 * s1) + v3 * cvv,
         z1 * fo + z1o * f + (w1 * fho + w1o * fh) + (v2 * s3o + v2o * s3 - (v3 * s2o + v3o * s2)) + (v1 * cvvo + v1o
         * cvv),
@@ -601,8 +470,12 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     )
 
 
-# operations 229: 94 +, 128 *, 7 /
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them.
+    With a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v it is half of
+    ``fi ω̇ + side (ω̇ + s ω) × v + (fiy b + a + s fi)/2 ω + (hi (2 v·ω̇ + 2 a s + fi ω²) + hiy a b − ω²)/2 v``,
+    where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
     z1, z2, z3, z1o, z2o, z3o = omega_dot
@@ -660,8 +533,8 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     )
 
 
-# operations 205: 85 +, 120 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -715,47 +588,17 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     J32 = b3 * v2 - s1
     J33 = b3 * v3 + ha
     return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        b1 * v1o + b1o * v1 + hao,
-        b1 * v2o + b1o * v2 + s3o,
-        b1 * v3o + b1o * v3 - s2o,
-        J11,
-        J12,
-        J13,
-        b2 * v1o + b2o * v1 - s3o,
-        b2 * v2o + b2o * v2 + hao,
-        b2 * v3o + b2o * v3 + s1o,
-        J21,
-        J22,
-        J23,
-        b3 * v1o + b3o * v1 + s2o,
-        b3 * v2o + b3o * v2 - s1o,
-        b3 * v3o + b3o * v3 + hao,
-        J31,
-        J32,
-        J33,
+        J11, J12, J13, 0, 0, 0, J21, J22, J23, 0, 0, 0, J31, J32, J33, 0, 0, 0, b1 * v1o + b1o * v1 + hao,
+        b1 * v2o + b1o * v2 + s3o, b1 * v3o + b1o * v3 - s2o, J11, J12, J13, b2 * v1o + b2o * v1 - s3o,
+        b2 * v2o + b2o * v2 + hao, b2 * v3o + b2o * v3 + s1o, J21, J22, J23, b3 * v1o + b3o * v1 + s2o,
+        b3 * v2o + b3o * v2 - s1o, b3 * v3o + b3o * v3 + hao, J31, J32, J33,
     )
 
 
-# operations 186: 75 +, 102 *, 9 /
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v).
+    That leaves one dyad, v⊗b, which is 0 where fiy = −hi, as for n = 2.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
     side, = table
@@ -809,206 +652,124 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     J32 = v3 * b2 + s1
     J33 = v3 * b3 + ha
     return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        v1 * b1o + v1o * b1 + hao,
-        v1 * b2o + v1o * b2 - s3o,
-        v1 * b3o + v1o * b3 + s2o,
-        J11,
-        J12,
-        J13,
-        v2 * b1o + v2o * b1 + s3o,
-        v2 * b2o + v2o * b2 + hao,
-        v2 * b3o + v2o * b3 - s1o,
-        J21,
-        J22,
-        J23,
-        v3 * b1o + v3o * b1 - s2o,
-        v3 * b2o + v3o * b2 + s1o,
-        v3 * b3o + v3o * b3 + hao,
-        J31,
-        J32,
-        J33,
+        J11, J12, J13, 0, 0, 0, J21, J22, J23, 0, 0, 0, J31, J32, J33, 0, 0, 0, v1 * b1o + v1o * b1 + hao,
+        v1 * b2o + v1o * b2 - s3o, v1 * b3o + v1o * b3 + s2o, J11, J12, J13, v2 * b1o + v2o * b1 + s3o,
+        v2 * b2o + v2o * b2 + hao, v2 * b3o + v2o * b3 - s1o, J21, J22, J23, v3 * b1o + v3o * b1 - s2o,
+        v3 * b2o + v3o * b2 + s1o, v3 * b3o + v3o * b3 + hao, J31, J32, J33,
     )
 
 
-# operations 63: 22 +, 38 *, 3 /
+def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Result:
+    """v = gain vec e of a quaternion e.
+    Its dual part is v° = T⁻¹ ρ.
+    """
+    e0, e1, e2, e3 = e
+    rho1, rho2, rho3 = rho
+    v1 = e1 * gain
+    v2 = e2 * gain
+    v3 = e3 * gain
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    fe = gain * e0
+    fi, hi = c.inverse(m, x, fe)
+    along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    return (
+        v1, v2, v3, (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * along) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * along) / 2, (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * along) / 2,
+    )
+
+
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
+    """v = gain vec q̂ of a unit dual quaternion, CP23 (47).
+    v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    """
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
-    rho1 = 2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o))
-    rho2 = 2 * (e2o * e0 - e2 * e0o + (e3 * e1o - e1 * e3o))
-    rho3 = 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))
     gain, = c.gain_unit(m, e0, e1, e2, e3)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * e0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        vector_of(m, c, gain, (e0, e1, e2, e3), (2 * (e1o * e0 - e1 * e0o + (e2 * e3o - e3 * e2o)), 2 * (e2o * e0 - e2
+        * e0o + (e3 * e1o - e1 * e3o)), 2 * (e3o * e0 - e3 * e0o + (e1 * e2o - e2 * e1o))))
     )
 
 
-# operations 124: 42 +, 45 *, 6 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
+def quaternion_of(m: Any, Q: Components) -> Result:
+    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0.
+    That is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    """
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
+    a1 = Q32 - Q23
+    a2 = Q13 - Q31
+    a3 = Q21 - Q12
+    s12 = Q12 + Q21
+    s13 = Q13 + Q31
+    s23 = Q23 + Q32
+    up = 1 + Q11
+    down = 1 - Q11
+    total = Q22 + Q33
+    difference = Q22 - Q33
+    t0 = up + total
+    t1 = up - total
+    t2 = down + difference
+    t3 = down - difference
+    larger1 = t0 < t1
+    best1 = m.where(larger1, t1, t0)
+    z10 = m.where(larger1, a1, t0)
+    z11 = m.where(larger1, t1, a1)
+    z12 = m.where(larger1, s12, a2)
+    z13 = m.where(larger1, s13, a3)
+    larger2 = best1 < t2
+    best2 = m.where(larger2, t2, best1)
+    z20 = m.where(larger2, a2, z10)
+    z21 = m.where(larger2, s12, z11)
+    z22 = m.where(larger2, t2, z12)
+    z23 = m.where(larger2, s23, z13)
+    larger3 = best2 < t3
+    z30 = m.where(larger3, a3, z20)
+    z31 = m.where(larger3, s13, z21)
+    z32 = m.where(larger3, s23, z22)
+    z33 = m.where(larger3, t3, z23)
+    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
+    return sign * z30, sign * z31, sign * z32, sign * z33
+
+
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, D11, D12, D13, D21, D22, D23, D31, D32, D33 = R
-    rho1 = (D31 * Q21 + D32 * Q22 + D33 * Q23 - (D21 * Q31 + D22 * Q32 + D23 * Q33)) / 2
-    rho2 = (D11 * Q31 + D12 * Q32 + D13 * Q33 - (D31 * Q11 + D32 * Q12 + D33 * Q13)) / 2
-    rho3 = (D21 * Q11 + D22 * Q12 + D23 * Q13 - (D11 * Q21 + D12 * Q22 + D13 * Q23)) / 2
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
+    """v of a rotation Q, by its quaternion.
+    v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
+    """
+    R11, R12, R13, R21, R22, R23, R31, R32, R33, R11o, R12o, R13o, R21o, R22o, R23o, R31o, R32o, R33o = R
+    e = quaternion_of(m, (R11, R12, R13, R21, R22, R23, R31, R32, R33))
+    e0, e1, e2, e3 = e
     gain, = c.gain_positive(m, e0, e1, e2, e3)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * e0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
+        vector_of(m, c, gain, e, ((R31o * R21 + R32o * R22 + R33o * R23 - (R21o * R31 + R22o * R32 + R23o * R33)) / 2,
+        (R11o * R31 + R12o * R32 + R13o * R33 - (R31o * R11 + R32o * R12 + R33o * R13)) / 2, (R21o * R11 + R22o * R12
+        + R23o * R13 - (R11o * R21 + R12o * R22 + R13o * R23)) / 2))
     )
 
 
-# operations 88: 27 +, 27 *, 3 /, 7 lt, 3 eq, 3 and, 3 or, 15 where
 def from_pose(m: Any, c: Any, T: Components) -> Result:
+    """v of a homogeneous matrix [[Q, ρ], [0, 1]]; v° = T⁻¹ ρ."""
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
-    a1 = Q32 - Q23
-    a2 = Q13 - Q31
-    a3 = Q21 - Q12
-    s12 = Q12 + Q21
-    s13 = Q13 + Q31
-    s23 = Q23 + Q32
-    up = 1 + Q11
-    down = 1 - Q11
-    total = Q22 + Q33
-    difference = Q22 - Q33
-    t0 = up + total
-    t1 = up - total
-    t2 = down + difference
-    t3 = down - difference
-    larger1 = t0 < t1
-    best1 = m.where(larger1, t1, t0)
-    z10 = m.where(larger1, a1, t0)
-    z11 = m.where(larger1, t1, a1)
-    z12 = m.where(larger1, s12, a2)
-    z13 = m.where(larger1, s13, a3)
-    larger2 = best1 < t2
-    best2 = m.where(larger2, t2, best1)
-    z20 = m.where(larger2, a2, z10)
-    z21 = m.where(larger2, s12, z11)
-    z22 = m.where(larger2, t2, z12)
-    z23 = m.where(larger2, s23, z13)
-    larger3 = best2 < t3
-    z30 = m.where(larger3, a3, z20)
-    z31 = m.where(larger3, s13, z21)
-    z32 = m.where(larger3, s23, z22)
-    z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
+    e = quaternion_of(m, (Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33))
+    e0, e1, e2, e3 = e
     gain, = c.gain_positive(m, e0, e1, e2, e3)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * e0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * T14 + v2 * T24 + v3 * T34)
-    return (
-        v1,
-        v2,
-        v3,
-        (T14 * fi - (v2 * T34 - v3 * T24) + v1 * hvr) / 2,
-        (T24 * fi - (v3 * T14 - v1 * T34) + v2 * hvr) / 2,
-        (T34 * fi - (v1 * T24 - v2 * T14) + v3 * hvr) / 2,
-    )
+    return vector_of(m, c, gain, e, (T14, T24, T34))
 
 
-# operations 13: 3 +, 10 *
 def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    alpha, d = angle
+    """v = φ(α) u, over dual numbers."""
+    alpha, alphao = angle
     u1, u2, u3, u1o, u2o, u3o = line
     r, slope = c.coefficient(m, alpha)
-    ro = d * slope
+    ro = alphao * slope
     return u1 * r, u2 * r, u3 * r, u1o * r + u1 * ro, u2o * r + u2 * ro, u3o * r + u3 * ro
 
 
-# operations 68: 15 +, 28 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
-def to_screw(m: Any, c: Any, v: Components) -> Result:
+def axis_of(m: Any, v: Components) -> Result:
+    """r = |v| and u = v/|v|; u is NaN at v = 0.
+    Dual parts are r° and u°; at Re v = 0 the axis is that of v°, through the origin.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
     still = total == 0
@@ -1029,37 +790,30 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     ru1 = u1 * ro
     ru2 = u2 * ro
     ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
+    return total * root, u1, u2, u3, ro, (v1o - ru1) / scale * ir, (v2o - ru2) / scale * ir, (v3o - ru3) / scale * ir
+
+
+def to_screw(m: Any, c: Any, v: Components) -> Result:
+    """The angle α in [0, π] and the axis u, CP23 Theorem 3.
+    The dual part of α is r° dα/dr, along the axis of that angle.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
+    r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     y = v1 * v1o + v2 * v2o + v3 * v3o
     angle, slope, sign = c.natural(m, x, y, r)
-    return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, uo1 * sign, uo2 * sign, uo3 * sign
+    return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, u1o * sign, u2o * sign, u3o * sign
 
 
-# operations 48: 12 +, 12 *, 6 /, 6 abs, 2 sqrt, 3 eq, 7 where
 def angle(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    scale = m.where(extent == 0, 1, extent)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
+    """The angle α of v on its own branch.
+    Its dual part is r° (f + x h), since dα/dr = f + x h.
+    """
+    v1, v2, v3, _, _, _ = v
+    _, _, _, _, ro, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1071,8 +825,8 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     return m.where(resting, x, own), ro * (f + x * h)
 
 
-# operations 31: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 2 where
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
+    """α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -1089,8 +843,8 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     return v1 * share, v2 * share, v3 * share, v1o * share + v1 * bend, v2o * share + v2 * bend, v3o * share + v3 * bend
 
 
-# operations 32: 9 +, 16 *, 2 /, 1 sqrt, 1 eq, 3 where
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
+    """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
     w1, w2, w3, w1o, w2o, w3o = w
     v11 = w1 * w1
     v22 = w2 * w2
@@ -1108,65 +862,20 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     return w1 * share, w2 * share, w3 * share, w1o * share + w1 * bend, w2o * share + w2 * bend, w3o * share + w3 * bend
 
 
-# operations 63: 14 +, 24 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
+    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    scale = m.where(extent == 0, 1, extent)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
+    r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     rk, slope = c.turned(m, r, cos, sin)
     rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
+    return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
 
-# operations 74: 18 +, 31 *, 10 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    scale = m.where(extent == 0, 1, extent)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
+    r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1176,81 +885,25 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     sn = sign * sin
     rk, slope = c.turned(m, r, cos, sn)
     rko = ro * slope
-    return u1 * rk, u2 * rk, u3 * rk, uo1 * rk + u1 * rko, uo2 * rk + u2 * rko, uo3 * rk + u3 * rko
+    return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
 
-# operations 12: 12 +
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
     v1, v2, v3, v1o, v2o, v3o = v
     none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
     one = 1 + none
     return (
-        one,
-        none,
-        none,
-        0,
-        0,
-        0,
-        none,
-        one,
-        none,
-        0,
-        0,
-        0,
-        none,
-        none,
-        one,
-        0,
-        0,
-        0,
-        none,
-        none,
-        none,
-        one,
-        none,
-        none,
-        none,
-        none,
-        none,
-        none,
-        one,
-        none,
-        none,
-        none,
-        none,
-        none,
-        none,
-        one,
+        one, none, none, 0, 0, 0, none, one, none, 0, 0, 0, none, none, one, 0, 0, 0, none, none, none, one, none, none,
+        none, none, none, none, one, none, none, none, none, none, none, one,
     )
 
 
-# operations 130: 37 +, 64 *, 14 /, 6 abs, 1 sqrt, 2 eq, 6 where
 def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    a1 = m.where(still, v1o, v1)
-    a2 = m.where(still, v2o, v2)
-    a3 = m.where(still, v3o, v3)
-    extent = m.abs(a1) + m.abs(a2) + m.abs(a3)
-    scale = m.where(extent == 0, 1, extent)
-    s1 = a1 / scale
-    s2 = a2 / scale
-    s3 = a3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    ro = m.where(still, scale * root, u1 * v1o + u2 * v2o + u3 * v3o)
-    ir = m.where(still, 0, 1) / root
-    ru1 = u1 * ro
-    ru2 = u2 * ro
-    ru3 = u3 * ro
-    r = total * root
-    uo1 = (v1o - ru1) / scale * ir
-    uo2 = (v2o - ru2) / scale * ir
-    uo3 = (v3o - ru3) / scale * ir
+    r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -1269,11 +922,11 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     spread = slope - across
     spreado = slope * (y * (ratey / rate) - yk * (rateyk / ratek)) - acrosso
     su1 = u1 * spread
-    su1o = u1 * spreado + uo1 * spread
+    su1o = u1 * spreado + u1o * spread
     su2 = u2 * spread
-    su2o = u2 * spreado + uo2 * spread
+    su2o = u2 * spreado + u2o * spread
     su3 = u3 * spread
-    su3o = u3 * spreado + uo3 * spread
+    su3o = u3 * spreado + u3o * spread
     J12 = su1 * u2
     J13 = su1 * u3
     J21 = su2 * u1
@@ -1284,47 +937,15 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     J22 = su2 * u2 + across
     J33 = su3 * u3 + across
     return (
-        J11,
-        J12,
-        J13,
-        0,
-        0,
-        0,
-        J21,
-        J22,
-        J23,
-        0,
-        0,
-        0,
-        J31,
-        J32,
-        J33,
-        0,
-        0,
-        0,
-        su1 * uo1 + su1o * u1 + acrosso,
-        su1 * uo2 + su1o * u2,
-        su1 * uo3 + su1o * u3,
-        J11,
-        J12,
-        J13,
-        su2 * uo1 + su2o * u1,
-        su2 * uo2 + su2o * u2 + acrosso,
-        su2 * uo3 + su2o * u3,
-        J21,
-        J22,
-        J23,
-        su3 * uo1 + su3o * u1,
-        su3 * uo2 + su3o * u2,
-        su3 * uo3 + su3o * u3 + acrosso,
-        J31,
-        J32,
-        J33,
+        J11, J12, J13, 0, 0, 0, J21, J22, J23, 0, 0, 0, J31, J32, J33, 0, 0, 0, su1 * u1o + su1o * u1 + acrosso,
+        su1 * u2o + su1o * u2, su1 * u3o + su1o * u3, J11, J12, J13, su2 * u1o + su2o * u1,
+        su2 * u2o + su2o * u2 + acrosso, su2 * u3o + su2o * u3, J21, J22, J23, su3 * u1o + su3o * u1,
+        su3 * u2o + su3o * u2, su3 * u3o + su3o * u3 + acrosso, J31, J32, J33,
     )
 
 
-# operations 44: 11 +, 19 *, 6 /, 1 sqrt, 7 where
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -1345,2250 +966,451 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     rk, slope = c.turned(m, r, cosine, sine)
     rko = ro * slope
     return (
-        m.where(beyond, u1 * rk, v1),
-        m.where(beyond, u2 * rk, v2),
-        m.where(beyond, u3 * rk, v3),
-        m.where(beyond, uo1 * rk + u1 * rko, v1o),
-        m.where(beyond, uo2 * rk + u2 * rko, v2o),
+        m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3),
+        m.where(beyond, uo1 * rk + u1 * rko, v1o), m.where(beyond, uo2 * rk + u2 * rko, v2o),
         m.where(beyond, uo3 * rk + u3 * rko, v3o),
     )
 
 
-# operations 176: 66 +, 107 *, 3 /
-def compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gvb3 = b3 * gb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-# operations 182: 66 +, 107 *, 3 /, 6 neg
-def between(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = minus_b1 * gb
-    gvb2 = minus_b2 * gb
-    gvb3 = minus_b3 * gb
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    alongb = hb * yb
-    rho1 = (
-        rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * fb + (gvb2 * minus_b6 - gvb3
-        * minus_b5) + minus_b1 * alongb)
-    )
-    rho2 = (
-        rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * fb + (gvb3 * minus_b4 - gvb1
-        * minus_b6) + minus_b2 * alongb)
-    )
-    rho3 = (
-        rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * fb + (gvb1 * minus_b5 - gvb2
-        * minus_b4) + minus_b3 * alongb)
-    )
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
-    return (
-        v1,
-        v2,
-        v3,
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2,
-        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2,
-    )
-
-
-# operations 896: 364 +, 487 *, 39 /, 6 neg
-def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gvb3 = b3 * gb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    rhob1 = b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb
-    rhob2 = b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb
-    rhob3 = b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + rhob3
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    fiw, hiw, fiyw, hiyw = c.tangent_inv(m, x)
-    yw = v1 * w4 + v2 * w5 + v3 * w6
-    fiow = fiyw * yw
-    hiow = hiyw * yw
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    cvw1 = v1 * hiw
-    cvw2 = v2 * hiw
-    cvw3 = v3 * hiw
-    cvow1 = w4 * hiw + v1 * hiow
-    cvow2 = w5 * hiw + v2 * hiow
-    cvow3 = w6 * hiw + v3 * hiow
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = fiw + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = fiw + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = fiw + cvw3 * v3
-    d12ow = cvw1 * w5 + cvow1 * v2
-    d13ow = cvw1 * w6 + cvow1 * v3
-    d23ow = cvw2 * w6 + cvow2 * v3
-    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
-    I12o = d12ow - sow3
-    I13o = d13ow + sow2
-    I21o = d12ow + sow3
-    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
-    I23o = d23ow - sow1
-    I31o = d13ow - sow2
-    I32o = d23ow + sow1
-    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, v11b, v22b, v33b)
-    foS = fyS * yb
-    goS = gyS * yb
-    hoS = hyS * yb
-    gvS1 = b1 * gS
-    gvS2 = b2 * gS
-    gvS3 = b3 * gS
-    gvoS1 = b1o * gS + b1 * goS
-    gvoS2 = b2o * gS + b2 * goS
-    gvoS3 = b3o * gS + b3 * goS
-    cvS1 = b1 * hS
-    cvS2 = b2 * hS
-    cvS3 = b3 * hS
-    cvoS1 = b1o * hS + b1 * hoS
-    cvoS2 = b2o * hS + b2 * hoS
-    cvoS3 = b3o * hS + b3 * hoS
-    d12S = cvS1 * b2
-    d13S = cvS1 * b3
-    d23S = cvS2 * b3
-    S11 = fS + cvS1 * b1
-    S12 = d12S - gvS3
-    S13 = d13S + gvS2
-    S21 = d12S + gvS3
-    S22 = fS + cvS2 * b2
-    S23 = d23S - gvS1
-    S31 = d13S - gvS2
-    S32 = d23S + gvS1
-    S33 = fS + cvS3 * b3
-    d12oS = cvS1 * b2o + cvoS1 * b2
-    d13oS = cvS1 * b3o + cvoS1 * b3
-    d23oS = cvS2 * b3o + cvoS2 * b3
-    S11o = foS + (cvS1 * b1o + cvoS1 * b1)
-    S12o = d12oS - gvoS3
-    S13o = d13oS + gvoS2
-    S21o = d12oS + gvoS3
-    S22o = foS + (cvS2 * b2o + cvoS2 * b2)
-    S23o = d23oS - gvoS1
-    S31o = d13oS - gvoS2
-    S32o = d23oS + gvoS1
-    S33o = foS + (cvS3 * b3o + cvoS3 * b3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11a, v22a, v33a)
-    foF = fyF * ya
-    goF = gyF * ya
-    hoF = hyF * ya
-    gvF1 = a1 * gF
-    gvF2 = a2 * gF
-    gvF3 = a3 * gF
-    gvoF1 = a1o * gF + a1 * goF
-    gvoF2 = a2o * gF + a2 * goF
-    gvoF3 = a3o * gF + a3 * goF
-    cvF1 = a1 * hF
-    cvF2 = a2 * hF
-    cvF3 = a3 * hF
-    cvoF1 = a1o * hF + a1 * hoF
-    cvoF2 = a2o * hF + a2 * hoF
-    cvoF3 = a3o * hF + a3 * hoF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fF + cvF1 * a1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * a2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * a3
-    d12oF = cvF1 * a2o + cvoF1 * a2
-    d13oF = cvF1 * a3o + cvoF1 * a3
-    d23oF = cvF2 * a3o + cvoF2 * a3
-    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = b1 * fb
-    fvb2 = b2 * fb
-    fvb3 = b3 * fb
-    gvvb1 = gvb1 * b2
-    gvvb2 = gvb1 * b3
-    gvvb3 = gvb2 * b3
-    Qb11 = 1 - gb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - gb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - gb * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
-    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
-    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
-    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
-    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
-    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
-    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
-    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
-    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    return (
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        (I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2,
-        (I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2,
-        (I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2,
-        B11,
-        B12,
-        B13,
-        (I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2,
-        (I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2,
-        (I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2,
-        B21,
-        B22,
-        B23,
-        (I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2,
-        (I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2,
-        (I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2,
-        B31,
-        B32,
-        B33,
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
-        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
-        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-    )
-
-
-# operations 920: 364 +, 487 *, 39 /, 30 neg
-def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ab, bb, sizeb, fb, gb, hb = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = minus_b1 * gb
-    gvb2 = minus_b2 * gb
-    gvb3 = minus_b3 * gb
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    alongb = hb * yb
-    rhob1 = minus_b4 * fb + (gvb2 * minus_b6 - gvb3 * minus_b5) + minus_b1 * alongb
-    rhob2 = minus_b5 * fb + (gvb3 * minus_b4 - gvb1 * minus_b6) + minus_b2 * alongb
-    rhob3 = minus_b6 * fb + (gvb1 * minus_b5 - gvb2 * minus_b4) + minus_b3 * alongb
-    rho1 = rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + rhob1
-    rho2 = rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + rhob2
-    rho3 = rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + rhob3
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fe = gain * z0
-    fi, hi = c.inverse(m, x, fe)
-    hvr = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
-    w4 = (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * hvr) / 2
-    w5 = (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * hvr) / 2
-    w6 = (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * hvr) / 2
-    fiw, hiw, fiyw, hiyw = c.tangent_inv(m, x)
-    yw = v1 * w4 + v2 * w5 + v3 * w6
-    fiow = fiyw * yw
-    hiow = hiyw * yw
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    sow1 = -w4
-    sow2 = -w5
-    sow3 = -w6
-    cvw1 = v1 * hiw
-    cvw2 = v2 * hiw
-    cvw3 = v3 * hiw
-    cvow1 = w4 * hiw + v1 * hiow
-    cvow2 = w5 * hiw + v2 * hiow
-    cvow3 = w6 * hiw + v3 * hiow
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = fiw + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = fiw + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = fiw + cvw3 * v3
-    d12ow = cvw1 * w5 + cvow1 * v2
-    d13ow = cvw1 * w6 + cvow1 * v3
-    d23ow = cvw2 * w6 + cvow2 * v3
-    I11o = fiow + (cvw1 * w4 + cvow1 * v1)
-    I12o = d12ow - sow3
-    I13o = d13ow + sow2
-    I21o = d12ow + sow3
-    I22o = fiow + (cvw2 * w5 + cvow2 * v2)
-    I23o = d23ow - sow1
-    I31o = d13ow - sow2
-    I32o = d23ow + sow1
-    I33o = fiow + (cvw3 * w6 + cvow3 * v3)
-    fS, gS, hS, fyS, gyS, hyS = c.tangent(m, v11b, v22b, v33b)
-    foS = fyS * yb
-    goS = gyS * yb
-    hoS = hyS * yb
-    gvS1 = minus_b1 * gS
-    gvS2 = minus_b2 * gS
-    gvS3 = minus_b3 * gS
-    gvoS1 = minus_b4 * gS + minus_b1 * goS
-    gvoS2 = minus_b5 * gS + minus_b2 * goS
-    gvoS3 = minus_b6 * gS + minus_b3 * goS
-    cvS1 = minus_b1 * hS
-    cvS2 = minus_b2 * hS
-    cvS3 = minus_b3 * hS
-    cvoS1 = minus_b4 * hS + minus_b1 * hoS
-    cvoS2 = minus_b5 * hS + minus_b2 * hoS
-    cvoS3 = minus_b6 * hS + minus_b3 * hoS
-    d12S = cvS1 * minus_b2
-    d13S = cvS1 * minus_b3
-    d23S = cvS2 * minus_b3
-    S11 = fS + cvS1 * minus_b1
-    S12 = d12S - gvS3
-    S13 = d13S + gvS2
-    S21 = d12S + gvS3
-    S22 = fS + cvS2 * minus_b2
-    S23 = d23S - gvS1
-    S31 = d13S - gvS2
-    S32 = d23S + gvS1
-    S33 = fS + cvS3 * minus_b3
-    d12oS = cvS1 * minus_b5 + cvoS1 * minus_b2
-    d13oS = cvS1 * minus_b6 + cvoS1 * minus_b3
-    d23oS = cvS2 * minus_b6 + cvoS2 * minus_b3
-    S11o = foS + (cvS1 * minus_b4 + cvoS1 * minus_b1)
-    S12o = d12oS - gvoS3
-    S13o = d13oS + gvoS2
-    S21o = d12oS + gvoS3
-    S22o = foS + (cvS2 * minus_b5 + cvoS2 * minus_b2)
-    S23o = d23oS - gvoS1
-    S31o = d13oS - gvoS2
-    S32o = d23oS + gvoS1
-    S33o = foS + (cvS3 * minus_b6 + cvoS3 * minus_b3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11a, v22a, v33a)
-    foF = fyF * ya
-    goF = gyF * ya
-    hoF = hyF * ya
-    gvF1 = a1 * gF
-    gvF2 = a2 * gF
-    gvF3 = a3 * gF
-    gvoF1 = a1o * gF + a1 * goF
-    gvoF2 = a2o * gF + a2 * goF
-    gvoF3 = a3o * gF + a3 * goF
-    cvF1 = a1 * hF
-    cvF2 = a2 * hF
-    cvF3 = a3 * hF
-    cvoF1 = a1o * hF + a1 * hoF
-    cvoF2 = a2o * hF + a2 * hoF
-    cvoF3 = a3o * hF + a3 * hoF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fF + cvF1 * a1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * a2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * a3
-    d12oF = cvF1 * a2o + cvoF1 * a2
-    d13oF = cvF1 * a3o + cvoF1 * a3
-    d23oF = cvF2 * a3o + cvoF2 * a3
-    F11o = foF + (cvF1 * a1o + cvoF1 * a1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * a2o + cvoF2 * a2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * a3o + cvoF3 * a3)
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = minus_b1 * fb
-    fvb2 = minus_b2 * fb
-    fvb3 = minus_b3 * fb
-    gvvb1 = gvb1 * minus_b2
-    gvvb2 = gvb1 * minus_b3
-    gvvb3 = gvb2 * minus_b3
-    Qb11 = 1 - gb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - gb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - gb * x12b
-    R11o = Qb31 * rhob2 - Qb21 * rhob3
-    R12o = Qb32 * rhob2 - Qb22 * rhob3
-    R13o = Qb33 * rhob2 - Qb23 * rhob3
-    R21o = Qb11 * rhob3 - Qb31 * rhob1
-    R22o = Qb12 * rhob3 - Qb32 * rhob1
-    R23o = Qb13 * rhob3 - Qb33 * rhob1
-    R31o = Qb21 * rhob1 - Qb11 * rhob2
-    R32o = Qb22 * rhob1 - Qb12 * rhob2
-    R33o = Qb23 * rhob1 - Qb13 * rhob2
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT11o = Qb11 * F11o + R11o * F11 + (Qb12 * F21o + R12o * F21) + (Qb13 * F31o + R13o * F31)
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT12o = Qb11 * F12o + R11o * F12 + (Qb12 * F22o + R12o * F22) + (Qb13 * F32o + R13o * F32)
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT13o = Qb11 * F13o + R11o * F13 + (Qb12 * F23o + R12o * F23) + (Qb13 * F33o + R13o * F33)
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT21o = Qb21 * F11o + R21o * F11 + (Qb22 * F21o + R22o * F21) + (Qb23 * F31o + R23o * F31)
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT22o = Qb21 * F12o + R21o * F12 + (Qb22 * F22o + R22o * F22) + (Qb23 * F32o + R23o * F32)
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT23o = Qb21 * F13o + R21o * F13 + (Qb22 * F23o + R22o * F23) + (Qb23 * F33o + R23o * F33)
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT31o = Qb31 * F11o + R31o * F11 + (Qb32 * F21o + R32o * F21) + (Qb33 * F31o + R33o * F31)
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT32o = Qb31 * F12o + R31o * F12 + (Qb32 * F22o + R32o * F22) + (Qb33 * F32o + R33o * F32)
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    RT33o = Qb31 * F13o + R31o * F13 + (Qb32 * F23o + R32o * F23) + (Qb33 * F33o + R33o * F33)
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
-    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
-    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
-    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
-    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
-    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
-    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
-    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
-    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
-    return (
-        A11,
-        A12,
-        A13,
-        0,
-        0,
-        0,
-        A21,
-        A22,
-        A23,
-        0,
-        0,
-        0,
-        A31,
-        A32,
-        A33,
-        0,
-        0,
-        0,
-        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
-        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
-        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
-        A11,
-        A12,
-        A13,
-        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        A21,
-        A22,
-        A23,
-        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
-        A31,
-        A32,
-        A33,
-        B11,
-        B12,
-        B13,
-        0,
-        0,
-        0,
-        B21,
-        B22,
-        B23,
-        0,
-        0,
-        0,
-        B31,
-        B32,
-        B33,
-        0,
-        0,
-        0,
-        -((I11 * S11o + I11o * S11 + (I12 * S21o + I12o * S21) + (I13 * S31o + I13o * S31)) / 2),
-        -((I11 * S12o + I11o * S12 + (I12 * S22o + I12o * S22) + (I13 * S32o + I13o * S32)) / 2),
-        -((I11 * S13o + I11o * S13 + (I12 * S23o + I12o * S23) + (I13 * S33o + I13o * S33)) / 2),
-        B11,
-        B12,
-        B13,
-        -((I21 * S11o + I21o * S11 + (I22 * S21o + I22o * S21) + (I23 * S31o + I23o * S31)) / 2),
-        -((I21 * S12o + I21o * S12 + (I22 * S22o + I22o * S22) + (I23 * S32o + I23o * S32)) / 2),
-        -((I21 * S13o + I21o * S13 + (I22 * S23o + I22o * S23) + (I23 * S33o + I23o * S33)) / 2),
-        B21,
-        B22,
-        B23,
-        -((I31 * S11o + I31o * S11 + (I32 * S21o + I32o * S21) + (I33 * S31o + I33o * S31)) / 2),
-        -((I31 * S12o + I31o * S12 + (I32 * S22o + I32o * S22) + (I33 * S32o + I33o * S32)) / 2),
-        -((I31 * S13o + I31o * S13 + (I32 * S23o + I32o * S23) + (I33 * S33o + I33o * S33)) / 2),
-        B31,
-        B32,
-        B33,
-    )
-
-
-# operations 327: 116 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
-def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+def displacement(m: Any, c: Any, v: Components) -> Result:
+    """A positive multiple e of the quaternion of v, its size, and f and g.
+    ρ = Re(T) v°, the translation.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    a, b, _, f, g, h = c.ray(m, x)
-    bv1 = v1 * b
-    bv2 = v2 * b
-    bv3 = v3 * b
+    a, b, size, f, g, h = c.ray(m, x)
     gv1 = v1 * g
     gv2 = v2 * g
     gv3 = v3 * g
     y = v1 * v1o + v2 * v2o + v3 * v3o
     along = h * y
-    rhob1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
-    rhob2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
-    rhob3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
-    z0 = sd * a - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
-    z1 = bv1 * sd + wd1 * a + (wd2 * bv3 - wd3 * bv2)
-    z2 = bv2 * sd + wd2 * a + (wd3 * bv1 - wd1 * bv3)
-    z3 = bv3 * sd + wd3 * a + (wd1 * bv2 - wd2 * bv1)
-    v_rhob1 = d2 * rhob3 - d3 * rhob2
-    v_rhob2 = d3 * rhob1 - d1 * rhob3
-    v_rhob3 = d1 * rhob2 - d2 * rhob1
-    gv_rhob1 = v_rhob1 * gd
-    gv_rhob2 = v_rhob2 * gd
-    gv_rhob3 = v_rhob3 * gd
-    rho1 = (
-        rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + (d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd)
-    )
-    rho2 = (
-        rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + (d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd)
-    )
-    rho3 = (
-        rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + (d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd)
-    )
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    hiw, = c.inverse_at(m, xw, fe, angle)
-    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
-        v_1,
-        v_2,
-        v_3,
-        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        a, v1 * b, v2 * b, v3 * b, size, f, g, v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along,
+        v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along, v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along,
     )
 
 
-# operations 327: 116 +, 143 *, 32 /, 1 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
-def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
-    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
-    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
-    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    a, b, _, f, g, h = c.ray(m, x)
-    bv1 = v1 * b
-    bv2 = v2 * b
-    bv3 = v3 * b
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    along = h * y
-    z0 = a * sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
-    z1 = wd1 * a + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
-    z2 = wd2 * a + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
-    z3 = wd3 * a + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
-    v_rhob1 = v2 * rhob3 - v3 * rhob2
-    v_rhob2 = v3 * rhob1 - v1 * rhob3
-    v_rhob3 = v1 * rhob2 - v2 * rhob1
-    gv_rhob1 = v_rhob1 * g
-    gv_rhob2 = v_rhob2 * g
-    gv_rhob3 = v_rhob3 * g
-    rho1 = rhob1 + (v_rhob1 * f + (v2 * gv_rhob3 - v3 * gv_rhob2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
-    rho2 = rhob2 + (v_rhob2 * f + (v3 * gv_rhob1 - v1 * gv_rhob3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
-    rho3 = rhob3 + (v_rhob3 * f + (v1 * gv_rhob2 - v2 * gv_rhob1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    hiw, = c.inverse_at(m, xw, fe, angle)
-    hvr = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+def composed(e2: Components, f: Any, g: Any, v2: Components, rho2: Components, e1: Components, rho1: Components) -> Result:
+    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
+    ρ = ρ2 + Q2 ρ1, Q2 of f and g at v2.
+    """
+    p0, p1, p2, p3 = e2
+    b1, b2, b3, _, _, _ = v2
+    s1, s2, s3 = rho2
+    q0, q1, q2, q3 = e1
+    r1, r2, r3 = rho1
+    vr1 = b2 * r3 - b3 * r2
+    vr2 = b3 * r1 - b1 * r3
+    vr3 = b1 * r2 - b2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
     return (
-        v_1,
-        v_2,
-        v_3,
-        (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2,
-        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2,
-        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2,
+        p0 * q0 - (p1 * q1 + p2 * q2 + p3 * q3), q1 * p0 + p1 * q0 + (p2 * q3 - p3 * q2),
+        q2 * p0 + p2 * q0 + (p3 * q1 - p1 * q3), q3 * p0 + p3 * q0 + (p1 * q2 - p2 * q1),
+        s1 + (r1 + (vr1 * f + (b2 * gvr3 - b3 * gvr2))), s2 + (r2 + (vr2 * f + (b3 * gvr1 - b1 * gvr3))),
+        s3 + (r3 + (vr3 * f + (b1 * gvr2 - b2 * gvr1))),
     )
 
 
-# operations 1069: 423 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
-def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """The principal v of R(v2) R(v1), CP23 (58)."""
+    e0_2, e1_2, e2_2, e3_2, size_2, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v1)
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((e0_2, e1_2, e2_2, e3_2), f_2, g_2, v2, (rho1_2, rho2_2, rho3_2), (e0_1, e1_1, e2_1, e3_1), (rho1_1,
+        rho2_1, rho3_1))
     )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
-    rhod1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
-    rhod2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
-    rhod3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
-    v11p = v1 * v1
-    v22p = v2 * v2
-    v33p = v3 * v3
-    xp = v11p + v22p + v33p
-    ap, bp, _, fp, gp, hp = c.ray(m, xp)
-    bvp1 = v1 * bp
-    bvp2 = v2 * bp
-    bvp3 = v3 * bp
-    gvp1 = v1 * gp
-    gvp2 = v2 * gp
-    gvp3 = v3 * gp
-    yp = v1 * v1o + v2 * v2o + v3 * v3o
-    alongp = hp * yp
-    rhob1 = v1o * fp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
-    rhob2 = v2o * fp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
-    rhob3 = v3o * fp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
-    z0 = sd * ap - (wd1 * bvp1 + wd2 * bvp2 + wd3 * bvp3)
-    z1 = bvp1 * sd + wd1 * ap + (wd2 * bvp3 - wd3 * bvp2)
-    z2 = bvp2 * sd + wd2 * ap + (wd3 * bvp1 - wd1 * bvp3)
-    z3 = bvp3 * sd + wd3 * ap + (wd1 * bvp2 - wd2 * bvp1)
-    v_rhob1 = d2 * rhob3 - d3 * rhob2
-    v_rhob2 = d3 * rhob1 - d1 * rhob3
-    v_rhob3 = d1 * rhob2 - d2 * rhob1
-    gv_rhob1 = v_rhob1 * gd
-    gv_rhob2 = v_rhob2 * gd
-    gv_rhob3 = v_rhob3 * gd
-    rho1 = rhob1 + (v_rhob1 * fd + (d2 * gv_rhob3 - d3 * gv_rhob2)) + rhod1
-    rho2 = rhob2 + (v_rhob2 * fd + (d3 * gv_rhob1 - d1 * gv_rhob3)) + rhod2
-    rho3 = rhob3 + (v_rhob3 * fd + (d1 * gv_rhob2 - d2 * gv_rhob1)) + rhod3
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = xp == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + xp, xp))
-    own, = c.unfolded(m, xp, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    fin, hin, fiyn, hiyn = c.tangent_inv_at(m, xw, fe, angle)
-    hvr = hin * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
-    w4 = (rho1 * fin - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
-    w5 = (rho2 * fin - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
-    w6 = (rho3 * fin - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
-    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
-    fion = fiyn * yn
-    hion = hiyn * yn
-    sn1 = -v_1
-    sn2 = -v_2
-    sn3 = -v_3
-    son1 = -w4
-    son2 = -w5
-    son3 = -w6
-    cvn1 = v_1 * hin
-    cvn2 = v_2 * hin
-    cvn3 = v_3 * hin
-    cvon1 = w4 * hin + v_1 * hion
-    cvon2 = w5 * hin + v_2 * hion
-    cvon3 = w6 * hin + v_3 * hion
-    d12n = cvn1 * v_2
-    d13n = cvn1 * v_3
-    d23n = cvn2 * v_3
-    I11 = fin + cvn1 * v_1
-    I12 = d12n - sn3
-    I13 = d13n + sn2
-    I21 = d12n + sn3
-    I22 = fin + cvn2 * v_2
-    I23 = d23n - sn1
-    I31 = d13n - sn2
-    I32 = d23n + sn1
-    I33 = fin + cvn3 * v_3
-    d12on = cvn1 * w5 + cvon1 * v_2
-    d13on = cvn1 * w6 + cvon1 * v_3
-    d23on = cvn2 * w6 + cvon2 * v_3
-    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
-    I12o = d12on - son3
-    I13o = d13on + son2
-    I21o = d12on + son3
-    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
-    I23o = d23on - son1
-    I31o = d13on - son2
-    I32o = d23on + son1
-    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
-    fyd = hd - gd
-    gyd = fd * hd - gd * gd
-    CC3d = C3d * C3d
-    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
-    c5d = (C5d + C4d + C2d * C3d) / 16
-    c4d = C3d * (1 + C1d) / 8
-    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
-    fod = fyd * yd
-    god = gyd * yd
-    hod = hyd * yd
-    gvod1 = d1o * gd + d1 * god
-    gvod2 = d2o * gd + d2 * god
-    gvod3 = d3o * gd + d3 * god
-    cvd1 = d1 * hd
-    cvd2 = d2 * hd
-    cvd3 = d3 * hd
-    cvod1 = d1o * hd + d1 * hod
-    cvod2 = d2o * hd + d2 * hod
-    cvod3 = d3o * hd + d3 * hod
-    d12d = cvd1 * d2
-    d13d = cvd1 * d3
-    d23d = cvd2 * d3
-    D11 = fd + cvd1 * d1
-    D12 = d12d - gvd3
-    D13 = d13d + gvd2
-    D21 = d12d + gvd3
-    D22 = fd + cvd2 * d2
-    D23 = d23d - gvd1
-    D31 = d13d - gvd2
-    D32 = d23d + gvd1
-    D33 = fd + cvd3 * d3
-    d12od = cvd1 * d2o + cvod1 * d2
-    d13od = cvd1 * d3o + cvod1 * d3
-    d23od = cvd2 * d3o + cvod2 * d3
-    D11o = fod + (cvd1 * d1o + cvod1 * d1)
-    D12o = d12od - gvod3
-    D13o = d13od + gvod2
-    D21o = d12od + gvod3
-    D22o = fod + (cvd2 * d2o + cvod2 * d2)
-    D23o = d23od - gvod1
-    D31o = d13od - gvod2
-    D32o = d23od + gvod1
-    D33o = fod + (cvd3 * d3o + cvod3 * d3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11p, v22p, v33p)
-    foF = fyF * yp
-    goF = gyF * yp
-    hoF = hyF * yp
-    gvF1 = v1 * gF
-    gvF2 = v2 * gF
-    gvF3 = v3 * gF
-    gvoF1 = v1o * gF + v1 * goF
-    gvoF2 = v2o * gF + v2 * goF
-    gvoF3 = v3o * gF + v3 * goF
-    cvF1 = v1 * hF
-    cvF2 = v2 * hF
-    cvF3 = v3 * hF
-    cvoF1 = v1o * hF + v1 * hoF
-    cvoF2 = v2o * hF + v2 * hoF
-    cvoF3 = v3o * hF + v3 * hoF
-    d12F = cvF1 * v2
-    d13F = cvF1 * v3
-    d23F = cvF2 * v3
-    F11 = fF + cvF1 * v1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * v2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * v3
-    d12oF = cvF1 * v2o + cvoF1 * v2
-    d13oF = cvF1 * v3o + cvoF1 * v3
-    d23oF = cvF2 * v3o + cvoF2 * v3
-    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
-    x23d = v22d + v33d
-    x13d = v11d + v33d
-    fvd1 = d1 * fd
-    fvd2 = d2 * fd
-    fvd3 = d3 * fd
-    gvvd1 = gvd1 * d2
-    gvvd2 = gvd1 * d3
-    gvvd3 = gvd2 * d3
-    Qd11 = 1 - gd * x23d
-    Qd12 = gvvd1 - fvd3
-    Qd13 = gvvd2 + fvd2
-    Qd21 = gvvd1 + fvd3
-    Qd22 = 1 - gd * x13d
-    Qd23 = gvvd3 - fvd1
-    Qd31 = gvvd2 - fvd2
-    Qd32 = gvvd3 + fvd1
-    Qd33 = 1 - gd * part
-    R11o = Qd31 * rhod2 - Qd21 * rhod3
-    R12o = Qd32 * rhod2 - Qd22 * rhod3
-    R13o = Qd33 * rhod2 - Qd23 * rhod3
-    R21o = Qd11 * rhod3 - Qd31 * rhod1
-    R22o = Qd12 * rhod3 - Qd32 * rhod1
-    R23o = Qd13 * rhod3 - Qd33 * rhod1
-    R31o = Qd21 * rhod1 - Qd11 * rhod2
-    R32o = Qd22 * rhod1 - Qd12 * rhod2
-    R33o = Qd23 * rhod1 - Qd13 * rhod2
-    RT11 = Qd11 * F11 + Qd12 * F21 + Qd13 * F31
-    RT11o = Qd11 * F11o + R11o * F11 + (Qd12 * F21o + R12o * F21) + (Qd13 * F31o + R13o * F31)
-    RT12 = Qd11 * F12 + Qd12 * F22 + Qd13 * F32
-    RT12o = Qd11 * F12o + R11o * F12 + (Qd12 * F22o + R12o * F22) + (Qd13 * F32o + R13o * F32)
-    RT13 = Qd11 * F13 + Qd12 * F23 + Qd13 * F33
-    RT13o = Qd11 * F13o + R11o * F13 + (Qd12 * F23o + R12o * F23) + (Qd13 * F33o + R13o * F33)
-    RT21 = Qd21 * F11 + Qd22 * F21 + Qd23 * F31
-    RT21o = Qd21 * F11o + R21o * F11 + (Qd22 * F21o + R22o * F21) + (Qd23 * F31o + R23o * F31)
-    RT22 = Qd21 * F12 + Qd22 * F22 + Qd23 * F32
-    RT22o = Qd21 * F12o + R21o * F12 + (Qd22 * F22o + R22o * F22) + (Qd23 * F32o + R23o * F32)
-    RT23 = Qd21 * F13 + Qd22 * F23 + Qd23 * F33
-    RT23o = Qd21 * F13o + R21o * F13 + (Qd22 * F23o + R22o * F23) + (Qd23 * F33o + R23o * F33)
-    RT31 = Qd31 * F11 + Qd32 * F21 + Qd33 * F31
-    RT31o = Qd31 * F11o + R31o * F11 + (Qd32 * F21o + R32o * F21) + (Qd33 * F31o + R33o * F31)
-    RT32 = Qd31 * F12 + Qd32 * F22 + Qd33 * F32
-    RT32o = Qd31 * F12o + R31o * F12 + (Qd32 * F22o + R32o * F22) + (Qd33 * F32o + R33o * F32)
-    RT33 = Qd31 * F13 + Qd32 * F23 + Qd33 * F33
-    RT33o = Qd31 * F13o + R31o * F13 + (Qd32 * F23o + R32o * F23) + (Qd33 * F33o + R33o * F33)
-    V11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    V12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    V13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    V21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    V22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    V23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    V31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    V32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    V33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    S11 = (I11 * D11 + I12 * D21 + I13 * D31) / 2
-    S12 = (I11 * D12 + I12 * D22 + I13 * D32) / 2
-    S13 = (I11 * D13 + I12 * D23 + I13 * D33) / 2
-    S21 = (I21 * D11 + I22 * D21 + I23 * D31) / 2
-    S22 = (I21 * D12 + I22 * D22 + I23 * D32) / 2
-    S23 = (I21 * D13 + I22 * D23 + I23 * D33) / 2
-    S31 = (I31 * D11 + I32 * D21 + I33 * D31) / 2
-    S32 = (I31 * D12 + I32 * D22 + I33 * D32) / 2
-    S33 = (I31 * D13 + I32 * D23 + I33 * D33) / 2
+    gain, = c.gain_product(m, e0, e1, e2, e3, size_2, size_1)
+    return vector_of(m, c, gain, (e0, e1, e2, e3), (rho1, rho2, rho3))
+
+
+def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    a1, a2, a3, a1o, a2o, a3o = v1
+    return compose(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o), v2)
+
+
+def dual_product(A: Components, B: Components) -> Result:
+    """A B.
+    A and B are dual tensors: the dual part is A° B + A B°.
+    """
+    A11, A12, A13, A21, A22, A23, A31, A32, A33, A11o, A12o, A13o, A21o, A22o, A23o, A31o, A32o, A33o = A
+    B11, B12, B13, B21, B22, B23, B31, B32, B33, B11o, B12o, B13o, B21o, B22o, B23o, B31o, B32o, B33o = B
     return (
-        V11,
-        V12,
-        V13,
-        0,
-        0,
-        0,
-        V21,
-        V22,
-        V23,
-        0,
-        0,
-        0,
-        V31,
-        V32,
-        V33,
-        0,
-        0,
-        0,
-        (I11 * RT11o + I11o * RT11 + (I12 * RT21o + I12o * RT21) + (I13 * RT31o + I13o * RT31)) / 2,
-        (I11 * RT12o + I11o * RT12 + (I12 * RT22o + I12o * RT22) + (I13 * RT32o + I13o * RT32)) / 2,
-        (I11 * RT13o + I11o * RT13 + (I12 * RT23o + I12o * RT23) + (I13 * RT33o + I13o * RT33)) / 2,
-        V11,
-        V12,
-        V13,
-        (I21 * RT11o + I21o * RT11 + (I22 * RT21o + I22o * RT21) + (I23 * RT31o + I23o * RT31)) / 2,
-        (I21 * RT12o + I21o * RT12 + (I22 * RT22o + I22o * RT22) + (I23 * RT32o + I23o * RT32)) / 2,
-        (I21 * RT13o + I21o * RT13 + (I22 * RT23o + I22o * RT23) + (I23 * RT33o + I23o * RT33)) / 2,
-        V21,
-        V22,
-        V23,
-        (I31 * RT11o + I31o * RT11 + (I32 * RT21o + I32o * RT21) + (I33 * RT31o + I33o * RT31)) / 2,
-        (I31 * RT12o + I31o * RT12 + (I32 * RT22o + I32o * RT22) + (I33 * RT32o + I33o * RT32)) / 2,
-        (I31 * RT13o + I31o * RT13 + (I32 * RT23o + I32o * RT23) + (I33 * RT33o + I33o * RT33)) / 2,
-        V31,
-        V32,
-        V33,
-        S11,
-        S12,
-        S13,
-        0,
-        0,
-        0,
-        S21,
-        S22,
-        S23,
-        0,
-        0,
-        0,
-        S31,
-        S32,
-        S33,
-        0,
-        0,
-        0,
-        (I11 * D11o + I11o * D11 + (I12 * D21o + I12o * D21) + (I13 * D31o + I13o * D31)) / 2,
-        (I11 * D12o + I11o * D12 + (I12 * D22o + I12o * D22) + (I13 * D32o + I13o * D32)) / 2,
-        (I11 * D13o + I11o * D13 + (I12 * D23o + I12o * D23) + (I13 * D33o + I13o * D33)) / 2,
-        S11,
-        S12,
-        S13,
-        (I21 * D11o + I21o * D11 + (I22 * D21o + I22o * D21) + (I23 * D31o + I23o * D31)) / 2,
-        (I21 * D12o + I21o * D12 + (I22 * D22o + I22o * D22) + (I23 * D32o + I23o * D32)) / 2,
-        (I21 * D13o + I21o * D13 + (I22 * D23o + I22o * D23) + (I23 * D33o + I23o * D33)) / 2,
-        S21,
-        S22,
-        S23,
-        (I31 * D11o + I31o * D11 + (I32 * D21o + I32o * D21) + (I33 * D31o + I33o * D31)) / 2,
-        (I31 * D12o + I31o * D12 + (I32 * D22o + I32o * D22) + (I33 * D32o + I33o * D32)) / 2,
-        (I31 * D13o + I31o * D13 + (I32 * D23o + I32o * D23) + (I33 * D33o + I33o * D33)) / 2,
-        S31,
-        S32,
-        S33,
+        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
+        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
+        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
+        A11 * B11o + A11o * B11 + (A12 * B21o + A12o * B21) + (A13 * B31o + A13o * B31),
+        A11 * B12o + A11o * B12 + (A12 * B22o + A12o * B22) + (A13 * B32o + A13o * B32),
+        A11 * B13o + A11o * B13 + (A12 * B23o + A12o * B23) + (A13 * B33o + A13o * B33),
+        A21 * B11o + A21o * B11 + (A22 * B21o + A22o * B21) + (A23 * B31o + A23o * B31),
+        A21 * B12o + A21o * B12 + (A22 * B22o + A22o * B22) + (A23 * B32o + A23o * B32),
+        A21 * B13o + A21o * B13 + (A22 * B23o + A22o * B23) + (A23 * B33o + A23o * B33),
+        A31 * B11o + A31o * B11 + (A32 * B21o + A32o * B21) + (A33 * B31o + A33o * B31),
+        A31 * B12o + A31o * B12 + (A32 * B22o + A32o * B22) + (A33 * B32o + A33o * B32),
+        A31 * B13o + A31o * B13 + (A32 * B23o + A32o * B23) + (A33 * B33o + A33o * B33),
     )
 
 
-# operations 1069: 423 +, 531 *, 72 /, 7 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 19 where
-def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
-    d1, d2, d3, d1o, d2o, d3o = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    yd = d1 * d1o + d2 * d2o + d3 * d3o
-    alongd = hd * yd
-    rhob1 = d1o * fd + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd
-    rhob2 = d2o * fd + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd
-    rhob3 = d3o * fd + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd
-    v11p = v1 * v1
-    v22p = v2 * v2
-    v33p = v3 * v3
-    x12p = v11p + v22p
-    xp = x12p + v33p
-    ap, bp, _, fp, gp, hp = c.ray(m, xp)
-    bvp1 = v1 * bp
-    bvp2 = v2 * bp
-    bvp3 = v3 * bp
-    gvp1 = v1 * gp
-    gvp2 = v2 * gp
-    gvp3 = v3 * gp
-    yp = v1 * v1o + v2 * v2o + v3 * v3o
-    alongp = hp * yp
-    rhop1 = v1o * fp + (gvp2 * v3o - gvp3 * v2o) + v1 * alongp
-    rhop2 = v2o * fp + (gvp3 * v1o - gvp1 * v3o) + v2 * alongp
-    rhop3 = v3o * fp + (gvp1 * v2o - gvp2 * v1o) + v3 * alongp
-    z0 = ap * sd - (bvp1 * wd1 + bvp2 * wd2 + bvp3 * wd3)
-    z1 = wd1 * ap + bvp1 * sd + (bvp2 * wd3 - bvp3 * wd2)
-    z2 = wd2 * ap + bvp2 * sd + (bvp3 * wd1 - bvp1 * wd3)
-    z3 = wd3 * ap + bvp3 * sd + (bvp1 * wd2 - bvp2 * wd1)
-    v_rhob1 = v2 * rhob3 - v3 * rhob2
-    v_rhob2 = v3 * rhob1 - v1 * rhob3
-    v_rhob3 = v1 * rhob2 - v2 * rhob1
-    gv_rhob1 = v_rhob1 * gp
-    gv_rhob2 = v_rhob2 * gp
-    gv_rhob3 = v_rhob3 * gp
-    rho1 = rhob1 + (v_rhob1 * fp + (v2 * gv_rhob3 - v3 * gv_rhob2)) + rhop1
-    rho2 = rhob2 + (v_rhob2 * fp + (v3 * gv_rhob1 - v1 * gv_rhob3)) + rhop2
-    rho3 = rhob3 + (v_rhob3 * fp + (v1 * gv_rhob2 - v2 * gv_rhob1)) + rhop3
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = xp == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + xp, xp))
-    own, = c.unfolded(m, xp, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    fin, hin, fiyn, hiyn = c.tangent_inv_at(m, xw, fe, angle)
-    hvr = hin * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
-    w4 = (rho1 * fin - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr) / 2
-    w5 = (rho2 * fin - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr) / 2
-    w6 = (rho3 * fin - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr) / 2
-    yn = v_1 * w4 + v_2 * w5 + v_3 * w6
-    fion = fiyn * yn
-    hion = hiyn * yn
-    sn1 = -v_1
-    sn2 = -v_2
-    sn3 = -v_3
-    son1 = -w4
-    son2 = -w5
-    son3 = -w6
-    cvn1 = v_1 * hin
-    cvn2 = v_2 * hin
-    cvn3 = v_3 * hin
-    cvon1 = w4 * hin + v_1 * hion
-    cvon2 = w5 * hin + v_2 * hion
-    cvon3 = w6 * hin + v_3 * hion
-    d12n = cvn1 * v_2
-    d13n = cvn1 * v_3
-    d23n = cvn2 * v_3
-    I11 = fin + cvn1 * v_1
-    I12 = d12n - sn3
-    I13 = d13n + sn2
-    I21 = d12n + sn3
-    I22 = fin + cvn2 * v_2
-    I23 = d23n - sn1
-    I31 = d13n - sn2
-    I32 = d23n + sn1
-    I33 = fin + cvn3 * v_3
-    d12on = cvn1 * w5 + cvon1 * v_2
-    d13on = cvn1 * w6 + cvon1 * v_3
-    d23on = cvn2 * w6 + cvon2 * v_3
-    I11o = fion + (cvn1 * w4 + cvon1 * v_1)
-    I12o = d12on - son3
-    I13o = d13on + son2
-    I21o = d12on + son3
-    I22o = fion + (cvn2 * w5 + cvon2 * v_2)
-    I23o = d23on - son1
-    I31o = d13on - son2
-    I32o = d23on + son1
-    I33o = fion + (cvn3 * w6 + cvon3 * v_3)
-    fyd = hd - gd
-    gyd = fd * hd - gd * gd
-    CC3d = C3d * C3d
-    C4d = (4 * C3d - C2d - 2 * (zd * CC3d)) / (2 * C01d)
-    c5d = (C5d + C4d + C2d * C3d) / 16
-    c4d = C3d * (1 + C1d) / 8
-    hyd = m.where(neard, 3 * c5d - c4d, (gd - 3 * hd) / xxd)
-    fod = fyd * yd
-    god = gyd * yd
-    hod = hyd * yd
-    gvod1 = d1o * gd + d1 * god
-    gvod2 = d2o * gd + d2 * god
-    gvod3 = d3o * gd + d3 * god
-    cvd1 = d1 * hd
-    cvd2 = d2 * hd
-    cvd3 = d3 * hd
-    cvod1 = d1o * hd + d1 * hod
-    cvod2 = d2o * hd + d2 * hod
-    cvod3 = d3o * hd + d3 * hod
-    d12d = cvd1 * d2
-    d13d = cvd1 * d3
-    d23d = cvd2 * d3
-    D11 = fd + cvd1 * d1
-    D12 = d12d - gvd3
-    D13 = d13d + gvd2
-    D21 = d12d + gvd3
-    D22 = fd + cvd2 * d2
-    D23 = d23d - gvd1
-    D31 = d13d - gvd2
-    D32 = d23d + gvd1
-    D33 = fd + cvd3 * d3
-    d12od = cvd1 * d2o + cvod1 * d2
-    d13od = cvd1 * d3o + cvod1 * d3
-    d23od = cvd2 * d3o + cvod2 * d3
-    D11o = fod + (cvd1 * d1o + cvod1 * d1)
-    D12o = d12od - gvod3
-    D13o = d13od + gvod2
-    D21o = d12od + gvod3
-    D22o = fod + (cvd2 * d2o + cvod2 * d2)
-    D23o = d23od - gvod1
-    D31o = d13od - gvod2
-    D32o = d23od + gvod1
-    D33o = fod + (cvd3 * d3o + cvod3 * d3)
-    fF, gF, hF, fyF, gyF, hyF = c.tangent(m, v11p, v22p, v33p)
-    foF = fyF * yp
-    goF = gyF * yp
-    hoF = hyF * yp
-    gvF1 = v1 * gF
-    gvF2 = v2 * gF
-    gvF3 = v3 * gF
-    gvoF1 = v1o * gF + v1 * goF
-    gvoF2 = v2o * gF + v2 * goF
-    gvoF3 = v3o * gF + v3 * goF
-    cvF1 = v1 * hF
-    cvF2 = v2 * hF
-    cvF3 = v3 * hF
-    cvoF1 = v1o * hF + v1 * hoF
-    cvoF2 = v2o * hF + v2 * hoF
-    cvoF3 = v3o * hF + v3 * hoF
-    d12F = cvF1 * v2
-    d13F = cvF1 * v3
-    d23F = cvF2 * v3
-    F11 = fF + cvF1 * v1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * v2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * v3
-    d12oF = cvF1 * v2o + cvoF1 * v2
-    d13oF = cvF1 * v3o + cvoF1 * v3
-    d23oF = cvF2 * v3o + cvoF2 * v3
-    F11o = foF + (cvF1 * v1o + cvoF1 * v1)
-    F12o = d12oF - gvoF3
-    F13o = d13oF + gvoF2
-    F21o = d12oF + gvoF3
-    F22o = foF + (cvF2 * v2o + cvoF2 * v2)
-    F23o = d23oF - gvoF1
-    F31o = d13oF - gvoF2
-    F32o = d23oF + gvoF1
-    F33o = foF + (cvF3 * v3o + cvoF3 * v3)
-    x23p = v22p + v33p
-    x13p = v11p + v33p
-    fvp1 = v1 * fp
-    fvp2 = v2 * fp
-    fvp3 = v3 * fp
-    gvvp1 = gvp1 * v2
-    gvvp2 = gvp1 * v3
-    gvvp3 = gvp2 * v3
-    Qp11 = 1 - gp * x23p
-    Qp12 = gvvp1 - fvp3
-    Qp13 = gvvp2 + fvp2
-    Qp21 = gvvp1 + fvp3
-    Qp22 = 1 - gp * x13p
-    Qp23 = gvvp3 - fvp1
-    Qp31 = gvvp2 - fvp2
-    Qp32 = gvvp3 + fvp1
-    Qp33 = 1 - gp * x12p
-    R11o = Qp31 * rhop2 - Qp21 * rhop3
-    R12o = Qp32 * rhop2 - Qp22 * rhop3
-    R13o = Qp33 * rhop2 - Qp23 * rhop3
-    R21o = Qp11 * rhop3 - Qp31 * rhop1
-    R22o = Qp12 * rhop3 - Qp32 * rhop1
-    R23o = Qp13 * rhop3 - Qp33 * rhop1
-    R31o = Qp21 * rhop1 - Qp11 * rhop2
-    R32o = Qp22 * rhop1 - Qp12 * rhop2
-    R33o = Qp23 * rhop1 - Qp13 * rhop2
-    RD11 = Qp11 * D11 + Qp12 * D21 + Qp13 * D31
-    RD11o = Qp11 * D11o + R11o * D11 + (Qp12 * D21o + R12o * D21) + (Qp13 * D31o + R13o * D31)
-    RD12 = Qp11 * D12 + Qp12 * D22 + Qp13 * D32
-    RD12o = Qp11 * D12o + R11o * D12 + (Qp12 * D22o + R12o * D22) + (Qp13 * D32o + R13o * D32)
-    RD13 = Qp11 * D13 + Qp12 * D23 + Qp13 * D33
-    RD13o = Qp11 * D13o + R11o * D13 + (Qp12 * D23o + R12o * D23) + (Qp13 * D33o + R13o * D33)
-    RD21 = Qp21 * D11 + Qp22 * D21 + Qp23 * D31
-    RD21o = Qp21 * D11o + R21o * D11 + (Qp22 * D21o + R22o * D21) + (Qp23 * D31o + R23o * D31)
-    RD22 = Qp21 * D12 + Qp22 * D22 + Qp23 * D32
-    RD22o = Qp21 * D12o + R21o * D12 + (Qp22 * D22o + R22o * D22) + (Qp23 * D32o + R23o * D32)
-    RD23 = Qp21 * D13 + Qp22 * D23 + Qp23 * D33
-    RD23o = Qp21 * D13o + R21o * D13 + (Qp22 * D23o + R22o * D23) + (Qp23 * D33o + R23o * D33)
-    RD31 = Qp31 * D11 + Qp32 * D21 + Qp33 * D31
-    RD31o = Qp31 * D11o + R31o * D11 + (Qp32 * D21o + R32o * D21) + (Qp33 * D31o + R33o * D31)
-    RD32 = Qp31 * D12 + Qp32 * D22 + Qp33 * D32
-    RD32o = Qp31 * D12o + R31o * D12 + (Qp32 * D22o + R32o * D22) + (Qp33 * D32o + R33o * D32)
-    RD33 = Qp31 * D13 + Qp32 * D23 + Qp33 * D33
-    RD33o = Qp31 * D13o + R31o * D13 + (Qp32 * D23o + R32o * D23) + (Qp33 * D33o + R33o * D33)
-    V11 = (I11 * F11 + I12 * F21 + I13 * F31) / 2
-    V12 = (I11 * F12 + I12 * F22 + I13 * F32) / 2
-    V13 = (I11 * F13 + I12 * F23 + I13 * F33) / 2
-    V21 = (I21 * F11 + I22 * F21 + I23 * F31) / 2
-    V22 = (I21 * F12 + I22 * F22 + I23 * F32) / 2
-    V23 = (I21 * F13 + I22 * F23 + I23 * F33) / 2
-    V31 = (I31 * F11 + I32 * F21 + I33 * F31) / 2
-    V32 = (I31 * F12 + I32 * F22 + I33 * F32) / 2
-    V33 = (I31 * F13 + I32 * F23 + I33 * F33) / 2
-    S11 = (I11 * RD11 + I12 * RD21 + I13 * RD31) / 2
-    S12 = (I11 * RD12 + I12 * RD22 + I13 * RD32) / 2
-    S13 = (I11 * RD13 + I12 * RD23 + I13 * RD33) / 2
-    S21 = (I21 * RD11 + I22 * RD21 + I23 * RD31) / 2
-    S22 = (I21 * RD12 + I22 * RD22 + I23 * RD32) / 2
-    S23 = (I21 * RD13 + I22 * RD23 + I23 * RD33) / 2
-    S31 = (I31 * RD11 + I32 * RD21 + I33 * RD31) / 2
-    S32 = (I31 * RD12 + I32 * RD22 + I33 * RD32) / 2
-    S33 = (I31 * RD13 + I32 * RD23 + I33 * RD33) / 2
+def matrix6(D: Components) -> Result:
+    """The real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D: it acts on dual vectors as D does."""
+    D11, D12, D13, D21, D22, D23, D31, D32, D33, D11o, D12o, D13o, D21o, D22o, D23o, D31o, D32o, D33o = D
     return (
-        V11,
-        V12,
-        V13,
-        0,
-        0,
-        0,
-        V21,
-        V22,
-        V23,
-        0,
-        0,
-        0,
-        V31,
-        V32,
-        V33,
-        0,
-        0,
-        0,
-        (I11 * F11o + I11o * F11 + (I12 * F21o + I12o * F21) + (I13 * F31o + I13o * F31)) / 2,
-        (I11 * F12o + I11o * F12 + (I12 * F22o + I12o * F22) + (I13 * F32o + I13o * F32)) / 2,
-        (I11 * F13o + I11o * F13 + (I12 * F23o + I12o * F23) + (I13 * F33o + I13o * F33)) / 2,
-        V11,
-        V12,
-        V13,
-        (I21 * F11o + I21o * F11 + (I22 * F21o + I22o * F21) + (I23 * F31o + I23o * F31)) / 2,
-        (I21 * F12o + I21o * F12 + (I22 * F22o + I22o * F22) + (I23 * F32o + I23o * F32)) / 2,
-        (I21 * F13o + I21o * F13 + (I22 * F23o + I22o * F23) + (I23 * F33o + I23o * F33)) / 2,
-        V21,
-        V22,
-        V23,
-        (I31 * F11o + I31o * F11 + (I32 * F21o + I32o * F21) + (I33 * F31o + I33o * F31)) / 2,
-        (I31 * F12o + I31o * F12 + (I32 * F22o + I32o * F22) + (I33 * F32o + I33o * F32)) / 2,
-        (I31 * F13o + I31o * F13 + (I32 * F23o + I32o * F23) + (I33 * F33o + I33o * F33)) / 2,
-        V31,
-        V32,
-        V33,
-        S11,
-        S12,
-        S13,
-        0,
-        0,
-        0,
-        S21,
-        S22,
-        S23,
-        0,
-        0,
-        0,
-        S31,
-        S32,
-        S33,
-        0,
-        0,
-        0,
-        (I11 * RD11o + I11o * RD11 + (I12 * RD21o + I12o * RD21) + (I13 * RD31o + I13o * RD31)) / 2,
-        (I11 * RD12o + I11o * RD12 + (I12 * RD22o + I12o * RD22) + (I13 * RD32o + I13o * RD32)) / 2,
-        (I11 * RD13o + I11o * RD13 + (I12 * RD23o + I12o * RD23) + (I13 * RD33o + I13o * RD33)) / 2,
-        S11,
-        S12,
-        S13,
-        (I21 * RD11o + I21o * RD11 + (I22 * RD21o + I22o * RD21) + (I23 * RD31o + I23o * RD31)) / 2,
-        (I21 * RD12o + I21o * RD12 + (I22 * RD22o + I22o * RD22) + (I23 * RD32o + I23o * RD32)) / 2,
-        (I21 * RD13o + I21o * RD13 + (I22 * RD23o + I22o * RD23) + (I23 * RD33o + I23o * RD33)) / 2,
-        S21,
-        S22,
-        S23,
-        (I31 * RD11o + I31o * RD11 + (I32 * RD21o + I32o * RD21) + (I33 * RD31o + I33o * RD31)) / 2,
-        (I31 * RD12o + I31o * RD12 + (I32 * RD22o + I32o * RD22) + (I33 * RD32o + I33o * RD32)) / 2,
-        (I31 * RD13o + I31o * RD13 + (I32 * RD23o + I32o * RD23) + (I33 * RD33o + I33o * RD33)) / 2,
-        S31,
-        S32,
-        S33,
+        D11, D12, D13, 0, 0, 0, D21, D22, D23, 0, 0, 0, D31, D32, D33, 0, 0, 0, D11o, D12o, D13o, D11, D12, D13, D21o,
+        D22o, D23o, D21, D22, D23, D31o, D32o, D33o, D31, D32, D33,
     )
 
 
-# operations 309: 109 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-def local(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3, b1o, b2o, b3o = b
-    a1, a2, a3, a1o, a2o, a3o = a
+def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    v = compose(m, c, v2, v1)
+    I = tangent_inv(m, c, v)
+    S = tangent(m, c, v2)
+    T = tangent(m, c, v1)
+    R = tensor(m, c, v2)
+    RT = dual_product(R, T)
+    P = dual_product(I, S)
+    N = dual_product(I, RT)
+    by_v2 = matrix6(P)
+    by_v1 = matrix6(N)
+    return *by_v2, *by_v1
+
+
+def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    a1, a2, a3, a1o, a2o, a3o = v1
     minus_a1 = -a1
     minus_a2 = -a2
     minus_a3 = -a3
-    minus_a4 = -a1o
-    minus_a5 = -a2o
-    minus_a6 = -a3o
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, fb, gb, hb = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = minus_a1 * minus_a1
-    v22a = minus_a2 * minus_a2
-    v33a = minus_a3 * minus_a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, fa, ga, ha = c.ray(m, xa)
-    bva1 = minus_a1 * ba
-    bva2 = minus_a2 * ba
-    bva3 = minus_a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = minus_a1 * ga
-    gva2 = minus_a2 * ga
-    gva3 = minus_a3 * ga
-    ya = minus_a1 * minus_a4 + minus_a2 * minus_a5 + minus_a3 * minus_a6
-    alonga = ha * ya
-    rhoa1 = minus_a4 * fa + (gva2 * minus_a6 - gva3 * minus_a5) + minus_a1 * alonga
-    rhoa2 = minus_a5 * fa + (gva3 * minus_a4 - gva1 * minus_a6) + minus_a2 * alonga
-    rhoa3 = minus_a6 * fa + (gva1 * minus_a5 - gva2 * minus_a4) + minus_a3 * alonga
-    v_rho1 = b2 * rhoa3 - b3 * rhoa2
-    v_rho2 = b3 * rhoa1 - b1 * rhoa3
-    v_rho3 = b1 * rhoa2 - b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gvb3 = b3 * gb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    rho1 = rhoa1 + (v_rho1 * fb + (b2 * gv_rho3 - b3 * gv_rho2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
-    rho2 = rhoa2 + (v_rho2 * fb + (b3 * gv_rho1 - b1 * gv_rho3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
-    rho3 = rhoa3 + (v_rho3 * fb + (b1 * gv_rho2 - b2 * gv_rho1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
-    v11e = d1 * d1
-    v22e = d2 * d2
-    v33e = d3 * d3
-    part = v11e + v22e
-    xe = part + v33e
-    fee = gaine * z0
-    neare = xe < 6
-    ze = m.where(neare, xe, xe - xe) / 4
-    C7e = (
-        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    minus_a1o = -a1o
+    minus_a2o = -a2o
+    minus_a3o = -a3o
+    v = compose(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o), v2)
+    I = tangent_inv(m, c, v)
+    S = tangent(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    T = tangent(m, c, v2)
+    R = tensor(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    RT = dual_product(R, T)
+    (
+        P11, P12, P13, P21, P22, P23, P31, P32, P33, P11o, P12o, P13o, P21o, P22o, P23o, P31o, P32o, P33o,
+    ) = dual_product(I, S)
+    N = dual_product(I, RT)
+    by_v2 = matrix6(N)
+    by_v1 = (
+        matrix6((-P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33, -P11o, -P12o, -P13o, -P21o, -P22o, -P23o, -P31o,
+        -P32o, -P33o))
     )
-    C5e = (1 - 120 * (ze * C7e)) / 120
-    C3e = (1 - 6 * (ze * C5e)) / 6
-    C1e = 1 - ze * C3e
-    CC1e = C1e * C1e
-    xxe = m.where(neare, 6 + xe, xe)
-    alphae = m.sqrt(xxe)
-    thalfe = m.tan(alphae / 2)
-    tthalfe = thalfe * thalfe
-    belowhalfe = 1 + tthalfe
-    sinee = 2 * thalfe / belowhalfe
-    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
-    besidee = alphae - 4
-    v33e_in = xe - part
-    v22e_in = part - v11e
-    lefte = (
-        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
-        - v33e_in) + (v33e - v33e_in)))
+    return *by_v2, *by_v1
+
+
+def exponential_scalars(m: Any, delta: Components) -> Result:
+    """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
+    d1, d2, d3 = delta
+    v11 = d1 * d1
+    v22 = d2 * d2
+    v33 = d3 * d3
+    part = v11 + v22
+    x = part + v33
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
     )
-    loste = lefte / (2 * alphae)
-    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
-    C0e = m.sqrt(1 - ze * CC1e)
-    te = m.tan(alphae / 4)
-    tte = te * te
-    belowe = 1 + tte
-    se = m.where(neare, C0e, (1 - tte) / belowe)
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    fie = se / we
-    C01e = 1 + C0e
-    C2e = CC1e / C01e
-    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
-    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
-    hie = ge - fie * he
-    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
+    beside = alpha - 4
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    fy = h - g
+    gy = f * h - g * g
+    CC3 = C3 * C3
+    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
+    c5 = (C5 + C4 + C2 * C3) / 16
+    c4 = C3 * (1 + C1) / 8
+    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
+    return s, w, f, g, h, fy, gy, hy
+
+
+def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
+    """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
+    v1, v2, v3 = v
+    e0, e1, e2, e3 = e
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    x = v11 + v22 + v33
+    resting = x == 0
+    length = m.sqrt(m.where(still, 1 + ss, ss))
+    r = m.sqrt(m.where(resting, 1 + x, x))
+    own, = c.unfolded(m, x, r)
+    along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
+    sine = m.where(still, ss, length)
+    falling = e0 < 0
+    cosine = m.where(falling, -e0, e0)
+    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
+    turns = along - folded + 2 * m.atan2(m.tan((folded - along) / 2), 1)
+    alpha = folded + m.where(m.abs(turns) < 1, 0, turns)
+    rn, slopen = c.coefficient_of(m, alpha, sine, e0)
+    z0s = m.where(still, e0, length)
+    factor = m.where(still, 2 * slopen / z0s, rn / length)
+    return e1 * factor, e2 * factor, e3 * factor, factor * e0, alpha
+
+
+def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """v of exp(δ) R(v), of its branches the one nearest v."""
+    v1, v2, v3, _, _, _ = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((s, d1 * w, d2 * w, d3 * w), f, g, delta, (d1o * f + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f
+        + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
+        e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
+    )
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    hi, = c.inverse_at(m, x, fe, angle)
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
     return (
-        d1,
-        d2,
-        d3,
-        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
+        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
     )
 
 
-# operations 309: 109 +, 141 *, 29 /, 7 neg, 3 sqrt, 2 tan, 1 atan2, 3 lt, 1 eq, 13 where
-def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    minus_b4 = -b1o
-    minus_b5 = -b2o
-    minus_b6 = -b3o
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, fb, gb, hb = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    v_rho1 = minus_b2 * rhoa3 - minus_b3 * rhoa2
-    v_rho2 = minus_b3 * rhoa1 - minus_b1 * rhoa3
-    v_rho3 = minus_b1 * rhoa2 - minus_b2 * rhoa1
-    gv_rho1 = v_rho1 * gb
-    gv_rho2 = v_rho2 * gb
-    gv_rho3 = v_rho3 * gb
-    gvb1 = minus_b1 * gb
-    gvb2 = minus_b2 * gb
-    gvb3 = minus_b3 * gb
-    yb = minus_b1 * minus_b4 + minus_b2 * minus_b5 + minus_b3 * minus_b6
-    alongb = hb * yb
-    rho1 = (
-        rhoa1 + (v_rho1 * fb + (minus_b2 * gv_rho3 - minus_b3 * gv_rho2)) + (minus_b4 * fb + (gvb2 * minus_b6 - gvb3
-        * minus_b5) + minus_b1 * alongb)
+def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """v of R(v) exp(δ), of its branches the one nearest v."""
+    v1, v2, v3, _, _, _ = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, f_1, g_1, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((e0_1, e1_1, e2_1, e3_1), f_1, g_1, v, (rho1_1, rho2_1, rho3_1), (s, d1 * w, d2 * w, d3 * w), (d1o * f
+        + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1
+        * d2o - gvd2 * d1o) + d3 * alongd))
     )
-    rho2 = (
-        rhoa2 + (v_rho2 * fb + (minus_b3 * gv_rho1 - minus_b1 * gv_rho3)) + (minus_b5 * fb + (gvb3 * minus_b4 - gvb1
-        * minus_b6) + minus_b2 * alongb)
-    )
-    rho3 = (
-        rhoa3 + (v_rho3 * fb + (minus_b1 * gv_rho2 - minus_b2 * gv_rho1)) + (minus_b6 * fb + (gvb1 * minus_b5 - gvb2
-        * minus_b4) + minus_b3 * alongb)
-    )
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
-    v11e = d1 * d1
-    v22e = d2 * d2
-    v33e = d3 * d3
-    part = v11e + v22e
-    xe = part + v33e
-    fee = gaine * z0
-    neare = xe < 6
-    ze = m.where(neare, xe, xe - xe) / 4
-    C7e = (
-        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5e = (1 - 120 * (ze * C7e)) / 120
-    C3e = (1 - 6 * (ze * C5e)) / 6
-    C1e = 1 - ze * C3e
-    CC1e = C1e * C1e
-    xxe = m.where(neare, 6 + xe, xe)
-    alphae = m.sqrt(xxe)
-    thalfe = m.tan(alphae / 2)
-    tthalfe = thalfe * thalfe
-    belowhalfe = 1 + tthalfe
-    sinee = 2 * thalfe / belowhalfe
-    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
-    besidee = alphae - 4
-    v33e_in = xe - part
-    v22e_in = part - v11e
-    lefte = (
-        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
-        - v33e_in) + (v33e - v33e_in)))
-    )
-    loste = lefte / (2 * alphae)
-    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
-    C0e = m.sqrt(1 - ze * CC1e)
-    te = m.tan(alphae / 4)
-    tte = te * te
-    belowe = 1 + tte
-    se = m.where(neare, C0e, (1 - tte) / belowe)
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    fie = se / we
-    C01e = 1 + C0e
-    C2e = CC1e / C01e
-    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
-    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
-    hie = ge - fie * he
-    hvr = hie * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    hi, = c.inverse_at(m, x, fe, angle)
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
     return (
-        d1,
-        d2,
-        d3,
-        (rho1 * fee - (d2 * rho3 - d3 * rho2) + d1 * hvr) / 2,
-        (rho2 * fee - (d3 * rho1 - d1 * rho3) + d2 * hvr) / 2,
-        (rho3 * fee - (d1 * rho2 - d2 * rho1) + d3 * hvr) / 2,
+        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
+        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
     )
 
 
-# operations 714: 242 +, 313 *, 65 /, 8 neg, 7 abs, 9 sqrt, 4 tan, 3 atan2, 12 lt, 5 eq, 1 and, 3 or, 42 where
-def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
-    a1, a2, a3, a1o, a2o, a3o = a
-    b1, b2, b3, b1o, b2o, b3o = b
+def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    v1, v2, v3, _, _, _ = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    s, w, f, g, h, fy, gy, hy = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((s, d1 * w, d2 * w, d3 * w), f, g, delta, (d1o * f + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f
+        + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
+        e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
+    )
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    I = (
+        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, (rho1 * fi - (w2 * rho3 - w3 * rho2) + w1 * along) / 2, (rho2
+        * fi - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fi - (w1 * rho2 - w2 * rho1) + w3 * along) / 2))
+    )
+    R = tensor_at(f, g, h, delta)
+    T = tangent(m, c, v)
+    RT = dual_product(R, T)
+    D = tangent_at(f, g, h, fy, gy, hy, delta)
+    P = dual_product(I, RT)
+    N = dual_product(I, D)
+    by_v = matrix6(P)
+    by_delta = matrix6(N)
+    return *by_v, *by_delta
+
+
+def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    v1, v2, v3, v1o, v2o, v3o = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    return retract_jacobians(m, c, (-v1, -v2, -v3, -v1o, -v2o, -v3o), (-d1, -d2, -d3, -d1o, -d2o, -d3o))
+
+
+def logarithm(m: Any, e: Components, rho: Components) -> Result:
+    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e.
+    Its dual part is T⁻¹ ρ.
+    """
+    e0, e1, e2, e3 = e
+    rho1, rho2, rho3 = rho
+    negative = e0 < 0
+    cos = m.where(negative, -e0, e0)
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
+    angle = 2 * m.atan2(sin, cos)
+    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    d1 = e1 * gain
+    d2 = e2 * gain
+    d3 = e3 * gain
+    v11 = d1 * d1
+    v22 = d2 * d2
+    v33 = d3 * d3
+    part = v11 + v22
+    x = part + v33
+    fe = gain * e0
+    near = x < 6
+    z = m.where(near, x, x - x) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    xx = m.where(near, 6 + x, x)
+    alpha = m.sqrt(xx)
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
+    beside = alpha - 4
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
+    lost = left / (2 * alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C0 = m.sqrt(1 - z * CC1)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    fi = s / w
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    hi = g - fi * h
+    along = hi * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1, d2, d3, (rho1 * fe - (d2 * rho3 - d3 * rho2) + d1 * along) / 2,
+        (rho2 * fe - (d3 * rho1 - d1 * rho3) + d2 * along) / 2, (rho3 * fe - (d1 * rho2 - d2 * rho1) + d3 * along) / 2,
+    )
+
+
+def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    a1, a2, a3, a1o, a2o, a3o = v1
+    e0_2, e1_2, e2_2, e3_2, _, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o))
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((e0_2, e1_2, e2_2, e3_2), f_2, g_2, v2, (rho1_2, rho2_2, rho3_2), (e0_1, e1_1, e2_1, e3_1), (rho1_1,
+        rho2_1, rho3_1))
+    )
+    return logarithm(m, (e0, e1, e2, e3), (rho1, rho2, rho3))
+
+
+def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    b1, b2, b3, b1o, b2o, b3o = v2
+    a1, a2, a3, a1o, a2o, a3o = v1
+    return local(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o), (-b1, -b2, -b3, -b1o, -b2o, -b3o))
+
+
+def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components) -> Result:
+    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    a1, a2, a3, _, _, _ = v1
     t, = time
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, fa, ga, ha = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, fb, gb, hb = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    gva1 = a1 * ga
-    gva2 = a2 * ga
-    gva3 = a3 * ga
-    ya = a1 * a1o + a2 * a2o + a3 * a3o
-    alonga = ha * ya
-    rhoa1 = a1o * fa + (gva2 * a3o - gva3 * a2o) + a1 * alonga
-    rhoa2 = a2o * fa + (gva3 * a1o - gva1 * a3o) + a2 * alonga
-    rhoa3 = a3o * fa + (gva1 * a2o - gva2 * a1o) + a3 * alonga
-    minus_fa = -fa
-    v_rhoa1 = a2 * rhoa3 - a3 * rhoa2
-    v_rhoa2 = a3 * rhoa1 - a1 * rhoa3
-    v_rhoa3 = a1 * rhoa2 - a2 * rhoa1
-    gv_rhoa1 = v_rhoa1 * ga
-    gv_rhoa2 = v_rhoa2 * ga
-    gv_rhoa3 = v_rhoa3 * ga
-    back1 = -(rhoa1 + (v_rhoa1 * minus_fa + (a2 * gv_rhoa3 - a3 * gv_rhoa2)))
-    back2 = -(rhoa2 + (v_rhoa2 * minus_fa + (a3 * gv_rhoa1 - a1 * gv_rhoa3)))
-    back3 = -(rhoa3 + (v_rhoa3 * minus_fa + (a1 * gv_rhoa2 - a2 * gv_rhoa1)))
-    v_back1 = b2 * back3 - b3 * back2
-    v_back2 = b3 * back1 - b1 * back3
-    v_back3 = b1 * back2 - b2 * back1
-    gv_back1 = v_back1 * gb
-    gv_back2 = v_back2 * gb
-    gv_back3 = v_back3 * gb
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gvb3 = b3 * gb
-    yb = b1 * b1o + b2 * b2o + b3 * b3o
-    alongb = hb * yb
-    way1 = (
-        back1 + (v_back1 * fb + (b2 * gv_back3 - b3 * gv_back2)) + (b1o * fb + (gvb2 * b3o - gvb3 * b2o) + b1 * alongb)
-    )
-    way2 = (
-        back2 + (v_back2 * fb + (b3 * gv_back1 - b1 * gv_back3)) + (b2o * fb + (gvb3 * b1o - gvb1 * b3o) + b2 * alongb)
-    )
-    way3 = (
-        back3 + (v_back3 * fb + (b1 * gv_back2 - b2 * gv_back1)) + (b3o * fb + (gvb1 * b2o - gvb2 * b1o) + b3 * alongb)
-    )
-    minus_bva1 = -bva1
-    minus_bva2 = -bva2
-    minus_bva3 = -bva3
-    e0 = ab * aa - (bvb1 * minus_bva1 + bvb2 * minus_bva2 + bvb3 * minus_bva3)
-    e1 = minus_bva1 * ab + bvb1 * aa + (bvb2 * minus_bva3 - bvb3 * minus_bva2)
-    e2 = minus_bva2 * ab + bvb2 * aa + (bvb3 * minus_bva1 - bvb1 * minus_bva3)
-    e3 = minus_bva3 * ab + bvb3 * aa + (bvb1 * minus_bva2 - bvb2 * minus_bva1)
-    negativee = e0 < 0
-    cose = m.where(negativee, -e0, e0)
-    sse = e1 * e1 + e2 * e2 + e3 * e3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = e1 * gaine
-    d2 = e2 * gaine
-    d3 = e3 * gaine
-    v11e = d1 * d1
-    v22e = d2 * d2
-    v33e = d3 * d3
-    part = v11e + v22e
-    xe = part + v33e
-    fee = gaine * e0
-    neare = xe < 6
-    ze = m.where(neare, xe, xe - xe) / 4
-    C7e = (
-        (72 - ze * ((3603600 - ze * (32760 - ze * (210 - ze * ((93024 - ze * (342 - ze * ((212520 - ze * (506 - ze))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5e = (1 - 120 * (ze * C7e)) / 120
-    C3e = (1 - 6 * (ze * C5e)) / 6
-    C1e = 1 - ze * C3e
-    CC1e = C1e * C1e
-    xxe = m.where(neare, 6 + xe, xe)
-    alphae = m.sqrt(xxe)
-    thalfe = m.tan(alphae / 2)
-    tthalfe = thalfe * thalfe
-    belowhalfe = 1 + tthalfe
-    sinee = 2 * thalfe / belowhalfe
-    versinee = m.where(tthalfe < 16, 2 * tthalfe / belowhalfe, 2 - 2 / belowhalfe)
-    besidee = alphae - 4
-    v33e_in = xe - part
-    v22e_in = part - v11e
-    lefte = (
-        xxe - 16 - 8 * besidee - besidee * besidee + (v11e - (part - v22e_in) + (v22e - v22e_in) + (part - (xe
-        - v33e_in) + (v33e - v33e_in)))
-    )
-    loste = lefte / (2 * alphae)
-    ge = m.where(neare, CC1e / 2, (versinee + loste * sinee) / xxe)
-    C0e = m.sqrt(1 - ze * CC1e)
-    te = m.tan(alphae / 4)
-    tte = te * te
-    belowe = 1 + tte
-    se = m.where(neare, C0e, (1 - tte) / belowe)
-    we = m.where(neare, C1e / 2, 2 * te / belowe / alphae)
-    fie = se / we
-    C01e = 1 + C0e
-    C2e = CC1e / C01e
-    fe = m.where(neare, C0e * C1e, (sinee + loste * (1 - versinee)) / alphae)
-    he = m.where(neare, (C3e + C1e * C2e) / 4, (1 - fe) / xxe)
-    hie = ge - fie * he
-    hvr = hie * (d1 * way1 + d2 * way2 + d3 * way3)
+    d1, d2, d3, d1o, d2o, d3o = local(m, c, v2, v1)
     td1 = t * d1
     td2 = t * d2
     td3 = t * d3
-    td4 = t * ((way1 * fee - (d2 * way3 - d3 * way2) + d1 * hvr) / 2)
-    td5 = t * ((way2 * fee - (d3 * way1 - d1 * way3) + d2 * hvr) / 2)
-    td6 = t * ((way3 * fee - (d1 * way2 - d2 * way1) + d3 * hvr) / 2)
-    v11t = td1 * td1
-    v22t = td2 * td2
-    v33t = td3 * td3
-    part_ = v11t + v22t
-    xt = part_ + v33t
-    neart = xt < 6
-    zt = m.where(neart, xt, xt - xt) / 4
-    C7t = (
-        (72 - zt * ((3603600 - zt * (32760 - zt * (210 - zt * ((93024 - zt * (342 - zt * ((212520 - zt * (506 - zt))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+    td1o = t * d1o
+    td2o = t * d2o
+    td3o = t * d3o
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (td1, td2, td3))
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v1)
+    wd1 = td1 * w
+    wd2 = td2 * w
+    wd3 = td3 * w
+    gvt1 = td1 * g
+    gvt2 = td2 * g
+    gvt3 = td3 * g
+    yt = td1 * td1o + td2 * td2o + td3 * td3o
+    alongt = h * yt
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((s, wd1, wd2, wd3), f, g, (td1, td2, td3, td1o, td2o, td3o), (td1o * f + (gvt2 * td3o - gvt3 * td2o)
+        + td1 * alongt, td2o * f + (gvt3 * td1o - gvt1 * td3o) + td2 * alongt, td3o * f + (gvt1 * td2o - gvt2 * td1o)
+        + td3 * alongt), (e0_1, e1_1, e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    C5t = (1 - 120 * (zt * C7t)) / 120
-    C3t = (1 - 6 * (zt * C5t)) / 6
-    C1t = 1 - zt * C3t
-    CC1t = C1t * C1t
-    C0t = m.sqrt(1 - zt * CC1t)
-    xxt = m.where(neart, 6 + xt, xt)
-    alphat = m.sqrt(xxt)
-    tt = m.tan(alphat / 4)
-    ttt = tt * tt
-    belowt = 1 + ttt
-    st = m.where(neart, C0t, (1 - ttt) / belowt)
-    wt = m.where(neart, C1t / 2, 2 * tt / belowt / alphat)
-    wd1 = td1 * wt
-    wd2 = td2 * wt
-    wd3 = td3 * wt
-    z0 = st * aa - (wd1 * bva1 + wd2 * bva2 + wd3 * bva3)
-    z1 = bva1 * st + wd1 * aa + (wd2 * bva3 - wd3 * bva2)
-    z2 = bva2 * st + wd2 * aa + (wd3 * bva1 - wd1 * bva3)
-    z3 = bva3 * st + wd3 * aa + (wd1 * bva2 - wd2 * bva1)
-    thalft = m.tan(alphat / 2)
-    tthalft = thalft * thalft
-    belowhalft = 1 + tthalft
-    sinet = 2 * thalft / belowhalft
-    versinet = m.where(tthalft < 16, 2 * tthalft / belowhalft, 2 - 2 / belowhalft)
-    besidet = alphat - 4
-    v33t_in = xt - part_
-    v22t_in = part_ - v11t
-    leftt = (
-        xxt - 16 - 8 * besidet - besidet * besidet + (v11t - (part_ - v22t_in) + (v22t - v22t_in) + (part_ - (xt
-        - v33t_in) + (v33t - v33t_in)))
-    )
-    lostt = m.where(alphat < 8, leftt, 0) / (2 * alphat)
-    ft = m.where(neart, C0t * C1t, (sinet + lostt * (1 - versinet)) / alphat)
-    gt = m.where(neart, CC1t / 2, (versinet + lostt * sinet) / xxt)
-    v_moved1 = td2 * rhoa3 - td3 * rhoa2
-    v_moved2 = td3 * rhoa1 - td1 * rhoa3
-    v_moved3 = td1 * rhoa2 - td2 * rhoa1
-    gv_moved1 = v_moved1 * gt
-    gv_moved2 = v_moved2 * gt
-    gv_moved3 = v_moved3 * gt
-    C01t = 1 + C0t
-    C2t = CC1t / C01t
-    ht = m.where(neart, (C3t + C1t * C2t) / 4, (1 - ft) / xxt)
-    gvt1 = td1 * gt
-    gvt2 = td2 * gt
-    gvt3 = td3 * gt
-    yt = td1 * td4 + td2 * td5 + td3 * td6
-    alongt = ht * yt
-    rho1 = (
-        rhoa1 + (v_moved1 * ft + (td2 * gv_moved3 - td3 * gv_moved2)) + (td4 * ft + (gvt2 * td6 - gvt3 * td5) + td1
-        * alongt)
-    )
-    rho2 = (
-        rhoa2 + (v_moved2 * ft + (td3 * gv_moved1 - td1 * gv_moved3)) + (td5 * ft + (gvt3 * td4 - gvt1 * td6) + td2
-        * alongt)
-    )
-    rho3 = (
-        rhoa3 + (v_moved3 * ft + (td1 * gv_moved2 - td2 * gv_moved1)) + (td6 * ft + (gvt1 * td5 - gvt2 * td4) + td3
-        * alongt)
-    )
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
     resting = xa == 0
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)
-    own_ = m.where(resting, xa, own)
+    alpha = m.where(resting, xa, own)
     along1 = a1 / r
     along2 = a2 / r
     along3 = a3 / r
@@ -3597,665 +1419,189 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     axis2 = along2 / unit
     axis3 = along3 / unit
     gone = td1 * axis1 + td2 * axis2 + td3 * axis3
-    end = m.abs(own_ + gone)
+    end = m.abs(alpha + gone)
     apart = (
-        (own_ < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
+        (alpha < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
         + m.abs(d1 * a2 - d2 * a1)) / 64)
     )
-    side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
-    ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
+    side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
+    ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
     root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
-    sine1 = m.where(apart, m.where(still1, ss1, side * root1), bva1 * axis1 + bva2 * axis2 + bva3 * axis3)
+    sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
-    half1 = m.atan2(sign1 * sine1, sign1 * aa)
-    sst = z1 * z1 + z2 * z2 + z3 * z3
+    half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
+    sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
     roott = m.sqrt(m.where(stillt, 1 + sst, sst))
-    sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
-    halft = m.atan2(sign1 * sinet_, sign1 * z0)
+    sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
+    halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
-    turns = own_ + m.where(apart, -2 * half1, gone - halft_by_2)
-    still = sinet_ == 0
-    angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
+    still = sinet == 0
+    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
-    z0s = m.where(still, z0, 1)
-    nosine = m.where(still, 1 + sinet_, sinet_)
+    z0s = m.where(still, e0, 1)
+    nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    clear = apart | (m.abs(z0) < m.abs(sinet_))
-    v_1 = m.where(clear, z1 * factor, axis1 * rn)
-    v_2 = m.where(clear, z2 * factor, axis2 * rn)
-    v_3 = m.where(clear, z3 * factor, axis3 * rn)
-    fe_ = factor * z0
+    clear = apart | (m.abs(e0) < m.abs(sinet))
+    v_1 = m.where(clear, e1 * factor, axis1 * rn)
+    v_2 = m.where(clear, e2 * factor, axis2 * rn)
+    v_3 = m.where(clear, e3 * factor, axis3 * rn)
+    fe = factor * e0
     v11w = v_1 * v_1
     v22w = v_2 * v_2
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
-    hiw, = c.inverse_at(m, xw, fe_, angle)
-    hvr_ = hiw * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    hi, = c.inverse_at(m, xw, fe, angle)
+    along = hi * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (
-        v_1,
-        v_2,
-        v_3,
-        (rho1 * fe_ - (v_2 * rho3 - v_3 * rho2) + v_1 * hvr_) / 2,
-        (rho2 * fe_ - (v_3 * rho1 - v_1 * rho3) + v_2 * hvr_) / 2,
-        (rho3 * fe_ - (v_1 * rho2 - v_2 * rho1) + v_3 * hvr_) / 2,
+        v_1, v_2, v_3, (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * along) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * along) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * along) / 2,
     )
 
 
-# operations 81: 32 +, 49 *
 def adjoint(m: Any, c: Any, v: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
+    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
+    v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    x23 = v22 + v33
-    x13 = v11 + v33
-    x12 = v11 + v22
-    fv1 = v1 * f
-    fv2 = v2 * f
-    fv3 = v3 * f
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g * x12
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    along = h * y
-    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
-    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
-    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
-    return (
-        Q11,
-        Q12,
-        Q13,
-        0,
-        0,
-        0,
-        Q21,
-        Q22,
-        Q23,
-        0,
-        0,
-        0,
-        Q31,
-        Q32,
-        Q33,
-        0,
-        0,
-        0,
-        Q31 * rho2 - Q21 * rho3,
-        Q32 * rho2 - Q22 * rho3,
-        Q33 * rho2 - Q23 * rho3,
-        Q11,
-        Q12,
-        Q13,
-        Q11 * rho3 - Q31 * rho1,
-        Q12 * rho3 - Q32 * rho1,
-        Q13 * rho3 - Q33 * rho1,
-        Q21,
-        Q22,
-        Q23,
-        Q21 * rho1 - Q11 * rho2,
-        Q22 * rho1 - Q12 * rho2,
-        Q23 * rho1 - Q13 * rho2,
-        Q31,
-        Q32,
-        Q33,
-    )
+    R = tensor_at(f, g, h, v)
+    return matrix6(R)
 
 
-# operations 192: 86 +, 103 *, 3 neg
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r.
+    By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    along = h * y
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g
-    gv_r2 = v_r2 * g
-    gv_r3 = v_r3 * g
-    moved1 = r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
-    moved2 = r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
-    moved3 = r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
-    fo = fy * y
-    go = gy * y
-    ho = hy * y
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    cvo1 = v1o * h + v1 * ho
-    cvo2 = v2o * h + v2 * ho
-    cvo3 = v3o * h + v3 * ho
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    T11 = f + cv1 * v1
-    T12 = d12 - gv3
-    T13 = d13 + gv2
-    T21 = d12 + gv3
-    T22 = f + cv2 * v2
-    T23 = d23 - gv1
-    T31 = d13 - gv2
-    T32 = d23 + gv1
-    T33 = f + cv3 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    T11o = fo + (cv1 * v1o + cvo1 * v1)
-    T12o = d12o - gvo3
-    T13o = d13o + gvo2
-    T21o = d12o + gvo3
-    T22o = fo + (cv2 * v2o + cvo2 * v2)
-    T23o = d23o - gvo1
-    T31o = d13o - gvo2
-    T32o = d23o + gvo1
-    T33o = fo + (cv3 * v3o + cvo3 * v3)
-    minus_moved3 = -moved3
-    minus_moved1 = -moved1
-    minus_moved2 = -moved2
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
     gvv1 = gv1 * v2
     gvv2 = gv1 * v3
     gvv3 = gv2 * v3
+    (
+        T11, T12, T13, T21, T22, T23, T31, T32, T33, T11o, T12o, T13o, T21o, T22o, T23o, T31o, T32o, T33o,
+    ) = tangent_at(f, g, h, fy, gy, hy, v)
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    moved1 = r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
+    moved2 = r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
+    moved3 = r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
     return (
-        T11o - (minus_moved3 * T21 + moved2 * T31),
-        T12o - (minus_moved3 * T22 + moved2 * T32),
-        T13o - (minus_moved3 * T23 + moved2 * T33),
-        T11,
-        T12,
-        T13,
-        T21o - (moved3 * T11 + minus_moved1 * T31),
-        T22o - (moved3 * T12 + minus_moved1 * T32),
-        T23o - (moved3 * T13 + minus_moved1 * T33),
-        T21,
-        T22,
-        T23,
-        T31o - (minus_moved2 * T11 + moved1 * T21),
-        T32o - (minus_moved2 * T12 + moved1 * T22),
-        T33o - (minus_moved2 * T13 + moved1 * T23),
-        T31,
-        T32,
-        T33,
-        1 - g * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        gvv1 + fv3,
-        1 - g * x13,
-        gvv3 - fv1,
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g * x12,
+        T11o - (T31 * moved2 - T21 * moved3), T12o - (T32 * moved2 - T22 * moved3),
+        T13o - (T33 * moved2 - T23 * moved3), T11, T12, T13, T21o - (T11 * moved3 - T31 * moved1),
+        T22o - (T12 * moved3 - T32 * moved1), T23o - (T13 * moved3 - T33 * moved1), T21, T22, T23,
+        T31o - (T21 * moved1 - T11 * moved2), T32o - (T22 * moved1 - T12 * moved2),
+        T33o - (T23 * moved1 - T13 * moved2), T31, T32, T33, 1 - g * x23, gvv1 - fv3, gvv2 + fv2, gvv1 + fv3,
+        1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
     )
 
 
-# operations 291: 119 +, 166 *, 6 neg
 def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
-    v1, v2, v3, v1o, v2o, v3o = v
+    """−skew(R l) T and R: the derivatives of a moved line by v and by the line."""
+    v1, v2, v3, _, _, _ = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
-    x23 = v22 + v33
-    x13 = v11 + v33
-    x12 = v11 + v22
-    fv1 = v1 * f
-    fv2 = v2 * f
-    fv3 = v3 * f
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g * x12
-    y = v1 * v1o + v2 * v2o + v3 * v3o
-    along = h * y
-    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
-    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
-    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
-    R11o = Q31 * rho2 - Q21 * rho3
-    R12o = Q32 * rho2 - Q22 * rho3
-    R13o = Q33 * rho2 - Q23 * rho3
-    R21o = Q11 * rho3 - Q31 * rho1
-    R22o = Q12 * rho3 - Q32 * rho1
-    R23o = Q13 * rho3 - Q33 * rho1
-    R31o = Q21 * rho1 - Q11 * rho2
-    R32o = Q22 * rho1 - Q12 * rho2
-    R33o = Q23 * rho1 - Q13 * rho2
-    moved1 = Q11 * l1 + Q12 * l2 + Q13 * l3
-    moved1o = Q11 * m1 + R11o * l1 + (Q12 * m2 + R12o * l2) + (Q13 * m3 + R13o * l3)
-    moved2 = Q21 * l1 + Q22 * l2 + Q23 * l3
-    moved2o = Q21 * m1 + R21o * l1 + (Q22 * m2 + R22o * l2) + (Q23 * m3 + R23o * l3)
-    moved3 = Q31 * l1 + Q32 * l2 + Q33 * l3
-    moved3o = Q31 * m1 + R31o * l1 + (Q32 * m2 + R32o * l2) + (Q33 * m3 + R33o * l3)
-    minus_moved1 = -moved1
-    minus_moved1o = -moved1o
-    minus_moved2 = -moved2
-    minus_moved2o = -moved2o
-    minus_moved3 = -moved3
-    minus_moved3o = -moved3o
-    fo = fy * y
-    go = gy * y
-    ho = hy * y
-    gvo1 = v1o * g + v1 * go
-    gvo2 = v2o * g + v2 * go
-    gvo3 = v3o * g + v3 * go
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    cvo1 = v1o * h + v1 * ho
-    cvo2 = v2o * h + v2 * ho
-    cvo3 = v3o * h + v3 * ho
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    T11 = f + cv1 * v1
-    T12 = d12 - gv3
-    T13 = d13 + gv2
-    T21 = d12 + gv3
-    T22 = f + cv2 * v2
-    T23 = d23 - gv1
-    T31 = d13 - gv2
-    T32 = d23 + gv1
-    T33 = f + cv3 * v3
-    d12o = cv1 * v2o + cvo1 * v2
-    d13o = cv1 * v3o + cvo1 * v3
-    d23o = cv2 * v3o + cvo2 * v3
-    T11o = fo + (cv1 * v1o + cvo1 * v1)
-    T12o = d12o - gvo3
-    T13o = d13o + gvo2
-    T21o = d12o + gvo3
-    T22o = fo + (cv2 * v2o + cvo2 * v2)
-    T23o = d23o - gvo1
-    T31o = d13o - gvo2
-    T32o = d23o + gvo1
-    T33o = fo + (cv3 * v3o + cvo3 * v3)
-    V11 = moved3 * T21 + minus_moved2 * T31
-    V12 = moved3 * T22 + minus_moved2 * T32
-    V13 = moved3 * T23 + minus_moved2 * T33
-    V21 = minus_moved3 * T11 + moved1 * T31
-    V22 = minus_moved3 * T12 + moved1 * T32
-    V23 = minus_moved3 * T13 + moved1 * T33
-    V31 = moved2 * T11 + minus_moved1 * T21
-    V32 = moved2 * T12 + minus_moved1 * T22
-    V33 = moved2 * T13 + minus_moved1 * T23
-    return (
-        V11,
-        V12,
-        V13,
-        0,
-        0,
-        0,
-        V21,
-        V22,
-        V23,
-        0,
-        0,
-        0,
-        V31,
-        V32,
-        V33,
-        0,
-        0,
-        0,
-        moved3 * T21o + moved3o * T21 + (minus_moved2 * T31o + minus_moved2o * T31),
-        moved3 * T22o + moved3o * T22 + (minus_moved2 * T32o + minus_moved2o * T32),
-        moved3 * T23o + moved3o * T23 + (minus_moved2 * T33o + minus_moved2o * T33),
-        V11,
-        V12,
-        V13,
-        minus_moved3 * T11o + minus_moved3o * T11 + (moved1 * T31o + moved1o * T31),
-        minus_moved3 * T12o + minus_moved3o * T12 + (moved1 * T32o + moved1o * T32),
-        minus_moved3 * T13o + minus_moved3o * T13 + (moved1 * T33o + moved1o * T33),
-        V21,
-        V22,
-        V23,
-        moved2 * T11o + moved2o * T11 + (minus_moved1 * T21o + minus_moved1o * T21),
-        moved2 * T12o + moved2o * T12 + (minus_moved1 * T22o + minus_moved1o * T22),
-        moved2 * T13o + moved2o * T13 + (minus_moved1 * T23o + minus_moved1o * T23),
-        V31,
-        V32,
-        V33,
-        Q11,
-        Q12,
-        Q13,
-        0,
-        0,
-        0,
-        Q21,
-        Q22,
-        Q23,
-        0,
-        0,
-        0,
-        Q31,
-        Q32,
-        Q33,
-        0,
-        0,
-        0,
-        R11o,
-        R12o,
-        R13o,
-        Q11,
-        Q12,
-        Q13,
-        R21o,
-        R22o,
-        R23o,
-        Q21,
-        Q22,
-        Q23,
-        R31o,
-        R32o,
-        R33o,
-        Q31,
-        Q32,
-        Q33,
+    R = tensor_at(f, g, h, v)
+    R11, R12, R13, R21, R22, R23, R31, R32, R33, R11o, R12o, R13o, R21o, R22o, R23o, R31o, R32o, R33o = R
+    (
+        T11, T12, T13, T21, T22, T23, T31, T32, T33, T11o, T12o, T13o, T21o, T22o, T23o, T31o, T32o, T33o,
+    ) = tangent_at(f, g, h, fy, gy, hy, v)
+    back1 = -(R11 * l1 + R12 * l2 + R13 * l3)
+    back1o = -(R11 * m1 + R11o * l1 + (R12 * m2 + R12o * l2) + (R13 * m3 + R13o * l3))
+    back2 = -(R21 * l1 + R22 * l2 + R23 * l3)
+    back2o = -(R21 * m1 + R21o * l1 + (R22 * m2 + R22o * l2) + (R23 * m3 + R23o * l3))
+    back3 = -(R31 * l1 + R32 * l2 + R33 * l3)
+    back3o = -(R31 * m1 + R31o * l1 + (R32 * m2 + R32o * l2) + (R33 * m3 + R33o * l3))
+    minus_back3 = -back3
+    minus_back3o = -back3o
+    minus_back1 = -back1
+    minus_back1o = -back1o
+    minus_back2 = -back2
+    minus_back2o = -back2o
+    by_line = matrix6(R)
+    by_v = (
+        matrix6((minus_back3 * T21 + back2 * T31, minus_back3 * T22 + back2 * T32, minus_back3 * T23 + back2 * T33,
+        back3 * T11 + minus_back1 * T31, back3 * T12 + minus_back1 * T32, back3 * T13 + minus_back1 * T33, minus_back2
+        * T11 + back1 * T21, minus_back2 * T12 + back1 * T22, minus_back2 * T13 + back1 * T23, minus_back3 * T21o
+        + minus_back3o * T21 + (back2 * T31o + back2o * T31), minus_back3 * T22o + minus_back3o * T22 + (back2 * T32o
+        + back2o * T32), minus_back3 * T23o + minus_back3o * T23 + (back2 * T33o + back2o * T33), back3 * T11o + back3o
+        * T11 + (minus_back1 * T31o + minus_back1o * T31), back3 * T12o + back3o * T12 + (minus_back1 * T32o
+        + minus_back1o * T32), back3 * T13o + back3o * T13 + (minus_back1 * T33o + minus_back1o * T33), minus_back2
+        * T11o + minus_back2o * T11 + (back1 * T21o + back1o * T21), minus_back2 * T12o + minus_back2o * T12 + (back1
+        * T22o + back1o * T22), minus_back2 * T13o + minus_back2o * T13 + (back1 * T23o + back1o * T23)))
     )
+    return *by_v, *by_line
 
 
 KERNELS: Mapping[str, Kernel] = {
-    "quaternion": Kernel(
-        quaternion,
-        (("v", (6,)),),
-        (8,),
-        real=False,
-    ),
-    "tensor": Kernel(
-        tensor,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "pose": Kernel(
-        pose,
-        (("v", (6,)),),
-        (4, 4),
-        real=False,
-    ),
-    "transform_point": Kernel(
-        transform_point,
-        (("v", (6,)), ("r", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "transform_line": Kernel(
-        transform_line,
-        (("v", (6,)), ("line", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "inverse": Kernel(
-        inverse,
-        (("v", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "tangent": Kernel(
-        tangent,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "tangent_inv": Kernel(
-        tangent_inv,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "body_tangent": Kernel(
-        body_tangent,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "body_tangent_inv": Kernel(
-        body_tangent_inv,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "twist": Kernel(
-        twist,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "rate": Kernel(
-        rate,
-        (("v", (6,)), ("omega", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "tangent_dot": Kernel(
-        tangent_dot,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "twist_dot": Kernel(
-        twist_dot,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "rate_dot": Kernel(
-        rate_dot,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "twist_jacobian": Kernel(
-        twist_jacobian,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "rate_jacobian": Kernel(
-        rate_jacobian,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "from_quaternion": Kernel(
-        from_quaternion,
-        (("q", (8,)),),
-        (6,),
-        real=True,
-    ),
-    "from_tensor": Kernel(
-        from_tensor,
-        (("R", (2, 3, 3)),),
-        (6,),
-        real=True,
-    ),
-    "from_pose": Kernel(
-        from_pose,
-        (("T", (4, 4)),),
-        (6,),
-        real=True,
-    ),
-    "from_screw": Kernel(
-        from_screw,
-        (("angle", (2,)), ("line", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "to_screw": Kernel(
-        to_screw,
-        (("v", (6,)),),
-        (8,),
-        real=True,
-    ),
-    "angle": Kernel(
-        angle,
-        (("v", (6,)),),
-        (2,),
-        real=True,
-    ),
-    "to_exponential": Kernel(
-        to_exponential,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "from_exponential": Kernel(
-        from_exponential,
-        (("w", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "turn": Kernel(
-        turn,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "shadow": Kernel(
-        shadow,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "identity_jacobian": Kernel(
-        identity_jacobian,
-        (("v", (6,)),),
-        (6, 6),
-        real=True,
-    ),
-    "shadow_jacobian": Kernel(
-        shadow_jacobian,
-        (("v", (6,)),),
-        (6, 6),
-        real=True,
-    ),
-    "principal": Kernel(
-        principal,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "compose": Kernel(
-        compose,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "between": Kernel(
-        between,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "compose_jacobians": Kernel(
-        compose_jacobians,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "between_jacobians": Kernel(
-        between_jacobians,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "retract": Kernel(
-        retract,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "body_retract": Kernel(
-        body_retract,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "retract_jacobians": Kernel(
-        retract_jacobians,
-        (("v", (6,)), ("delta", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "body_retract_jacobians": Kernel(
-        body_retract_jacobians,
-        (("v", (6,)), ("delta", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "local": Kernel(
-        local,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "body_local": Kernel(
-        body_local,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "interpolate": Kernel(
-        interpolate,
-        (("v1", (6,)), ("v2", (6,)), ("t", ()),),
-        (6,),
-        real=True,
-    ),
-    "adjoint": Kernel(
-        adjoint,
-        (("v", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "transform_point_jacobians": Kernel(
-        transform_point_jacobians,
-        (("v", (6,)), ("r", (3,)),),
-        (27,),
-        real=False,
-    ),
-    "transform_line_jacobians": Kernel(
-        transform_line_jacobians,
-        (("v", (6,)), ("line", (6,)),),
-        (72,),
-        real=False,
-    ),
+    "quaternion": Kernel(quaternion, (("v", (6,)),), (8,), real=False),
+    "tensor": Kernel(tensor, (("v", (6,)),), (2, 3, 3), real=False),
+    "pose": Kernel(pose, (("v", (6,)),), (4, 4), real=False),
+    "transform_point": Kernel(transform_point, (("v", (6,)), ("r", (3,)),), (3,), real=False),
+    "transform_line": Kernel(transform_line, (("v", (6,)), ("line", (6,)),), (6,), real=False),
+    "inverse": Kernel(inverse, (("v", (6,)),), (6,), real=False),
+    "tangent": Kernel(tangent, (("v", (6,)),), (2, 3, 3), real=False),
+    "tangent_inv": Kernel(tangent_inv, (("v", (6,)),), (2, 3, 3), real=False),
+    "body_tangent": Kernel(body_tangent, (("v", (6,)),), (2, 3, 3), real=False),
+    "body_tangent_inv": Kernel(body_tangent_inv, (("v", (6,)),), (2, 3, 3), real=False),
+    "twist": Kernel(twist, (("v", (6,)), ("v_dot", (6,)),), (6,), real=False),
+    "rate": Kernel(rate, (("v", (6,)), ("omega", (6,)),), (6,), real=False),
+    "tangent_dot": Kernel(tangent_dot, (("v", (6,)), ("v_dot", (6,)),), (2, 3, 3), real=False),
+    "twist_dot": Kernel(twist_dot, (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),), (6,), real=False),
+    "rate_dot": Kernel(rate_dot, (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),), (6,), real=False),
+    "twist_jacobian": Kernel(twist_jacobian, (("v", (6,)), ("v_dot", (6,)),), (6, 6), real=False),
+    "rate_jacobian": Kernel(rate_jacobian, (("v", (6,)), ("omega", (6,)),), (6, 6), real=False),
+    "from_quaternion": Kernel(from_quaternion, (("q", (8,)),), (6,), real=True),
+    "from_tensor": Kernel(from_tensor, (("R", (2, 3, 3)),), (6,), real=True),
+    "from_pose": Kernel(from_pose, (("T", (4, 4)),), (6,), real=True),
+    "from_screw": Kernel(from_screw, (("angle", (2,)), ("line", (6,)),), (6,), real=True),
+    "to_screw": Kernel(to_screw, (("v", (6,)),), (8,), real=True),
+    "angle": Kernel(angle, (("v", (6,)),), (2,), real=True),
+    "to_exponential": Kernel(to_exponential, (("v", (6,)),), (6,), real=True),
+    "from_exponential": Kernel(from_exponential, (("w", (6,)),), (6,), real=True),
+    "turn": Kernel(turn, (("v", (6,)),), (6,), real=True),
+    "shadow": Kernel(shadow, (("v", (6,)),), (6,), real=True),
+    "identity_jacobian": Kernel(identity_jacobian, (("v", (6,)),), (6, 6), real=True),
+    "shadow_jacobian": Kernel(shadow_jacobian, (("v", (6,)),), (6, 6), real=True),
+    "principal": Kernel(principal, (("v", (6,)),), (6,), real=True),
+    "compose": Kernel(compose, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "between": Kernel(between, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "compose_jacobians": Kernel(compose_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "between_jacobians": Kernel(between_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "retract": Kernel(retract, (("v", (6,)), ("delta", (6,)),), (6,), real=True),
+    "body_retract": Kernel(body_retract, (("v", (6,)), ("delta", (6,)),), (6,), real=True),
+    "retract_jacobians": Kernel(retract_jacobians, (("v", (6,)), ("delta", (6,)),), (72,), real=True),
+    "body_retract_jacobians": Kernel(body_retract_jacobians, (("v", (6,)), ("delta", (6,)),), (72,), real=True),
+    "local": Kernel(local, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "body_local": Kernel(body_local, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "interpolate": Kernel(interpolate, (("v1", (6,)), ("v2", (6,)), ("t", ()),), (6,), real=True),
+    "adjoint": Kernel(adjoint, (("v", (6,)),), (6, 6), real=False),
+    "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (6,)), ("r", (3,)),), (27,), real=False),
+    "transform_line_jacobians": Kernel(transform_line_jacobians, (("v", (6,)), ("line", (6,)),), (72,), real=False),
 }

@@ -1620,3 +1620,10 @@ def kernels_of(module: str) -> PoseKernels:
     """Return the instance of a kernel module."""
     kernels: PoseKernels = importlib.import_module(module).KERNELS
     return kernels
+
+
+def exports(kernels: PoseKernels, *further: str) -> dict[str, Any]:
+    """Return the functions of a kernel module by name, with its ``__all__`` and ``__dir__``, which list further names."""
+    functions = {name: getattr(kernels, name) for name in dir(kernels) if not name.startswith("_")}
+    names = sorted((*functions, *further))
+    return {**functions, "__all__": names, "__dir__": lambda: names}

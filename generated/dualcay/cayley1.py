@@ -22,37 +22,22 @@ r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid d
 
 ``tangent`` loses rank at no finite v; v is infinite at Re alpha = pi.
 ``tangent_inv`` is defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = pi.
-A pose has 1 vector. Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in
-float32. What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
+A pose has one vector.
+Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
+The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
 
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._chart import Chart
 from ._geometry import KERNELS as SHARED
-from ._interface import PoseKernels
+from ._interface import PoseKernels, exports
 from ._kernel import Result
 
-__all__ = [
-    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "dcay", "dcay_inv", "from_exponential", "from_pose",
-    "from_quaternion", "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal",
-    "quaternion", "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow",
-    "shadow_jacobian", "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential",
-    "to_screw", "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist",
-    "twist_dot", "twist_jacobian",
-]  # fmt: skip
-
 ORDER = 1
-
-
-def __dir__() -> list[str]:
-    return __all__
 
 
 # --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
@@ -244,66 +229,13 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="9a340c20e4169f31",
+    programs="24691421aa39d08d",
 )
 
 KERNELS = PoseKernels(CHART)
-
-adjoint = KERNELS.adjoint
-angle = KERNELS.angle
-between = KERNELS.between
-between_jacobians = KERNELS.between_jacobians
-body_cotangent = KERNELS.body_cotangent
-body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
-body_local = KERNELS.body_local
-body_rate = KERNELS.body_rate
-body_rate_dot = KERNELS.body_rate_dot
-body_rate_jacobian = KERNELS.body_rate_jacobian
-body_retract = KERNELS.body_retract
-body_retract_jacobians = KERNELS.body_retract_jacobians
-body_tangent = KERNELS.body_tangent
-body_tangent_dot = KERNELS.body_tangent_dot
-body_tangent_inv = KERNELS.body_tangent_inv
-body_twist = KERNELS.body_twist
-body_twist_dot = KERNELS.body_twist_dot
-body_twist_jacobian = KERNELS.body_twist_jacobian
-compose = KERNELS.compose
-compose_jacobians = KERNELS.compose_jacobians
-cotangent = KERNELS.cotangent
-cotangent_jacobian = KERNELS.cotangent_jacobian
 dcay = KERNELS.tangent
 dcay_inv = KERNELS.tangent_inv
-from_exponential = KERNELS.from_exponential
-from_pose = KERNELS.from_pose
-from_quaternion = KERNELS.from_quaternion
-from_screw = KERNELS.from_screw
-from_tensor = KERNELS.from_tensor
-identity = KERNELS.identity
-interpolate = KERNELS.interpolate
-inverse = KERNELS.inverse
-local = KERNELS.local
-pose = KERNELS.pose
-principal = KERNELS.principal
-quaternion = KERNELS.quaternion
-random = KERNELS.random
-rate = KERNELS.rate
-rate_dot = KERNELS.rate_dot
-rate_jacobian = KERNELS.rate_jacobian
-retract = KERNELS.retract
-retract_jacobians = KERNELS.retract_jacobians
-shadow = KERNELS.shadow
-shadow_jacobian = KERNELS.shadow_jacobian
-singular_angles = KERNELS.singular_angles
-tangent = KERNELS.tangent
-tangent_dot = KERNELS.tangent_dot
-tangent_inv = KERNELS.tangent_inv
-tensor = KERNELS.tensor
-to_exponential = KERNELS.to_exponential
-to_screw = KERNELS.to_screw
-transform_line = KERNELS.transform_line
-transform_line_jacobians = KERNELS.transform_line_jacobians
-transform_point = KERNELS.transform_point
-transform_point_jacobians = KERNELS.transform_point_jacobians
-twist = KERNELS.twist
-twist_dot = KERNELS.twist_dot
-twist_jacobian = KERNELS.twist_jacobian
+# the functions of this module are the methods of KERNELS
+globals().update(exports(KERNELS, "dcay", "dcay_inv"))
+if TYPE_CHECKING:
+    from ._functions import *  # noqa: F403

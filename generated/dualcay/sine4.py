@@ -18,38 +18,22 @@ r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid d
 
 ``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv`` is defined for |Re v| < 1; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
-A pose has 4 vectors. From where v ends, at |Re v| = 1, forward maps have NaN among their entries, and results of
-other functions, such as ``principal`` and ``angle``, mean nothing.
-What is exported are the methods of one `PoseKernels`, whose conventions and shapes hold here.
+A pose has 4 vectors.
+Forward maps hold NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
 
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._chart import Chart
 from ._geometry import KERNELS as SHARED
-from ._interface import PoseKernels
+from ._interface import PoseKernels, exports
 from ._kernel import Result
 
-__all__ = [
-    "adjoint", "angle", "between", "between_jacobians", "body_cotangent", "body_cotangent_jacobian", "body_local",
-    "body_rate", "body_rate_dot", "body_rate_jacobian", "body_retract", "body_retract_jacobians", "body_tangent",
-    "body_tangent_dot", "body_tangent_inv", "body_twist", "body_twist_dot", "body_twist_jacobian", "compose",
-    "compose_jacobians", "cotangent", "cotangent_jacobian", "from_exponential", "from_pose", "from_quaternion",
-    "from_screw", "from_tensor", "identity", "interpolate", "inverse", "local", "pose", "principal", "quaternion",
-    "random", "rate", "rate_dot", "rate_jacobian", "retract", "retract_jacobians", "shadow", "shadow_jacobian",
-    "singular_angles", "tangent", "tangent_dot", "tangent_inv", "tensor", "to_exponential", "to_screw",
-    "transform_line", "transform_line_jacobians", "transform_point", "transform_point_jacobians", "twist", "twist_dot",
-    "twist_jacobian",
-]  # fmt: skip
-
 ORDER = 4
-
-
-def __dir__() -> list[str]:
-    return __all__
 
 
 # --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
@@ -429,64 +413,11 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="5e1e04e48bb14200",
+    programs="035a64b058cf14f5",
 )
 
 KERNELS = PoseKernels(CHART)
-
-adjoint = KERNELS.adjoint
-angle = KERNELS.angle
-between = KERNELS.between
-between_jacobians = KERNELS.between_jacobians
-body_cotangent = KERNELS.body_cotangent
-body_cotangent_jacobian = KERNELS.body_cotangent_jacobian
-body_local = KERNELS.body_local
-body_rate = KERNELS.body_rate
-body_rate_dot = KERNELS.body_rate_dot
-body_rate_jacobian = KERNELS.body_rate_jacobian
-body_retract = KERNELS.body_retract
-body_retract_jacobians = KERNELS.body_retract_jacobians
-body_tangent = KERNELS.body_tangent
-body_tangent_dot = KERNELS.body_tangent_dot
-body_tangent_inv = KERNELS.body_tangent_inv
-body_twist = KERNELS.body_twist
-body_twist_dot = KERNELS.body_twist_dot
-body_twist_jacobian = KERNELS.body_twist_jacobian
-compose = KERNELS.compose
-compose_jacobians = KERNELS.compose_jacobians
-cotangent = KERNELS.cotangent
-cotangent_jacobian = KERNELS.cotangent_jacobian
-from_exponential = KERNELS.from_exponential
-from_pose = KERNELS.from_pose
-from_quaternion = KERNELS.from_quaternion
-from_screw = KERNELS.from_screw
-from_tensor = KERNELS.from_tensor
-identity = KERNELS.identity
-interpolate = KERNELS.interpolate
-inverse = KERNELS.inverse
-local = KERNELS.local
-pose = KERNELS.pose
-principal = KERNELS.principal
-quaternion = KERNELS.quaternion
-random = KERNELS.random
-rate = KERNELS.rate
-rate_dot = KERNELS.rate_dot
-rate_jacobian = KERNELS.rate_jacobian
-retract = KERNELS.retract
-retract_jacobians = KERNELS.retract_jacobians
-shadow = KERNELS.shadow
-shadow_jacobian = KERNELS.shadow_jacobian
-singular_angles = KERNELS.singular_angles
-tangent = KERNELS.tangent
-tangent_dot = KERNELS.tangent_dot
-tangent_inv = KERNELS.tangent_inv
-tensor = KERNELS.tensor
-to_exponential = KERNELS.to_exponential
-to_screw = KERNELS.to_screw
-transform_line = KERNELS.transform_line
-transform_line_jacobians = KERNELS.transform_line_jacobians
-transform_point = KERNELS.transform_point
-transform_point_jacobians = KERNELS.transform_point_jacobians
-twist = KERNELS.twist
-twist_dot = KERNELS.twist_dot
-twist_jacobian = KERNELS.twist_jacobian
+# the functions of this module are the methods of KERNELS
+globals().update(exports(KERNELS))
+if TYPE_CHECKING:
+    from ._functions import *  # noqa: F403

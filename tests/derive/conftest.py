@@ -12,4 +12,4 @@ from tests.support.packages import unvalidated
 def without_validation(monkeypatch: pytest.MonkeyPatch) -> None:
     """Kernels are written as they are printed: to look at them takes seconds a module."""
     found = {name: unvalidated(target) for name, target in TARGETS.items()}
-    monkeypatch.setattr("derive.codegen.compiler.TARGETS", found)
+    monkeypatch.setattr("derive.codegen.publish.TARGETS", found)

@@ -9,7 +9,7 @@ from typing import Any
 from unittest import mock
 
 from derive.codegen import catalogue
-from derive.codegen.compiler import build_charts
+from derive.codegen.build import build
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.programs.program import Call, Operand, Program, Statement, Step
 from derive.codegen.targets import TARGETS, infix
@@ -54,7 +54,7 @@ def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | 
 
     with mock.patch.object(infix, "body", body):
         try:
-            build_charts(charts, TARGETS["numpy"])
+            build(charts, TARGETS["numpy"])
         except Exception as error:
             return Verdict(KILLED, f"validation {type(error).__name__}: {error}")
     return Verdict(SURVIVED)

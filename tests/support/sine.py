@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -153,6 +154,7 @@ class Sine:
     remainder = 0.0
     singular_angles = (2 * sympy.pi, 3 * sympy.pi)
     cayley = None
+    base, factor = None, Fraction(1)
     letters = ()
     s, w = (1 - 4 * x) * COSINE, 3 - 4 * x
     scalars = SineScalars

@@ -11,7 +11,7 @@ import sympy
 
 from ...algebra import Quaternion, Vector
 from ...maps.any_phi.grammar import PhiError
-from ...maps.any_phi.lowering import number
+from ...maps.any_phi.lowering import SYMBOLIC_ONLY, number
 from ...maps.any_phi.real_constants import plus
 from ...maps.chart import Chart
 from ..programs.program import Constant, Program
@@ -95,7 +95,7 @@ def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[N
     (angle,) = arguments
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
-        raise PhiError(f"phi = {chart.phi} {reason}: its chart is symbolic only")
+        raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
     if chart.edge.is_infinite:
         return (angle,)
     zero = trace.name("zero", angle - angle)

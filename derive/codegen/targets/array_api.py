@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 
 import numpy as np
 
-from ..facts import Facts
-from ..lowered import Lowered
+from ..package import Data, Facts
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
 from . import python
-from .target import Data
 
 WORDS = python.Words(
     options="*, axis: int = -1",
@@ -50,9 +48,8 @@ class ArrayApi(python.PythonTarget):
     def geometry(self, table: Table) -> Data:
         return python.geometry(table)
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
-        return {"scalars": scalars}
+    def programs(self, facts: Facts) -> Data:
+        return {"scalars": list(map(python.printed_scalar, facts.lowered.scalars.values()))}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

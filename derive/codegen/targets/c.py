@@ -10,23 +10,24 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from .. import differential
-from ..facts import Facts, numbers
 from ..lowered import Lowered, geometry, lower_chart, printed_geometry
 from ..lowering.scalars import SCALARS, table_names
+from ..package import Data, Facts, numbers
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
+from ..validation.float_cases import Case, cases
 from . import c99
 from .said import SAID
-from .target import Data, require_functions
+from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
@@ -40,6 +41,10 @@ IDLE: Mapping[str, Program] = {
     for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)), ("rate", (1, 0)))
 }
 """What stands for scalars that geometry names and a chart never comes to."""
+
+
+GATE = 8
+"""Largest error in a differential test, in machine epsilons times the scale of the result."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +170,7 @@ class C:
     entry = "dualcay.h"
     comment = "//"
     tables: Sequence[Table] = (POSES, ROTATIONS)
+    imports_bases = False
     unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
@@ -196,9 +202,9 @@ class C:
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """The headers of the chart for further tables, and the test of all."""
         chart = facts.chart
-        tested = [(c_text.prefix(chart, table), [*differential.tables(chart, table)]) for table in self.tables]
+        tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
-        test = {"name": chart.name, "gate": differential.GATE, "headers": headers, "tested": tested}
+        test = {"name": chart.name, "gate": GATE, "headers": headers, "tested": tested}
         return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
@@ -219,3 +225,55 @@ class C:
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         return compiled.test(folder, chart)
+
+
+# ---- tables of a differential test -----------------------------------------------------------------------------
+
+Rows = tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """Values of an array case by case; for a result, the scales of its parts too."""
+
+    array: Array
+    values: Rows
+    scales: Rows = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Differential:
+    """Cases of a function with exact results; ``branches`` is empty for a function without branches."""
+
+    name: str
+    count: int
+    arguments: tuple[Values, ...]
+    branches: tuple[int, ...]
+    results: tuple[Values, ...]
+
+
+def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Differential]:
+    """Yield the seeded cases of each function of a table, with numbers as C prints them."""
+    for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
+        found = list(group)
+        signature = table.functions[name]
+        arguments = tuple(
+            Values(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
+            for i, array in enumerate(signature.arguments)
+        )
+        branches = tuple(case.branch for case in found if case.branch is not None)
+        yield Differential(name, len(found), arguments, branches, tuple(_results(signature.results, found)))
+
+
+def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]:
+    start = scale = 0
+    for array in arrays:
+        end, last = start + array.size, scale + len(array.parts)
+        values = tuple(_hexadecimal(case.result[start:end]) for case in found)
+        yield Values(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
+        start, scale = end, last
+
+
+def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
+    """Exact C literals, without trailing zeros."""
+    return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

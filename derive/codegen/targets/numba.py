@@ -9,21 +9,20 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
-from ..lowered import Lowered, geometry, printed_geometry, shared_with_poses
+from ..lowered import geometry, printed_geometry, shared_with_poses
+from ..package import Data, Facts
 from ..programs.program import Call, Program, summary
 from ..rows import Function, Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library
 from . import infix, python
 from .expression import WIDTH, Lists
-from .target import Data
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""
@@ -110,7 +109,7 @@ def _wrapped(text: str, indent: str) -> list[str]:
 
 def _lines(names: Sequence[str]) -> str:
     """Return names as lines of a tuple."""
-    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent="    ", subsequent_indent="    "))
+    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8))
 
 
 def _called(texts: Iterable[str]) -> list[str]:
@@ -163,8 +162,8 @@ class Numba(python.PythonTarget):
         found: Data = {"programs": programs, "kernels": kernels, "calls": calls, "names": names}
         return found if table is POSES else {**found, "same": sorted(same)}
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [_printed(program) for name, program in lowered.scalars.items() if name not in known]
+    def programs(self, facts: Facts) -> Data:
+        scalars = list(map(_printed, facts.lowered.scalars.values()))
         return {"scalars": scalars, "calls": sorted(_called(program.forms for program in scalars))}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:

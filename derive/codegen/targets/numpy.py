@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Mapping
 
-from ..facts import Facts
-from ..fingerprint import fingerprint
-from ..lowered import Lowered
+from ...maps.chart import Chart
+from ..lowered import Lowered, lower_chart
+from ..package import Data, Facts, fingerprint
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import python
-from .target import Data
 
 WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
@@ -28,6 +27,7 @@ class Numpy(python.PythonTarget):
     name = "numpy"
     words = WORDS
     tables = (POSES, ROTATIONS)
+    imports_bases = True
     uncompiled = WORDS.plain
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
@@ -40,6 +40,7 @@ class Numpy(python.PythonTarget):
             "_chart.py": {},
             "_checks.py": {},
             "_kernel.py": {},
+            "_multiple.py": {},
             "_native.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
@@ -49,6 +50,17 @@ class Numpy(python.PythonTarget):
     def geometry(self, table: Table) -> Data:
         return python.geometry(table)
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
-        return {"scalars": scalars, "programs": fingerprint(facts, lowered)}
+    def programs(self, facts: Facts) -> Data:
+        own = [] if facts.chart.base else list(map(python.printed_scalar, facts.lowered.scalars.values()))
+        return {"scalars": own, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        return {"programs": fingerprint(facts, lowered)}
+
+
+def _multiple(chart: Chart) -> Data:
+    """Return the base chart of a multiple, the factor, and the scalar programs of the base that return integers."""
+    base = chart.base
+    programs = lower_chart(base).scalars.values() if base else ()
+    constant = tuple(p.name for p in programs if not all(isinstance(output, str) for output in p.outputs))
+    return {"base": base.name if base else None, "factor": chart.factor, "constant": constant}

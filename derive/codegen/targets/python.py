@@ -1,12 +1,11 @@
-"""What the targets in Python share: one documented interface, and the words in which they differ."""
+"""Base class of the targets in Python: one documented interface, and the keyword parameters in which they differ."""
 
 from __future__ import annotations
 
 import ast
 import re
-import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -15,21 +14,22 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, numbers
 from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
+from ..package import Data, Facts, numbers
 from ..programs.program import Program, summary
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from . import infix
-from .expression import WIDTH
-from .target import Data, require_functions
+from .target import require_functions
 
 INTERFACE = "_interface.py"
 
 CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
-"""The classes of kernels, by table."""
+"""Classes of the documented interfaces, by table."""
+
+
 
 @dataclass(frozen=True, slots=True)
 class Words:
@@ -66,7 +66,7 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: the parameters of its function and the text of its body."""
+    """A program as its template shows it: parameters, text of the body, and a summary of its operations."""
 
     name: str
     parameters: tuple[str, ...]
@@ -75,7 +75,7 @@ class Printed:
 
 
 class PythonTarget(ABC):
-    """What the rows of these targets share."""
+    """A target whose kernels are Python modules."""
 
     extension = "py"
     entry = "__init__.py"
@@ -83,49 +83,55 @@ class PythonTarget(ABC):
     machinery = Machinery()
     tables: Sequence[Table] = (POSES,)
     uncompiled: tuple[str, ...] = ()
-    """Functions that run as they are even where compiled ones are installed; empty where nothing uses those."""
+    """Functions without a compiled form in ``dualcay-native``."""
+    imports_bases = False
     name: str
     words: Words
 
     def package(self) -> Mapping[str, Data]:
-        """The files by which a package is imported and run."""
+        """Return the files by which a package is imported and run."""
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
         packages = [table.name for table in self.tables if table.name]
-        said: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
+        common: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
         inner = {
-            inside(table, self.entry): {**said, "packages": [], "package": table.name, "class": CLASSES[table.name]}
+            inside(table, self.entry): {**common, "packages": [], "package": table.name, "class": CLASSES[table.name]}
             for table in self.tables
         }
         init = {**inner[self.entry], "version": about.__version__, "packages": packages}
         return {**inner, self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def per_table(self) -> Mapping[str, Data]:
-        """Geometry and interface of every table, in its folder."""
+        """Return geometry, interface and list of functions of every table, in its folder."""
         found: dict[str, Data] = {}
         for table in self.tables:
             found[inside(table, "_geometry.py")] = self.geometry(table)
             found[inside(table, INTERFACE)] = interface(self.words, table)
+            functions = sorted((*table.public, *self.words.plain))
+            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table.name], "functions": functions}
         return found
 
     @abstractmethod
     def geometry(self, table: Table) -> Data:
-        """What the template of a geometry is given."""
+        """Return what fills the template of a geometry."""
 
     @abstractmethod
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        """What the template of a chart is given of its programs, but of the scalars that are known already."""
+    def programs(self, facts: Facts) -> Data:
+        """Return what fills the template of a chart with its scalar programs."""
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        """Return what fills the template of a chart for rotations, besides its description."""
+        return {}
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts, self.words), **self.programs(facts, facts.lowered)}
+        return {**described(facts), **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """The modules of the chart for further tables, which take the scalars of that for poses."""
+        """Return the modules of the chart for further tables; they use the scalar programs of the module for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = described_part(facts, lowered, self.words)
-            data = {**told, **self.programs(facts, lowered, facts.lowered.scalars)}
+            data = {**described_rotations(facts, lowered), **self.rotations(facts, lowered)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
 
@@ -140,7 +146,7 @@ class PythonTarget(ABC):
         return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
-        """Whose arrays the functions are given in a replay."""
+        """Return the array libraries of a replay."""
         return (NUMPY,)
 
     def test(self, folder: Path, chart: Chart) -> int:
@@ -160,10 +166,11 @@ def interface(words: Words, table: Table) -> Data:
     }
 
 
-def described(facts: Facts, words: Words) -> dict[str, Any]:
-    """What every Python module says of its chart."""
+def described(facts: Facts) -> dict[str, Any]:
+    """Return constants and formulas of a chart for its module for poses."""
     chart = facts.chart
-    return _exports(chart, POSES, words) | {
+    return {
+        "aliases": POSES.aliases(chart),
         "title": chart.title,
         "parameter": chart.parameter,
         "branches": chart.branches,
@@ -179,10 +186,11 @@ def described(facts: Facts, words: Words) -> dict[str, Any]:
     }
 
 
-def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, Any]:
-    """What the module of a chart for another table says: of the chart what differs from that for poses."""
+def described_rotations(facts: Facts, lowered: Lowered) -> dict[str, Any]:
+    """Return constants of a chart for its module for rotations."""
     chart = facts.chart
-    return _exports(chart, lowered.table, words) | {
+    return {
+        "aliases": lowered.table.aliases(chart),
         "name": chart.name,
         "order": chart.order,
         "title": chart.title,
@@ -190,18 +198,6 @@ def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, An
         "branches": chart.branches,
         "singular": facts.singular,
     }
-
-
-def _exports(chart: Chart, table: Table, words: Words) -> dict[str, Any]:
-    """The names that a module exports."""
-    exported = table.aliases(chart) | {name: name for name in (*table.public, *words.plain)}
-    return {"exports": _quoted(exported), "exported": dict(sorted(exported.items()))}
-
-
-def _quoted(names: Iterable[str]) -> str:
-    """Names as lines of a list."""
-    lines = textwrap.wrap(" ".join(f'"{name}",' for name in sorted(names)), WIDTH - 4)
-    return "\n".join(f"    {line}" for line in lines)
 
 
 def printed_geometry(table: Table) -> list[Printed]:
@@ -252,7 +248,7 @@ def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSE
 
 
 def _require_parameters(where: str, row: Function, found: ast.arguments, words: Words) -> None:
-    """Arguments as in the table; after them the keywords of every function, or of those that return several arrays."""
+    """Require the arguments of the table, then the keywords of functions with one result or with several."""
     given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
     expected = [array.name for array in row.arguments] + ["branch"] * row.branch
     if given != expected:
@@ -264,7 +260,7 @@ def _require_parameters(where: str, row: Function, found: ast.arguments, words: 
 
 
 def _methods(text: str, kernels: str) -> Iterator[ast.FunctionDef]:
-    """Public methods of the class of kernels."""
+    """Yield the public methods of a class."""
     for node in ast.parse(text).body:
         if isinstance(node, ast.ClassDef) and node.name == kernels:
             for item in node.body:

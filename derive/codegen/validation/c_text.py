@@ -52,7 +52,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
-    """Compare both forms of functions with expected values, perhaps in all layouts; return the number of calls."""
+    """Compare both forms of functions with their expected values, perhaps in all layouts; return the call count."""
     count, seen = 0, set()
     with mpmath.workdps(decimals.DIGITS):
         for batch in given:
@@ -188,8 +188,8 @@ def _require_aliases(unit: Unit, chart: Chart, table: Table) -> None:
 
 def _require_macros(unit: Unit, expected: Mapping[str, str]) -> None:
     for name, text in expected.items():
-        if unit.expand(name) != text:
-            raise ValidationFailed(f"{name} is {unit.expand(name)}, not {text}")
+        if unit.source.expand(name) != text:
+            raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
 
 
 def _require_constants(unit: Unit, chart: Chart) -> None:

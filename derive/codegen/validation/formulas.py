@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
 
-import mpmath
 import sympy
 
 from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Vector
 from ...maps import Formula, x
+from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
@@ -49,43 +48,22 @@ class Expectation:
         return self.given() if callable(self.given) else self.given
 
 
-@dataclass(frozen=True, slots=True)
-class Numbers:
-    """Numbers in place of ring elements: evaluates formulas of a chart in the working precision of mpmath."""
-
-    chart: Vectors
-
-    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
-        """Return a formula and its derivatives at an exact number, rounded to the working precision."""
-        if alpha in expression.free_symbols:
-            return self.chart.derivatives(expression, value, order)
-        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
-
-
-@lru_cache(maxsize=1024)  # points differ in other components more often than in x
-def _derivatives(expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int) -> tuple[Any, ...]:
-    sign, mantissa, exponent, _ = value._mpf_
-    at = sympy.Rational((-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent))
-    slopes = [expression]
-    for _ in range(order):
-        slopes.append(_derivative(slopes[-1], symbol))
-    return tuple(mpmath.mpf(slope.xreplace({symbol: at}).evalf(digits + 5)) for slope in slopes)
-
-
-@lru_cache(maxsize=256)
-def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
-    return expression.diff(symbol)
+@lru_cache(maxsize=256)  # the tree is walked
+def _has_angle(expression: sympy.Expr) -> bool:
+    return alpha in expression.free_symbols
 
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
-    """Formulas of a chart at ring elements or numbers; ``ring`` is a ring or `Numbers`."""
+    """Formulas of a chart at ring elements, or at numbers where the `Vectors` of the chart are given as ``ring``."""
 
     chart: Chart
     ring: Any
 
     def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
         """Return an algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        if isinstance(self.ring, Vectors) and not _has_angle(expression):
+            return evaluate(expression, x, at)
         order, plain = 0, at
         while isinstance(plain, Dual):
             order, plain = order + 1, plain.re

@@ -15,7 +15,7 @@ from ...maps.inverse import polar
 from ...maps.pose import Pose, Screw, tensor_from_pose
 from ...maps.sign_tests import orientation
 from ..rows import Function
-from .formulas import ALGEBRAIC, Formulas, Numbers, evaluated, matrix6
+from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, dual, flat
 
 
@@ -201,5 +201,5 @@ def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence
     """Return the value of any kernel function at given numbers."""
     zero = mpmath.mpf(0)
     if row.source in ALGEBRAIC:
-        return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
+        return evaluated(row, Formulas(chart.chart, chart), arguments, zero)
     return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

@@ -13,8 +13,7 @@ import mpmath
 import numpy as np
 
 from ...maps.chart import Chart
-from ..lowered import Lowered, geometry, lower_chart
-from ..programs.program import Program
+from ..lowered import geometry, lower_chart
 from ..rows import Table
 from ..signatures import POSES
 from .decimals import DIGITS
@@ -54,7 +53,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def _validate(module: ModuleType, chart: Chart, table: Table, whole: bool) -> int:
-    _require_offers(module, chart, table)
+    require_module(module, chart, table)
     return sum(_check(module, batch) for batch in chosen(chart, table, whole))
 
 
@@ -65,30 +64,20 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's own scalar programs.
-
-    Functions that have nothing to do in this chart are among them.
-    """
+    """Return functions that together read every result of a chart's scalar programs, and those that return v itself."""
     lowered, programs, found = lower_chart(chart, table), geometry(table), dict[str, None]()
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
-        absent = row.kernel not in lowered.operations
-        new = set[tuple[str, int]]() if absent else _results_read(programs[row.kernel], programs, lowered) - read
-        if absent or new:
+        program = programs[row.kernel]
+        results = {
+            (call.function, place)
+            for call in program.calls
+            for place, result in enumerate(call.names)
+            if result in program.operands
+        }
+        if row.kernel not in lowered.operations or results - read:
             found[name] = None
-            read |= new
-    return found
-
-
-def _results_read(program: Program, programs: Any, lowered: Lowered) -> set[tuple[str, int]]:
-    """Return the results of scalar programs that a program reads, by number, in programs that it calls too."""
-    found = set()
-    for call in program.calls:
-        if call.function in lowered.scalars:
-            places = (place for place, name in enumerate(call.names) if name in program.operands)
-            found |= {(call.function, place) for place in places}
-        elif call.function in programs:
-            found |= _results_read(programs[call.function], programs, lowered)
+            read |= results
     return found
 
 
@@ -135,7 +124,7 @@ def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
     return array.reshape(len(rows), *shape)
 
 
-def _require_offers(module: ModuleType, chart: Chart, table: Table) -> None:
+def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
     """Compare names and constants of a module with its table and chart."""
     own = (*table.public, "singular_angles", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
     names = {name: name for name in own} | table.aliases(chart)

@@ -122,7 +122,7 @@ class Vectors:
         """Return the largest component of seeded vectors: ``most``, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
 
-    def derivatives(self, expression: sympy.Expr, square: Any, order: int) -> Sequence[Any]:
+    def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
         """Return an even function of α and its derivatives by x, with more digits, for terms may cancel near 0."""
         return tuple(+value for value in self._once(self._derivatives, expression, square, order))
 

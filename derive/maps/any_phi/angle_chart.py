@@ -17,7 +17,7 @@ from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
 from .. import branches
 from ..families import alpha
-from ..own_axis import QuaternionChart
+from ..parameterized import QuaternionChart
 from .lowering import number
 from .real_constants import times
 

@@ -27,6 +27,9 @@ LEVELS = 5
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
 """Coefficients of the series of the arc tangent, signs alternating, over the first."""
 
+SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
+"""Advice for a chart without kernels."""
+
 
 def number(expression: sympy.Expr) -> Any:
     """A constant as a fraction where that is one of small integers, else to many digits."""
@@ -48,7 +51,7 @@ def require_known(phi: sympy.Expr) -> None:
     """Refuse a φ with functions that kernels do not compute: its chart is symbolic only."""
     other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in KNOWN})
     if other:
-        raise PhiError(f"kernels compute no {', '.join(other)}: the chart of phi = {phi} is symbolic only")
+        raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
 
 
 class Lowering:

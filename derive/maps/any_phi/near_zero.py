@@ -22,7 +22,7 @@ from .edges import DIGITS, Edge, angle_of
 from .elementary import evaluate
 from .grammar import PhiError
 from .intervals import is_analytic, smallest
-from .real_constants import Exactly, Polynomial, is_small, polynomial
+from .real_constants import Polynomial, polynomial
 
 NEAR = mpmath.mpf("1.3")
 """The angle up to which a(x) is interpolated, or a fifth of the edge if that is less."""
@@ -43,7 +43,7 @@ class Ratio:
     ``remainder`` is what they are off by at most, in units of a(0), and of x the limit.
     """
 
-    polynomials: tuple[Polynomial | Exactly, ...]
+    polynomials: tuple[Polynomial, ...]
     limit: Fraction
     remainder: float
 
@@ -56,22 +56,12 @@ def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
     PhiError
         If no circle proves that it is analytic.
     """
-    inverse = _constant(phi)
-    if inverse is not None and is_small(inverse):
-        polynomials = (Exactly(inverse), *DERIVATIVES * (Exactly(Fraction(0)),))
-        return Ratio(polynomials, _rounded_down(phi, (NEAR * inverse.denominator / inverse.numerator) ** 2), 0.0)
     for share in SHARES:
         try:
             return _ratio(phi, edge, NEAR / share)
         except PhiError as error:
             refused = error
     raise refused
-
-
-def _constant(phi: sympy.Expr) -> Fraction | None:
-    """a itself, where φ is a rational multiple of α."""
-    slope = phi.diff(alpha)
-    return Fraction(int(slope.q), int(slope.p)) if slope.is_Rational else None
 
 
 def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:

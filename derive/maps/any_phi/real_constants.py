@@ -73,20 +73,6 @@ class Polynomial:
         return total
 
 
-@dataclass(frozen=True)
-class Exactly:
-    """The polynomial that is a fraction of small integers everywhere."""
-
-    constant: Fraction
-
-    def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
-        return self.constant if self.constant.denominator != 1 else int(self.constant)
-
-    def value(self, x: Any) -> Any:
-        """The value at a number of mpmath."""
-        return mpmath.mpf(self.constant.numerator) / self.constant.denominator
-
-
 def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
 ) -> Polynomial:

@@ -12,11 +12,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from .._geometry import exponential_scalars, nearest
 from .._kernel import Components, Kernel, Result
 
 
-# operations 8: 2 +, 6 *
 def quaternion(m: Any, c: Any, v: Components) -> Result:
+    """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -26,13 +27,12 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     return s, v1 * w, v2 * w, v3 * w
 
 
-# operations 26: 12 +, 14 *
-def tensor(m: Any, c: Any, v: Components) -> Result:
+def tensor_at(f: Any, g: Any, v: Components) -> Result:
+    """R = Q of f and g, CP23 (57)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, _ = c.pose(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
@@ -56,117 +56,119 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
     return Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33
 
 
-# operations 33: 12 +, 21 *
+def tensor(m: Any, c: Any, v: Components) -> Result:
+    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    v1, v2, v3 = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, _ = c.pose(m, v11, v22, v33)
+    return tensor_at(f, g, v)
+
+
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """Q r of a point r."""
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, _ = c.pose(m, v11, v22, v33)
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g
-    gv_r2 = v_r2 * g
-    gv_r3 = v_r3 * g
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
     return (
-        r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2)),
-        r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3)),
-        r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1)),
+        r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)), r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)),
+        r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)),
     )
 
 
-# operations 3: 3 neg
 def inverse(m: Any, c: Any, v: Components) -> Result:
+    """−v: R(−v) = R(v)ᵀ."""
     v1, v2, v3 = v
     return -v1, -v2, -v3
 
 
-# operations 24: 9 +, 15 *
+def tangent_at(f: Any, g: Any, h: Any, v: Components) -> Result:
+    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    v1, v2, v3 = v
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    hv1 = v1 * h
+    hv2 = v2 * h
+    hv3 = v3 * h
+    d12 = hv1 * v2
+    d13 = hv1 * v3
+    d23 = hv2 * v3
+    return f + hv1 * v1, d12 - gv3, d13 + gv2, d12 + gv3, f + hv2 * v2, d23 - gv1, d13 - gv2, d23 + gv1, f + hv3 * v3
+
+
 def tangent(m: Any, c: Any, v: Components) -> Result:
+    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    return f + cv1 * v1, d12 - gv3, d13 + gv2, d12 + gv3, f + cv2 * v2, d23 - gv1, d13 - gv2, d23 + gv1, f + cv3 * v3
+    return tangent_at(f, g, h, v)
 
 
-# operations 28: 11 +, 12 *, 5 /
+def tangent_inverse_at(fi: Any, hi: Any, v: Components) -> Result:
+    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    v1, v2, v3 = v
+    half1 = v1 / 2
+    half2 = v2 / 2
+    half3 = v3 / 2
+    hv1 = v1 * hi
+    hv2 = v2 * hi
+    hv3 = v3 * hi
+    d12 = hv1 * half2
+    d13 = hv1 * half3
+    d23 = hv2 * half3
+    return (
+        (fi + hv1 * v1) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + hv2 * v2) / 2, d23 + half1, d13 + half2,
+        d23 - half1, (fi + hv3 * v3) / 2,
+    )
+
+
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     fi, hi, _, _ = c.tangent_inv(m, x)
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    fih = fi / 2
-    hih = hi / 2
-    cv1 = v1 * hih
-    cv2 = v2 * hih
-    cv3 = v3 * hih
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    return fih + cv1 * v1, d12 - s3, d13 + s2, d12 + s3, fih + cv2 * v2, d23 - s1, d13 - s2, d23 + s1, fih + cv3 * v3
+    return tangent_inverse_at(fi, hi, v)
 
 
-# operations 24: 9 +, 15 *
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
+    """Tᵀ, which is T at −v, CP23 (86)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    return f + cv1 * v1, d12 + gv3, d13 - gv2, d12 - gv3, f + cv2 * v2, d23 + gv1, d13 + gv2, d23 - gv1, f + cv3 * v3
+    return tangent_at(f, g, h, (-v1, -v2, -v3))
 
 
-# operations 28: 11 +, 12 *, 5 /
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
+    """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     fi, hi, _, _ = c.tangent_inv(m, x)
-    s1 = v1 / -2
-    s2 = v2 / -2
-    s3 = v3 / -2
-    fih = fi / 2
-    hih = hi / 2
-    cv1 = v1 * hih
-    cv2 = v2 * hih
-    cv3 = v3 * hih
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    return fih + cv1 * v1, d12 + s3, d13 - s2, d12 - s3, fih + cv2 * v2, d23 + s1, d13 + s2, d23 - s1, fih + cv3 * v3
+    return tangent_inverse_at(fi, hi, (-v1, -v2, -v3))
 
 
-# operations 34: 11 +, 23 *
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -179,16 +181,15 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     gv2 = v2 * gs
     gv3 = v3 * gs
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = h * vw
+    hvw = h * vw
     return (
-        w1 * f + (gv2 * w3 - gv3 * w2) + v1 * cvw,
-        w2 * f + (gv3 * w1 - gv1 * w3) + v2 * cvw,
-        w3 * f + (gv1 * w2 - gv2 * w1) + v3 * cvw,
+        w1 * f + (gv2 * w3 - gv3 * w2) + v1 * hvw, w2 * f + (gv3 * w1 - gv1 * w3) + v2 * hvw,
+        w3 * f + (gv1 * w2 - gv2 * w1) + v3 * hvw,
     )
 
 
-# operations 37: 13 +, 24 *
 def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    """T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); with the side −1 the body's, T⁻ᵀ ω."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     side, half = table
@@ -197,19 +198,18 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     v33 = v3 * v3
     x = v11 + v22 + v33
     fi, hi, _, _ = c.tangent_inv(m, x)
-    fis = fi * side
     his = hi * side
     vw = v1 * w1 + v2 * w2 + v3 * w3
-    cvw = his * vw
+    hvw = his * vw
+    fis = fi * side
     return (
-        (w1 * fis + (w2 * v3 - w3 * v2) + v1 * cvw) * half,
-        (w2 * fis + (w3 * v1 - w1 * v3) + v2 * cvw) * half,
-        (w3 * fis + (w1 * v2 - w2 * v1) + v3 * cvw) * half,
+        (w1 * fis - (v2 * w3 - v3 * w2) + v1 * hvw) * half, (w2 * fis - (v3 * w1 - v1 * w3) + v2 * hvw) * half,
+        (w3 * fis - (v1 * w2 - v2 * w1) + v3 * hvw) * half,
     )
 
 
-# operations 57: 20 +, 36 *, 1 /
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -232,25 +232,18 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     b1 = v1 * ht + hw1
     b2 = v2 * ht + hw2
     b3 = v3 * ht + hw3
-    ft = fy * vw
     d12 = v1 * b2 + b1 * v2
     d13 = v1 * b3 + b1 * v3
     d23 = v2 * b3 + b2 * v3
+    ft = fy * vw
     return (
-        ft + 2 * (v1 * b1),
-        d12 - s3,
-        d13 + s2,
-        d12 + s3,
-        ft + 2 * (v2 * b2),
-        d23 - s1,
-        d13 - s2,
-        d23 + s1,
+        ft + 2 * (v1 * b1), d12 - s3, d13 + s2, d12 + s3, ft + 2 * (v2 * b2), d23 - s1, d13 - s2, d23 + s1,
         ft + 2 * (v3 * b3),
     )
 
 
-# operations 65: 24 +, 41 *
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
+    """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     z1, z2, z3 = v_ddot
@@ -273,14 +266,13 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     s2 = gz2 * side
     s3 = gz3 * side
     return (
-        z1 * f + w1 * fh + (v2 * s3 - v3 * s2) + v1 * cvv,
-        z2 * f + w2 * fh + (v3 * s1 - v1 * s3) + v2 * cvv,
+        z1 * f + w1 * fh + (v2 * s3 - v3 * s2) + v1 * cvv, z2 * f + w2 * fh + (v3 * s1 - v1 * s3) + v2 * cvv,
         z3 * f + w3 * fh + (v1 * s2 - v2 * s1) + v3 * cvv,
     )
 
 
-# operations 78: 30 +, 44 *, 4 /
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
+    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     z1, z2, z3 = omega_dot
@@ -311,8 +303,8 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     )
 
 
-# operations 64: 24 +, 40 *
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
+    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -335,20 +327,14 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     s2 = w2 * gs + t2 * h
     s3 = w3 * gs + t3 * h
     ha = h * vw
-    J11 = b1 * v1 + ha
-    J12 = b1 * v2 + s3
-    J13 = b1 * v3 - s2
-    J21 = b2 * v1 - s3
-    J22 = b2 * v2 + ha
-    J23 = b2 * v3 + s1
-    J31 = b3 * v1 + s2
-    J32 = b3 * v2 - s1
-    J33 = b3 * v3 + ha
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    return (
+        b1 * v1 + ha, b1 * v2 + s3, b1 * v3 - s2, b2 * v1 - s3, b2 * v2 + ha, b2 * v3 + s1, b3 * v1 + s2, b3 * v2 - s1,
+        b3 * v3 + ha,
+    )
 
 
-# operations 63: 23 +, 35 *, 5 /
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
+    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v)."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     side, = table
@@ -373,31 +359,31 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     s3 = w3 * hs - t3 * gt
     hih = hi / 2
     ha = hih * vw
-    J11 = v1 * b1 + ha
-    J12 = v1 * b2 - s3
-    J13 = v1 * b3 + s2
-    J21 = v2 * b1 + s3
-    J22 = v2 * b2 + ha
-    J23 = v2 * b3 - s1
-    J31 = v3 * b1 - s2
-    J32 = v3 * b2 + s1
-    J33 = v3 * b3 + ha
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    return (
+        v1 * b1 + ha, v1 * b2 - s3, v1 * b3 + s2, v2 * b1 + s3, v2 * b2 + ha, v2 * b3 - s1, v3 * b1 - s2, v3 * b2 + s1,
+        v3 * b3 + ha,
+    )
 
 
-# operations 3: 3 *
-def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    e0, e1, e2, e3 = e
-    gain, = c.gain_unit(m, e0, e1, e2, e3)
+def vector_of(gain: Any, e: Components) -> Result:
+    """v = gain vec e of a quaternion e."""
+    _, e1, e2, e3 = e
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
     return v1, v2, v3
 
 
-# operations 52: 14 +, 7 *, 7 lt, 3 eq, 3 and, 3 or, 15 where
-def from_tensor(m: Any, c: Any, R: Components) -> Result:
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = R
+def from_quaternion(m: Any, c: Any, e: Components) -> Result:
+    """v = gain vec q̂ of a unit dual quaternion, CP23 (47)."""
+    e0, e1, e2, e3 = e
+    gain, = c.gain_unit(m, e0, e1, e2, e3)
+    return vector_of(gain, e)
+
+
+def quaternion_of(m: Any, Q: Components) -> Result:
+    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0."""
+    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
     a2 = Q13 - Q31
     a3 = Q21 - Q12
@@ -430,27 +416,27 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
     z32 = m.where(larger3, s23, z22)
     z33 = m.where(larger3, t3, z23)
     sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    e0 = sign * z30
-    e1 = sign * z31
-    e2 = sign * z32
-    e3 = sign * z33
+    return sign * z30, sign * z31, sign * z32, sign * z33
+
+
+def from_tensor(m: Any, c: Any, R: Components) -> Result:
+    """v of a rotation Q, by its quaternion."""
+    e = quaternion_of(m, R)
+    e0, e1, e2, e3 = e
     gain, = c.gain_positive(m, e0, e1, e2, e3)
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
-    return v1, v2, v3
+    return vector_of(gain, e)
 
 
-# operations 3: 3 *
 def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Result:
+    """v = φ(α) u, over dual numbers."""
     alpha, = angle
     u1, u2, u3 = line
     r, _ = c.coefficient(m, alpha)
     return u1 * r, u2 * r, u3 * r
 
 
-# operations 28: 6 +, 10 *, 6 /, 3 abs, 1 sqrt, 1 eq, 1 where
-def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
+def axis_of(m: Any, v: Components) -> Result:
+    """r = |v| and u = v/|v|; u is NaN at v = 0."""
     v1, v2, v3 = v
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
     still = total == 0
@@ -462,7 +448,13 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
     u1 = s1 / root
     u2 = s2 / root
     u3 = s3 / root
-    r = total * root
+    return total * root, u1, u2, u3
+
+
+def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
+    """The angle α in [0, π] and the axis u, CP23 Theorem 3."""
+    v1, v2, v3 = v
+    r, u1, u2, u3 = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -471,8 +463,8 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
     return angle, u1 * sign, u2 * sign, u3 * sign
 
 
-# operations 10: 3 +, 3 *, 1 sqrt, 1 eq, 2 where
 def angle(m: Any, c: Any, v: Components) -> Result:
+    """The angle α of v on its own branch."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -484,8 +476,8 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     return m.where(resting, x, own),
 
 
-# operations 14: 3 +, 6 *, 1 /, 1 sqrt, 1 eq, 2 where
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
+    """α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -500,8 +492,8 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     return v1 * share, v2 * share, v3 * share
 
 
-# operations 15: 3 +, 6 *, 1 /, 1 sqrt, 1 eq, 3 where
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
+    """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
     w1, w2, w3 = w
     v11 = w1 * w1
     v22 = w2 * w2
@@ -517,40 +509,19 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     return w1 * share, w2 * share, w3 * share
 
 
-# operations 23: 4 +, 7 *, 6 /, 3 abs, 1 sqrt, 1 eq, 1 where
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
-    v1, v2, v3 = v
+    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    scale = m.where(still, 1, total)
-    s1 = v1 / scale
-    s2 = v2 / scale
-    s3 = v3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    r = total * root
+    r, u1, u2, u3 = axis_of(m, v)
     rk, _ = c.turned(m, r, cos, sin)
     return u1 * rk, u2 * rk, u3 * rk
 
 
-# operations 29: 6 +, 11 *, 6 /, 3 abs, 1 sqrt, 1 eq, 1 where
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
     v1, v2, v3 = v
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    scale = m.where(still, 1, total)
-    s1 = v1 / scale
-    s2 = v2 / scale
-    s3 = v3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    r = total * root
+    r, u1, u2, u3 = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -561,29 +532,19 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     return u1 * rk, u2 * rk, u3 * rk
 
 
-# operations 6: 6 +
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
     v1, v2, v3 = v
     none = v1 - v1 + (v2 - v2) + (v3 - v3)
     one = 1 + none
     return one, none, none, none, one, none, none, none, one
 
 
-# operations 43: 10 +, 20 *, 7 /, 3 abs, 1 sqrt, 1 eq, 1 where
 def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
     v1, v2, v3 = v
     cos, sin = table
-    total = m.abs(v1) + m.abs(v2) + m.abs(v3)
-    still = total == 0
-    scale = m.where(still, 1, total)
-    s1 = v1 / scale
-    s2 = v2 / scale
-    s3 = v3 / scale
-    root = m.sqrt(s1 * s1 + s2 * s2 + s3 * s3)
-    u1 = s1 / root
-    u2 = s2 / root
-    u3 = s3 / root
-    r = total * root
+    r, u1, u2, u3 = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -596,20 +557,14 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     su1 = u1 * spread
     su2 = u2 * spread
     su3 = u3 * spread
-    J12 = su1 * u2
-    J13 = su1 * u3
-    J21 = su2 * u1
-    J23 = su2 * u3
-    J31 = su3 * u1
-    J32 = su3 * u2
-    J11 = su1 * u1 + across
-    J22 = su2 * u2 + across
-    J33 = su3 * u3 + across
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    return (
+        su1 * u1 + across, su1 * u2, su1 * u3, su2 * u1, su2 * u2 + across, su2 * u3, su3 * u1, su3 * u2,
+        su3 * u3 + across,
+    )
 
 
-# operations 17: 3 +, 6 *, 3 /, 1 sqrt, 4 where
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
+    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -624,1012 +579,187 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     return m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3)
 
 
-# operations 47: 16 +, 31 *
-def compose(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3 = b
-    a1, a2, a3 = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, sizeb, _, _, _ = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    return v1, v2, v3
-
-
-# operations 50: 16 +, 31 *, 3 neg
-def between(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3 = a
-    b1, b2, b3 = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    ab, bb, sizeb, _, _, _ = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    return v1, v2, v3
-
-
-# operations 290: 110 +, 159 *, 18 /, 3 neg
-def compose_jacobians(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3 = b
-    a1, a2, a3 = a
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ab, bb, sizeb, fb, gb, _ = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gvb1 = b1 * gb
-    gvb2 = b2 * gb
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
+def displacement(m: Any, c: Any, v: Components) -> Result:
+    """A positive multiple e of the quaternion of v, its size, and f and g."""
+    v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    fiw, hiw, _, _ = c.tangent_inv(m, x)
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    cvw1 = v1 * hiw
-    cvw2 = v2 * hiw
-    cvw3 = v3 * hiw
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = fiw + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = fiw + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = fiw + cvw3 * v3
-    fS, gS, hS = c.pose(m, v11b, v22b, v33b)
-    gvS1 = b1 * gS
-    gvS2 = b2 * gS
-    gvS3 = b3 * gS
-    cvS1 = b1 * hS
-    cvS2 = b2 * hS
-    cvS3 = b3 * hS
-    d12S = cvS1 * b2
-    d13S = cvS1 * b3
-    d23S = cvS2 * b3
-    S11 = fS + cvS1 * b1
-    S12 = d12S - gvS3
-    S13 = d13S + gvS2
-    S21 = d12S + gvS3
-    S22 = fS + cvS2 * b2
-    S23 = d23S - gvS1
-    S31 = d13S - gvS2
-    S32 = d23S + gvS1
-    S33 = fS + cvS3 * b3
-    fF, gF, hF = c.pose(m, v11a, v22a, v33a)
-    gvF1 = a1 * gF
-    gvF2 = a2 * gF
-    gvF3 = a3 * gF
-    cvF1 = a1 * hF
-    cvF2 = a2 * hF
-    cvF3 = a3 * hF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fF + cvF1 * a1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * a2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * a3
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = b1 * fb
-    fvb2 = b2 * fb
-    fvb3 = b3 * fb
-    gvvb1 = gvb1 * b2
-    gvvb2 = gvb1 * b3
-    gvvb3 = gvb2 * b3
-    Qb11 = 1 - gb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - gb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - gb * x12b
-    B11 = (I11 * S11 + I12 * S21 + I13 * S31) / 2
-    B12 = (I11 * S12 + I12 * S22 + I13 * S32) / 2
-    B13 = (I11 * S13 + I12 * S23 + I13 * S33) / 2
-    B21 = (I21 * S11 + I22 * S21 + I23 * S31) / 2
-    B22 = (I21 * S12 + I22 * S22 + I23 * S32) / 2
-    B23 = (I21 * S13 + I22 * S23 + I23 * S33) / 2
-    B31 = (I31 * S11 + I32 * S21 + I33 * S31) / 2
-    B32 = (I31 * S12 + I32 * S22 + I33 * S32) / 2
-    B33 = (I31 * S13 + I32 * S23 + I33 * S33) / 2
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    return B11, B12, B13, B21, B22, B23, B31, B32, B33, A11, A12, A13, A21, A22, A23, A31, A32, A33
+    a, b, size, _, _, _ = c.ray(m, x)
+    return a, v1 * b, v2 * b, v3 * b, size
 
 
-# operations 302: 110 +, 159 *, 18 /, 15 neg
-def between_jacobians(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3 = a
-    b1, b2, b3 = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    x12b = v11b + v22b
-    xb = x12b + v33b
-    ab, bb, sizeb, fb, gb, _ = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, sizea, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    gvb1 = minus_b1 * gb
-    gvb2 = minus_b2 * gb
-    gain, = c.gain_product(m, z0, z1, z2, z3, sizeb, sizea)
-    v1 = z1 * gain
-    v2 = z2 * gain
-    v3 = z3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    fiw, hiw, _, _ = c.tangent_inv(m, x)
-    sw1 = -v1
-    sw2 = -v2
-    sw3 = -v3
-    cvw1 = v1 * hiw
-    cvw2 = v2 * hiw
-    cvw3 = v3 * hiw
-    d12w = cvw1 * v2
-    d13w = cvw1 * v3
-    d23w = cvw2 * v3
-    I11 = fiw + cvw1 * v1
-    I12 = d12w - sw3
-    I13 = d13w + sw2
-    I21 = d12w + sw3
-    I22 = fiw + cvw2 * v2
-    I23 = d23w - sw1
-    I31 = d13w - sw2
-    I32 = d23w + sw1
-    I33 = fiw + cvw3 * v3
-    fS, gS, hS = c.pose(m, v11b, v22b, v33b)
-    gvS1 = minus_b1 * gS
-    gvS2 = minus_b2 * gS
-    gvS3 = minus_b3 * gS
-    cvS1 = minus_b1 * hS
-    cvS2 = minus_b2 * hS
-    cvS3 = minus_b3 * hS
-    d12S = cvS1 * minus_b2
-    d13S = cvS1 * minus_b3
-    d23S = cvS2 * minus_b3
-    S11 = fS + cvS1 * minus_b1
-    S12 = d12S - gvS3
-    S13 = d13S + gvS2
-    S21 = d12S + gvS3
-    S22 = fS + cvS2 * minus_b2
-    S23 = d23S - gvS1
-    S31 = d13S - gvS2
-    S32 = d23S + gvS1
-    S33 = fS + cvS3 * minus_b3
-    fF, gF, hF = c.pose(m, v11a, v22a, v33a)
-    gvF1 = a1 * gF
-    gvF2 = a2 * gF
-    gvF3 = a3 * gF
-    cvF1 = a1 * hF
-    cvF2 = a2 * hF
-    cvF3 = a3 * hF
-    d12F = cvF1 * a2
-    d13F = cvF1 * a3
-    d23F = cvF2 * a3
-    F11 = fF + cvF1 * a1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * a2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * a3
-    x23b = v22b + v33b
-    x13b = v11b + v33b
-    fvb1 = minus_b1 * fb
-    fvb2 = minus_b2 * fb
-    fvb3 = minus_b3 * fb
-    gvvb1 = gvb1 * minus_b2
-    gvvb2 = gvb1 * minus_b3
-    gvvb3 = gvb2 * minus_b3
-    Qb11 = 1 - gb * x23b
-    Qb12 = gvvb1 - fvb3
-    Qb13 = gvvb2 + fvb2
-    Qb21 = gvvb1 + fvb3
-    Qb22 = 1 - gb * x13b
-    Qb23 = gvvb3 - fvb1
-    Qb31 = gvvb2 - fvb2
-    Qb32 = gvvb3 + fvb1
-    Qb33 = 1 - gb * x12b
-    RT11 = Qb11 * F11 + Qb12 * F21 + Qb13 * F31
-    RT12 = Qb11 * F12 + Qb12 * F22 + Qb13 * F32
-    RT13 = Qb11 * F13 + Qb12 * F23 + Qb13 * F33
-    RT21 = Qb21 * F11 + Qb22 * F21 + Qb23 * F31
-    RT22 = Qb21 * F12 + Qb22 * F22 + Qb23 * F32
-    RT23 = Qb21 * F13 + Qb22 * F23 + Qb23 * F33
-    RT31 = Qb31 * F11 + Qb32 * F21 + Qb33 * F31
-    RT32 = Qb31 * F12 + Qb32 * F22 + Qb33 * F32
-    RT33 = Qb31 * F13 + Qb32 * F23 + Qb33 * F33
-    A11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    A12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    A13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    A21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    A22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    A23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    A31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    A32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    A33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    B11 = -((I11 * S11 + I12 * S21 + I13 * S31) / 2)
-    B12 = -((I11 * S12 + I12 * S22 + I13 * S32) / 2)
-    B13 = -((I11 * S13 + I12 * S23 + I13 * S33) / 2)
-    B21 = -((I21 * S11 + I22 * S21 + I23 * S31) / 2)
-    B22 = -((I21 * S12 + I22 * S22 + I23 * S32) / 2)
-    B23 = -((I21 * S13 + I22 * S23 + I23 * S33) / 2)
-    B31 = -((I31 * S11 + I32 * S21 + I33 * S31) / 2)
-    B32 = -((I31 * S12 + I32 * S22 + I33 * S32) / 2)
-    B33 = -((I31 * S13 + I32 * S23 + I33 * S33) / 2)
-    return A11, A12, A13, A21, A22, A23, A31, A32, A33, B11, B12, B13, B21, B22, B23, B31, B32, B33
-
-
-# operations 145: 42 +, 57 *, 18 /, 1 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 3 lt, 2 eq, 13 where
-def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3 = v
-    d1, d2, d3 = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+def quaternion_product(e2: Components, e1: Components) -> Result:
+    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1)."""
+    p0, p1, p2, p3 = e2
+    q0, q1, q2, q3 = e1
+    return (
+        p0 * q0 - (p1 * q1 + p2 * q2 + p3 * q3), q1 * p0 + p1 * q0 + (p2 * q3 - p3 * q2),
+        q2 * p0 + p2 * q0 + (p3 * q1 - p1 * q3), q3 * p0 + p3 * q0 + (p1 * q2 - p2 * q1),
     )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    a, b, _, _, _, _ = c.ray(m, x)
-    bv1 = v1 * b
-    bv2 = v2 * b
-    bv3 = v3 * b
-    z0 = sd * a - (wd1 * bv1 + wd2 * bv2 + wd3 * bv3)
-    z1 = bv1 * sd + wd1 * a + (wd2 * bv3 - wd3 * bv2)
-    z2 = bv2 * sd + wd2 * a + (wd3 * bv1 - wd1 * bv3)
-    z3 = bv3 * sd + wd3 * a + (wd1 * bv2 - wd2 * bv1)
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    return v_1, v_2, v_3
 
 
-# operations 145: 42 +, 57 *, 18 /, 1 neg, 1 abs, 4 sqrt, 2 tan, 2 atan2, 3 lt, 2 eq, 13 where
-def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3 = v
-    d1, d2, d3 = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
+def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """The principal v of R(v2) R(v1), CP23 (58)."""
+    e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v1)
+    found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
+    e0, e1, e2, e3 = found
+    gain, = c.gain_product(m, e0, e1, e2, e3, size_2, size_1)
+    return vector_of(gain, found)
+
+
+def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    a1, a2, a3 = v1
+    return compose(m, c, (-a1, -a2, -a3), v2)
+
+
+def matrix_product(A: Components, B: Components) -> Result:
+    """A B."""
+    A11, A12, A13, A21, A22, A23, A31, A32, A33 = A
+    B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
+    return (
+        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
+        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
+        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
     )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    a, b, _, _, _, _ = c.ray(m, x)
-    bv1 = v1 * b
-    bv2 = v2 * b
-    bv3 = v3 * b
-    z0 = a * sd - (bv1 * wd1 + bv2 * wd2 + bv3 * wd3)
-    z1 = wd1 * a + bv1 * sd + (bv2 * wd3 - bv3 * wd2)
-    z2 = wd2 * a + bv2 * sd + (bv3 * wd1 - bv1 * wd3)
-    z3 = wd3 * a + bv3 * sd + (bv1 * wd2 - bv2 * wd1)
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    return v_1, v_2, v_3
 
 
-# operations 440: 160 +, 194 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
-def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3 = v
-    d1, d2, d3 = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    v11p = v1 * v1
-    v22p = v2 * v2
-    v33p = v3 * v3
-    xp = v11p + v22p + v33p
-    ap, bp, _, _, _, _ = c.ray(m, xp)
-    bvp1 = v1 * bp
-    bvp2 = v2 * bp
-    bvp3 = v3 * bp
-    z0 = sd * ap - (wd1 * bvp1 + wd2 * bvp2 + wd3 * bvp3)
-    z1 = bvp1 * sd + wd1 * ap + (wd2 * bvp3 - wd3 * bvp2)
-    z2 = bvp2 * sd + wd2 * ap + (wd3 * bvp1 - wd1 * bvp3)
-    z3 = bvp3 * sd + wd3 * ap + (wd1 * bvp2 - wd2 * bvp1)
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = xp == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + xp, xp))
-    own, = c.unfolded(m, xp, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    fin, hin, _, _ = c.tangent_inv_at(m, xw, fe, angle)
-    sn1 = -v_1
-    sn2 = -v_2
-    sn3 = -v_3
-    cvn1 = v_1 * hin
-    cvn2 = v_2 * hin
-    cvn3 = v_3 * hin
-    d12n = cvn1 * v_2
-    d13n = cvn1 * v_3
-    d23n = cvn2 * v_3
-    I11 = fin + cvn1 * v_1
-    I12 = d12n - sn3
-    I13 = d13n + sn2
-    I21 = d12n + sn3
-    I22 = fin + cvn2 * v_2
-    I23 = d23n - sn1
-    I31 = d13n - sn2
-    I32 = d23n + sn1
-    I33 = fin + cvn3 * v_3
-    cvd1 = d1 * hd
-    cvd2 = d2 * hd
-    cvd3 = d3 * hd
-    d12d = cvd1 * d2
-    d13d = cvd1 * d3
-    d23d = cvd2 * d3
-    D11 = fd + cvd1 * d1
-    D12 = d12d - gvd3
-    D13 = d13d + gvd2
-    D21 = d12d + gvd3
-    D22 = fd + cvd2 * d2
-    D23 = d23d - gvd1
-    D31 = d13d - gvd2
-    D32 = d23d + gvd1
-    D33 = fd + cvd3 * d3
-    fF, gF, hF = c.pose(m, v11p, v22p, v33p)
-    gvF1 = v1 * gF
-    gvF2 = v2 * gF
-    gvF3 = v3 * gF
-    cvF1 = v1 * hF
-    cvF2 = v2 * hF
-    cvF3 = v3 * hF
-    d12F = cvF1 * v2
-    d13F = cvF1 * v3
-    d23F = cvF2 * v3
-    F11 = fF + cvF1 * v1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * v2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * v3
-    x23d = v22d + v33d
-    x13d = v11d + v33d
-    fvd1 = d1 * fd
-    fvd2 = d2 * fd
-    fvd3 = d3 * fd
-    gvvd1 = gvd1 * d2
-    gvvd2 = gvd1 * d3
-    gvvd3 = gvd2 * d3
-    Qd11 = 1 - gd * x23d
-    Qd12 = gvvd1 - fvd3
-    Qd13 = gvvd2 + fvd2
-    Qd21 = gvvd1 + fvd3
-    Qd22 = 1 - gd * x13d
-    Qd23 = gvvd3 - fvd1
-    Qd31 = gvvd2 - fvd2
-    Qd32 = gvvd3 + fvd1
-    Qd33 = 1 - gd * part
-    RT11 = Qd11 * F11 + Qd12 * F21 + Qd13 * F31
-    RT12 = Qd11 * F12 + Qd12 * F22 + Qd13 * F32
-    RT13 = Qd11 * F13 + Qd12 * F23 + Qd13 * F33
-    RT21 = Qd21 * F11 + Qd22 * F21 + Qd23 * F31
-    RT22 = Qd21 * F12 + Qd22 * F22 + Qd23 * F32
-    RT23 = Qd21 * F13 + Qd22 * F23 + Qd23 * F33
-    RT31 = Qd31 * F11 + Qd32 * F21 + Qd33 * F31
-    RT32 = Qd31 * F12 + Qd32 * F22 + Qd33 * F32
-    RT33 = Qd31 * F13 + Qd32 * F23 + Qd33 * F33
-    V11 = (I11 * RT11 + I12 * RT21 + I13 * RT31) / 2
-    V12 = (I11 * RT12 + I12 * RT22 + I13 * RT32) / 2
-    V13 = (I11 * RT13 + I12 * RT23 + I13 * RT33) / 2
-    V21 = (I21 * RT11 + I22 * RT21 + I23 * RT31) / 2
-    V22 = (I21 * RT12 + I22 * RT22 + I23 * RT32) / 2
-    V23 = (I21 * RT13 + I22 * RT23 + I23 * RT33) / 2
-    V31 = (I31 * RT11 + I32 * RT21 + I33 * RT31) / 2
-    V32 = (I31 * RT12 + I32 * RT22 + I33 * RT32) / 2
-    V33 = (I31 * RT13 + I32 * RT23 + I33 * RT33) / 2
-    S11 = (I11 * D11 + I12 * D21 + I13 * D31) / 2
-    S12 = (I11 * D12 + I12 * D22 + I13 * D32) / 2
-    S13 = (I11 * D13 + I12 * D23 + I13 * D33) / 2
-    S21 = (I21 * D11 + I22 * D21 + I23 * D31) / 2
-    S22 = (I21 * D12 + I22 * D22 + I23 * D32) / 2
-    S23 = (I21 * D13 + I22 * D23 + I23 * D33) / 2
-    S31 = (I31 * D11 + I32 * D21 + I33 * D31) / 2
-    S32 = (I31 * D12 + I32 * D22 + I33 * D32) / 2
-    S33 = (I31 * D13 + I32 * D23 + I33 * D33) / 2
-    return V11, V12, V13, V21, V22, V23, V31, V32, V33, S11, S12, S13, S21, S22, S23, S31, S32, S33
+def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    v = compose(m, c, v2, v1)
+    I = tangent_inv(m, c, v)
+    S = tangent(m, c, v2)
+    T = tangent(m, c, v1)
+    R = tensor(m, c, v2)
+    RT = matrix_product(R, T)
+    P = matrix_product(I, S)
+    N = matrix_product(I, RT)
+    return *P, *N
 
 
-# operations 442: 160 +, 196 *, 47 /, 4 neg, 1 abs, 4 sqrt, 3 tan, 2 atan2, 5 lt, 2 eq, 18 where
-def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    v1, v2, v3 = v
-    d1, d2, d3 = delta
-    v11d = d1 * d1
-    v22d = d2 * d2
-    v33d = d3 * d3
-    part = v11d + v22d
-    xd = part + v33d
-    neard = xd < 6
-    zd = m.where(neard, xd, xd - xd) / 4
-    C7d = (
-        (72 - zd * ((3603600 - zd * (32760 - zd * (210 - zd * ((93024 - zd * (342 - zd * ((212520 - zd * (506 - zd))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5d = (1 - 120 * (zd * C7d)) / 120
-    C3d = (1 - 6 * (zd * C5d)) / 6
-    C1d = 1 - zd * C3d
-    CC1d = C1d * C1d
-    C0d = m.sqrt(1 - zd * CC1d)
-    xxd = m.where(neard, 6 + xd, xd)
-    alphad = m.sqrt(xxd)
-    td = m.tan(alphad / 4)
-    ttd = td * td
-    belowd = 1 + ttd
-    sd = m.where(neard, C0d, (1 - ttd) / belowd)
-    wd = m.where(neard, C1d / 2, 2 * td / belowd / alphad)
-    wd1 = d1 * wd
-    wd2 = d2 * wd
-    wd3 = d3 * wd
-    thalfd = m.tan(alphad / 2)
-    tthalfd = thalfd * thalfd
-    belowhalfd = 1 + tthalfd
-    sined = 2 * thalfd / belowhalfd
-    versined = m.where(tthalfd < 16, 2 * tthalfd / belowhalfd, 2 - 2 / belowhalfd)
-    besided = alphad - 4
-    v33d_in = xd - part
-    v22d_in = part - v11d
-    leftd = (
-        xxd - 16 - 8 * besided - besided * besided + (v11d - (part - v22d_in) + (v22d - v22d_in) + (part - (xd
-        - v33d_in) + (v33d - v33d_in)))
-    )
-    lostd = m.where(alphad < 8, leftd, 0) / (2 * alphad)
-    fd = m.where(neard, C0d * C1d, (sined + lostd * (1 - versined)) / alphad)
-    gd = m.where(neard, CC1d / 2, (versined + lostd * sined) / xxd)
-    C01d = 1 + C0d
-    C2d = CC1d / C01d
-    hd = m.where(neard, (C3d + C1d * C2d) / 4, (1 - fd) / xxd)
-    gvd1 = d1 * gd
-    gvd2 = d2 * gd
-    gvd3 = d3 * gd
-    v11p = v1 * v1
-    v22p = v2 * v2
-    v33p = v3 * v3
-    x12p = v11p + v22p
-    xp = x12p + v33p
-    ap, bp, _, fp, gp, _ = c.ray(m, xp)
-    bvp1 = v1 * bp
-    bvp2 = v2 * bp
-    bvp3 = v3 * bp
-    gvp1 = v1 * gp
-    gvp2 = v2 * gp
-    z0 = ap * sd - (bvp1 * wd1 + bvp2 * wd2 + bvp3 * wd3)
-    z1 = wd1 * ap + bvp1 * sd + (bvp2 * wd3 - bvp3 * wd2)
-    z2 = wd2 * ap + bvp2 * sd + (bvp3 * wd1 - bvp1 * wd3)
-    z3 = wd3 * ap + bvp3 * sd + (bvp1 * wd2 - bvp2 * wd1)
-    ss = z1 * z1 + z2 * z2 + z3 * z3
-    still = ss == 0
-    resting = xp == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + xp, xp))
-    own, = c.unfolded(m, xp, r)
-    own_ = m.where(resting, 0, own / r) * (v1 * z1 + v2 * z2 + v3 * z3) / length
-    sine = m.where(still, ss, length)
-    falling = z0 < 0
-    cosine = m.where(falling, -z0, z0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = own_ - folded + 2 * m.atan2(m.tan((folded - own_) / 2), 1)
-    angle = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, angle, sine, z0)
-    z0s = m.where(still, z0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    v_1 = z1 * factor
-    v_2 = z2 * factor
-    v_3 = z3 * factor
-    fe = factor * z0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
-    fin, hin, _, _ = c.tangent_inv_at(m, xw, fe, angle)
-    sn1 = -v_1
-    sn2 = -v_2
-    sn3 = -v_3
-    cvn1 = v_1 * hin
-    cvn2 = v_2 * hin
-    cvn3 = v_3 * hin
-    d12n = cvn1 * v_2
-    d13n = cvn1 * v_3
-    d23n = cvn2 * v_3
-    I11 = fin + cvn1 * v_1
-    I12 = d12n - sn3
-    I13 = d13n + sn2
-    I21 = d12n + sn3
-    I22 = fin + cvn2 * v_2
-    I23 = d23n - sn1
-    I31 = d13n - sn2
-    I32 = d23n + sn1
-    I33 = fin + cvn3 * v_3
-    cvd1 = d1 * hd
-    cvd2 = d2 * hd
-    cvd3 = d3 * hd
-    d12d = cvd1 * d2
-    d13d = cvd1 * d3
-    d23d = cvd2 * d3
-    D11 = fd + cvd1 * d1
-    D12 = d12d - gvd3
-    D13 = d13d + gvd2
-    D21 = d12d + gvd3
-    D22 = fd + cvd2 * d2
-    D23 = d23d - gvd1
-    D31 = d13d - gvd2
-    D32 = d23d + gvd1
-    D33 = fd + cvd3 * d3
-    fF, gF, hF = c.pose(m, v11p, v22p, v33p)
-    gvF1 = v1 * gF
-    gvF2 = v2 * gF
-    gvF3 = v3 * gF
-    cvF1 = v1 * hF
-    cvF2 = v2 * hF
-    cvF3 = v3 * hF
-    d12F = cvF1 * v2
-    d13F = cvF1 * v3
-    d23F = cvF2 * v3
-    F11 = fF + cvF1 * v1
-    F12 = d12F - gvF3
-    F13 = d13F + gvF2
-    F21 = d12F + gvF3
-    F22 = fF + cvF2 * v2
-    F23 = d23F - gvF1
-    F31 = d13F - gvF2
-    F32 = d23F + gvF1
-    F33 = fF + cvF3 * v3
-    x23p = v22p + v33p
-    x13p = v11p + v33p
-    fvp1 = v1 * fp
-    fvp2 = v2 * fp
-    fvp3 = v3 * fp
-    gvvp1 = gvp1 * v2
-    gvvp2 = gvp1 * v3
-    gvvp3 = gvp2 * v3
-    Qp11 = 1 - gp * x23p
-    Qp12 = gvvp1 - fvp3
-    Qp13 = gvvp2 + fvp2
-    Qp21 = gvvp1 + fvp3
-    Qp22 = 1 - gp * x13p
-    Qp23 = gvvp3 - fvp1
-    Qp31 = gvvp2 - fvp2
-    Qp32 = gvvp3 + fvp1
-    Qp33 = 1 - gp * x12p
-    RD11 = Qp11 * D11 + Qp12 * D21 + Qp13 * D31
-    RD12 = Qp11 * D12 + Qp12 * D22 + Qp13 * D32
-    RD13 = Qp11 * D13 + Qp12 * D23 + Qp13 * D33
-    RD21 = Qp21 * D11 + Qp22 * D21 + Qp23 * D31
-    RD22 = Qp21 * D12 + Qp22 * D22 + Qp23 * D32
-    RD23 = Qp21 * D13 + Qp22 * D23 + Qp23 * D33
-    RD31 = Qp31 * D11 + Qp32 * D21 + Qp33 * D31
-    RD32 = Qp31 * D12 + Qp32 * D22 + Qp33 * D32
-    RD33 = Qp31 * D13 + Qp32 * D23 + Qp33 * D33
-    V11 = (I11 * F11 + I12 * F21 + I13 * F31) / 2
-    V12 = (I11 * F12 + I12 * F22 + I13 * F32) / 2
-    V13 = (I11 * F13 + I12 * F23 + I13 * F33) / 2
-    V21 = (I21 * F11 + I22 * F21 + I23 * F31) / 2
-    V22 = (I21 * F12 + I22 * F22 + I23 * F32) / 2
-    V23 = (I21 * F13 + I22 * F23 + I23 * F33) / 2
-    V31 = (I31 * F11 + I32 * F21 + I33 * F31) / 2
-    V32 = (I31 * F12 + I32 * F22 + I33 * F32) / 2
-    V33 = (I31 * F13 + I32 * F23 + I33 * F33) / 2
-    S11 = (I11 * RD11 + I12 * RD21 + I13 * RD31) / 2
-    S12 = (I11 * RD12 + I12 * RD22 + I13 * RD32) / 2
-    S13 = (I11 * RD13 + I12 * RD23 + I13 * RD33) / 2
-    S21 = (I21 * RD11 + I22 * RD21 + I23 * RD31) / 2
-    S22 = (I21 * RD12 + I22 * RD22 + I23 * RD32) / 2
-    S23 = (I21 * RD13 + I22 * RD23 + I23 * RD33) / 2
-    S31 = (I31 * RD11 + I32 * RD21 + I33 * RD31) / 2
-    S32 = (I31 * RD12 + I32 * RD22 + I33 * RD32) / 2
-    S33 = (I31 * RD13 + I32 * RD23 + I33 * RD33) / 2
-    return V11, V12, V13, V21, V22, V23, V31, V32, V33, S11, S12, S13, S21, S22, S23, S31, S32, S33
-
-
-# operations 70: 18 +, 38 *, 1 /, 4 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
-def local(m: Any, c: Any, b: Components, a: Components) -> Result:
-    b1, b2, b3 = b
-    a1, a2, a3 = a
+def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    a1, a2, a3 = v1
     minus_a1 = -a1
     minus_a2 = -a2
     minus_a3 = -a3
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, _, _, _ = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    v11a = minus_a1 * minus_a1
-    v22a = minus_a2 * minus_a2
-    v33a = minus_a3 * minus_a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, _, _, _ = c.ray(m, xa)
-    bva1 = minus_a1 * ba
-    bva2 = minus_a2 * ba
-    bva3 = minus_a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
+    v = compose(m, c, (minus_a1, minus_a2, minus_a3), v2)
+    I = tangent_inv(m, c, v)
+    S = tangent(m, c, (minus_a1, minus_a2, minus_a3))
+    T = tangent(m, c, v2)
+    R = tensor(m, c, (minus_a1, minus_a2, minus_a3))
+    RT = matrix_product(R, T)
+    P11, P12, P13, P21, P22, P23, P31, P32, P33 = matrix_product(I, S)
+    N = matrix_product(I, RT)
+    return *N, -P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33
+
+
+def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """v of exp(δ) R(v), of its branches the one nearest v."""
+    d1, d2, d3 = delta
+    s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
+    w1, w2, w3, _, _ = nearest(m, c, v, found_)
+    return w1, w2, w3
+
+
+def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """v of R(v) exp(δ), of its branches the one nearest v."""
+    d1, d2, d3 = delta
+    s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((e0_1, e1_1, e2_1, e3_1), (s, d1 * w, d2 * w, d3 * w))
+    w1, w2, w3, _, _ = nearest(m, c, v, found_)
+    return w1, w2, w3
+
+
+def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    d1, d2, d3 = delta
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
+    w1, w2, w3, fe, angle = nearest(m, c, v, found_)
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    fi, hi, _, _ = c.tangent_inv_at(m, x, fe, angle)
+    I = tangent_inverse_at(fi, hi, (w1, w2, w3))
+    R = tensor_at(f, g, delta)
+    T = tangent(m, c, v)
+    RT = matrix_product(R, T)
+    D = tangent_at(f, g, h, delta)
+    P = matrix_product(I, RT)
+    N = matrix_product(I, D)
+    return *P, *N
+
+
+def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
+    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    v1, v2, v3 = v
+    d1, d2, d3 = delta
+    return retract_jacobians(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
+
+
+def logarithm(m: Any, e: Components) -> Result:
+    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e."""
+    e0, e1, e2, e3 = e
+    negative = e0 < 0
+    cos = m.where(negative, -e0, e0)
+    ss = e1 * e1 + e2 * e2 + e3 * e3
+    still = ss == 0
+    sin = m.sqrt(m.where(still, cos, ss))
+    angle = 2 * m.atan2(sin, cos)
+    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    d1 = e1 * gain
+    d2 = e2 * gain
+    d3 = e3 * gain
     return d1, d2, d3
 
 
-# operations 70: 18 +, 38 *, 1 /, 4 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
-def body_local(m: Any, c: Any, a: Components, b: Components) -> Result:
-    a1, a2, a3 = a
-    b1, b2, b3 = b
-    minus_b1 = -b1
-    minus_b2 = -b2
-    minus_b3 = -b3
-    v11b = minus_b1 * minus_b1
-    v22b = minus_b2 * minus_b2
-    v33b = minus_b3 * minus_b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, _, _, _ = c.ray(m, xb)
-    bvb1 = minus_b1 * bb
-    bvb2 = minus_b2 * bb
-    bvb3 = minus_b3 * bb
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    z0 = ab * aa - (bvb1 * bva1 + bvb2 * bva2 + bvb3 * bva3)
-    z1 = bva1 * ab + bvb1 * aa + (bvb2 * bva3 - bvb3 * bva2)
-    z2 = bva2 * ab + bvb2 * aa + (bvb3 * bva1 - bvb1 * bva3)
-    z3 = bva3 * ab + bvb3 * aa + (bvb1 * bva2 - bvb2 * bva1)
-    negativee = z0 < 0
-    cose = m.where(negativee, -z0, z0)
-    sse = z1 * z1 + z2 * z2 + z3 * z3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = z1 * gaine
-    d2 = z2 * gaine
-    d3 = z3 * gaine
-    return d1, d2, d3
+def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    a1, a2, a3 = v1
+    e0_2, e1_2, e2_2, e3_2, _ = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, (-a1, -a2, -a3))
+    found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
+    return logarithm(m, found)
 
 
-# operations 289: 76 +, 122 *, 23 /, 4 neg, 7 abs, 7 sqrt, 1 tan, 3 atan2, 8 lt, 5 eq, 1 and, 3 or, 29 where
-def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) -> Result:
-    a1, a2, a3 = a
-    b1, b2, b3 = b
+def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
+    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    b1, b2, b3 = v2
+    a1, a2, a3 = v1
+    return local(m, c, (-a1, -a2, -a3), (-b1, -b2, -b3))
+
+
+def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components) -> Result:
+    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    a1, a2, a3 = v1
     t, = time
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
-    aa, ba, _, _, _, _ = c.ray(m, xa)
-    bva1 = a1 * ba
-    bva2 = a2 * ba
-    bva3 = a3 * ba
-    v11b = b1 * b1
-    v22b = b2 * b2
-    v33b = b3 * b3
-    xb = v11b + v22b + v33b
-    ab, bb, _, _, _, _ = c.ray(m, xb)
-    bvb1 = b1 * bb
-    bvb2 = b2 * bb
-    bvb3 = b3 * bb
-    minus_bva1 = -bva1
-    minus_bva2 = -bva2
-    minus_bva3 = -bva3
-    e0 = ab * aa - (bvb1 * minus_bva1 + bvb2 * minus_bva2 + bvb3 * minus_bva3)
-    e1 = minus_bva1 * ab + bvb1 * aa + (bvb2 * minus_bva3 - bvb3 * minus_bva2)
-    e2 = minus_bva2 * ab + bvb2 * aa + (bvb3 * minus_bva1 - bvb1 * minus_bva3)
-    e3 = minus_bva3 * ab + bvb3 * aa + (bvb1 * minus_bva2 - bvb2 * minus_bva1)
-    negativee = e0 < 0
-    cose = m.where(negativee, -e0, e0)
-    sse = e1 * e1 + e2 * e2 + e3 * e3
-    stille = sse == 0
-    sine = m.sqrt(m.where(stille, cose, sse))
-    anglee = 2 * m.atan2(sine, cose)
-    gaine = m.where(negativee, -1, 1) * (m.where(stille, 2 * cose, anglee) / m.where(stille, cose * cose, sine))
-    d1 = e1 * gaine
-    d2 = e2 * gaine
-    d3 = e3 * gaine
+    d1, d2, d3 = local(m, c, v2, v1)
     td1 = t * d1
     td2 = t * d2
     td3 = t * d3
-    v11t = td1 * td1
-    v22t = td2 * td2
-    v33t = td3 * td3
-    part_ = v11t + v22t
-    xt = part_ + v33t
-    neart = xt < 6
-    zt = m.where(neart, xt, xt - xt) / 4
-    C7t = (
-        (72 - zt * ((3603600 - zt * (32760 - zt * (210 - zt * ((93024 - zt * (342 - zt * ((212520 - zt * (506 - zt))
-        / 212520))) / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5t = (1 - 120 * (zt * C7t)) / 120
-    C3t = (1 - 6 * (zt * C5t)) / 6
-    C1t = 1 - zt * C3t
-    CC1t = C1t * C1t
-    C0t = m.sqrt(1 - zt * CC1t)
-    xxt = m.where(neart, 6 + xt, xt)
-    alphat = m.sqrt(xxt)
-    tt = m.tan(alphat / 4)
-    ttt = tt * tt
-    belowt = 1 + ttt
-    st = m.where(neart, C0t, (1 - ttt) / belowt)
-    wt = m.where(neart, C1t / 2, 2 * tt / belowt / alphat)
-    wd1 = td1 * wt
-    wd2 = td2 * wt
-    wd3 = td3 * wt
-    z0 = st * aa - (wd1 * bva1 + wd2 * bva2 + wd3 * bva3)
-    z1 = bva1 * st + wd1 * aa + (wd2 * bva3 - wd3 * bva2)
-    z2 = bva2 * st + wd2 * aa + (wd3 * bva1 - wd1 * bva3)
-    z3 = bva3 * st + wd3 * aa + (wd1 * bva2 - wd2 * bva1)
+    s, w, _, _, _, _, _, _ = exponential_scalars(m, (td1, td2, td3))
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v1)
+    wd1 = td1 * w
+    wd2 = td2 * w
+    wd3 = td3 * w
+    e0, e1, e2, e3 = quaternion_product((s, wd1, wd2, wd3), (e0_1, e1_1, e2_1, e3_1))
+    v11a = a1 * a1
+    v22a = a2 * a2
+    v33a = a3 * a3
+    xa = v11a + v22a + v33a
     resting = xa == 0
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)
-    own_ = m.where(resting, xa, own)
+    alpha = m.where(resting, xa, own)
     along1 = a1 / r
     along2 = a2 / r
     along3 = a3 / r
@@ -1638,376 +768,124 @@ def interpolate(m: Any, c: Any, a: Components, b: Components, time: Components) 
     axis2 = along2 / unit
     axis3 = along3 / unit
     gone = td1 * axis1 + td2 * axis2 + td3 * axis3
-    end = m.abs(own_ + gone)
+    end = m.abs(alpha + gone)
     apart = (
-        (own_ < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
+        (alpha < 3) & (resting | (25 * end < 157)) | (r < r + (m.abs(d2 * a3 - d3 * a2) + m.abs(d3 * a1 - d1 * a3)
         + m.abs(d1 * a2 - d2 * a1)) / 64)
     )
-    side = m.where(bva1 * a1 + bva2 * a2 + bva3 * a3 < 0, -1, 1)
-    ss1 = bva1 * bva1 + bva2 * bva2 + bva3 * bva3
+    side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
+    ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
     root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
-    sine1 = m.where(apart, m.where(still1, ss1, side * root1), bva1 * axis1 + bva2 * axis2 + bva3 * axis3)
+    sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
-    half1 = m.atan2(sign1 * sine1, sign1 * aa)
-    sst = z1 * z1 + z2 * z2 + z3 * z3
+    half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
+    sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
     roott = m.sqrt(m.where(stillt, 1 + sst, sst))
-    sinet_ = m.where(apart, m.where(stillt, sst, side * roott), z1 * axis1 + z2 * axis2 + z3 * axis3)
-    halft = m.atan2(sign1 * sinet_, sign1 * z0)
+    sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
+    halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
-    turns = own_ + m.where(apart, -2 * half1, gone - halft_by_2)
-    still = sinet_ == 0
-    angle = m.where(still, sinet_, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
+    turns = alpha + m.where(apart, -2 * half1, gone - halft_by_2)
+    still = sinet == 0
+    angle = m.where(still, sinet, m.where(m.abs(turns) < 1, 0, turns) + halft_by_2)
     rn, slopen = c.coefficient(m, angle)
-    z0s = m.where(still, z0, 1)
-    nosine = m.where(still, 1 + sinet_, sinet_)
+    z0s = m.where(still, e0, 1)
+    nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
-    clear = apart | (m.abs(z0) < m.abs(sinet_))
-    v_1 = m.where(clear, z1 * factor, axis1 * rn)
-    v_2 = m.where(clear, z2 * factor, axis2 * rn)
-    v_3 = m.where(clear, z3 * factor, axis3 * rn)
+    clear = apart | (m.abs(e0) < m.abs(sinet))
+    v_1 = m.where(clear, e1 * factor, axis1 * rn)
+    v_2 = m.where(clear, e2 * factor, axis2 * rn)
+    v_3 = m.where(clear, e3 * factor, axis3 * rn)
     return v_1, v_2, v_3
 
 
-# operations 26: 12 +, 14 *
 def adjoint(m: Any, c: Any, v: Components) -> Result:
+    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, _ = c.pose(m, v11, v22, v33)
-    x23 = v22 + v33
-    x13 = v11 + v33
-    x12 = v11 + v22
-    fv1 = v1 * f
-    fv2 = v2 * f
-    fv3 = v3 * f
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gvv1 = gv1 * v2
-    gvv2 = gv1 * v3
-    gvv3 = gv2 * v3
-    Q11 = 1 - g * x23
-    Q12 = gvv1 - fv3
-    Q13 = gvv2 + fv2
-    Q21 = gvv1 + fv3
-    Q22 = 1 - g * x13
-    Q23 = gvv3 - fv1
-    Q31 = gvv2 - fv2
-    Q32 = gvv3 + fv1
-    Q33 = 1 - g * x12
-    return Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33
+    return tensor_at(f, g, v)
 
 
-# operations 114: 42 +, 60 *, 12 neg
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r."""
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
-    v_r1 = v2 * r3 - v3 * r2
-    v_r2 = v3 * r1 - v1 * r3
-    v_r3 = v1 * r2 - v2 * r1
-    gv_r1 = v_r1 * g
-    gv_r2 = v_r2 * g
-    gv_r3 = v_r3 * g
-    moved1 = r1 + (v_r1 * f + (v2 * gv_r3 - v3 * gv_r2))
-    moved2 = r2 + (v_r2 * f + (v3 * gv_r1 - v1 * gv_r3))
-    moved3 = r3 + (v_r3 * f + (v1 * gv_r2 - v2 * gv_r1))
-    cv1 = v1 * h
-    cv2 = v2 * h
-    cv3 = v3 * h
-    d12 = cv1 * v2
-    d13 = cv1 * v3
-    d23 = cv2 * v3
-    T11 = f + cv1 * v1
-    T12 = d12 - gv3
-    T13 = d13 + gv2
-    T21 = d12 + gv3
-    T22 = f + cv2 * v2
-    T23 = d23 - gv1
-    T31 = d13 - gv2
-    T32 = d23 + gv1
-    T33 = f + cv3 * v3
-    minus_moved3 = -moved3
-    minus_moved1 = -moved1
-    minus_moved2 = -moved2
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
     fv1 = v1 * f
     fv2 = v2 * f
     fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
     gvv1 = gv1 * v2
     gvv2 = gv1 * v3
     gvv3 = gv2 * v3
+    T11, T12, T13, T21, T22, T23, T31, T32, T33 = tangent_at(f, g, h, v)
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    moved1 = r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2))
+    moved2 = r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3))
+    moved3 = r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1))
     return (
-        -(minus_moved3 * T21 + moved2 * T31),
-        -(minus_moved3 * T22 + moved2 * T32),
-        -(minus_moved3 * T23 + moved2 * T33),
-        -(moved3 * T11 + minus_moved1 * T31),
-        -(moved3 * T12 + minus_moved1 * T32),
-        -(moved3 * T13 + minus_moved1 * T33),
-        -(minus_moved2 * T11 + moved1 * T21),
-        -(minus_moved2 * T12 + moved1 * T22),
-        -(minus_moved2 * T13 + moved1 * T23),
-        1 - g * x23,
-        gvv1 - fv3,
-        gvv2 + fv2,
-        gvv1 + fv3,
-        1 - g * x13,
-        gvv3 - fv1,
-        gvv2 - fv2,
-        gvv3 + fv1,
-        1 - g * x12,
+        -(T31 * moved2 - T21 * moved3), -(T32 * moved2 - T22 * moved3), -(T33 * moved2 - T23 * moved3),
+        -(T11 * moved3 - T31 * moved1), -(T12 * moved3 - T32 * moved1), -(T13 * moved3 - T33 * moved1),
+        -(T21 * moved1 - T11 * moved2), -(T22 * moved1 - T12 * moved2), -(T23 * moved1 - T13 * moved2), 1 - g * x23,
+        gvv1 - fv3, gvv2 + fv2, gvv1 + fv3, 1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
     )
 
 
 KERNELS: Mapping[str, Kernel] = {
-    "quaternion": Kernel(
-        quaternion,
-        (("v", (3,)),),
-        (4,),
-        real=False,
-    ),
-    "tensor": Kernel(
-        tensor,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "transform_point": Kernel(
-        transform_point,
-        (("v", (3,)), ("r", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "inverse": Kernel(
-        inverse,
-        (("v", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "tangent": Kernel(
-        tangent,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "tangent_inv": Kernel(
-        tangent_inv,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "body_tangent": Kernel(
-        body_tangent,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "body_tangent_inv": Kernel(
-        body_tangent_inv,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "twist": Kernel(
-        twist,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "rate": Kernel(
-        rate,
-        (("v", (3,)), ("omega", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "tangent_dot": Kernel(
-        tangent_dot,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "twist_dot": Kernel(
-        twist_dot,
-        (("v", (3,)), ("v_dot", (3,)), ("v_ddot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "rate_dot": Kernel(
-        rate_dot,
-        (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "twist_jacobian": Kernel(
-        twist_jacobian,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "rate_jacobian": Kernel(
-        rate_jacobian,
-        (("v", (3,)), ("omega", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "from_quaternion": Kernel(
-        from_quaternion,
-        (("q", (4,)),),
-        (3,),
-        real=True,
-    ),
-    "from_tensor": Kernel(
-        from_tensor,
-        (("R", (3, 3)),),
-        (3,),
-        real=True,
-    ),
-    "from_angle_axis": Kernel(
-        from_angle_axis,
-        (("angle", ()), ("u", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "to_angle_axis": Kernel(
-        to_angle_axis,
-        (("v", (3,)),),
-        (4,),
-        real=True,
-    ),
-    "angle": Kernel(
-        angle,
-        (("v", (3,)),),
-        (),
-        real=True,
-    ),
-    "to_exponential": Kernel(
-        to_exponential,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "from_exponential": Kernel(
-        from_exponential,
-        (("w", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "turn": Kernel(
-        turn,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "shadow": Kernel(
-        shadow,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "identity_jacobian": Kernel(
-        identity_jacobian,
-        (("v", (3,)),),
-        (3, 3),
-        real=True,
-    ),
-    "shadow_jacobian": Kernel(
-        shadow_jacobian,
-        (("v", (3,)),),
-        (3, 3),
-        real=True,
-    ),
-    "principal": Kernel(
-        principal,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "compose": Kernel(
-        compose,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "between": Kernel(
-        between,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "compose_jacobians": Kernel(
-        compose_jacobians,
-        (("v2", (3,)), ("v1", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "between_jacobians": Kernel(
-        between_jacobians,
-        (("v2", (3,)), ("v1", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "retract": Kernel(
-        retract,
-        (("v", (3,)), ("delta", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "body_retract": Kernel(
-        body_retract,
-        (("v", (3,)), ("delta", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "retract_jacobians": Kernel(
-        retract_jacobians,
-        (("v", (3,)), ("delta", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "body_retract_jacobians": Kernel(
-        body_retract_jacobians,
-        (("v", (3,)), ("delta", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "local": Kernel(
-        local,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "body_local": Kernel(
-        body_local,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "interpolate": Kernel(
-        interpolate,
-        (("v1", (3,)), ("v2", (3,)), ("t", ()),),
-        (3,),
-        real=True,
-    ),
-    "adjoint": Kernel(
-        adjoint,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "transform_point_jacobians": Kernel(
-        transform_point_jacobians,
-        (("v", (3,)), ("r", (3,)),),
-        (18,),
-        real=False,
-    ),
+    "quaternion": Kernel(quaternion, (("v", (3,)),), (4,), real=False),
+    "tensor": Kernel(tensor, (("v", (3,)),), (3, 3), real=False),
+    "transform_point": Kernel(transform_point, (("v", (3,)), ("r", (3,)),), (3,), real=False),
+    "inverse": Kernel(inverse, (("v", (3,)),), (3,), real=False),
+    "tangent": Kernel(tangent, (("v", (3,)),), (3, 3), real=False),
+    "tangent_inv": Kernel(tangent_inv, (("v", (3,)),), (3, 3), real=False),
+    "body_tangent": Kernel(body_tangent, (("v", (3,)),), (3, 3), real=False),
+    "body_tangent_inv": Kernel(body_tangent_inv, (("v", (3,)),), (3, 3), real=False),
+    "twist": Kernel(twist, (("v", (3,)), ("v_dot", (3,)),), (3,), real=False),
+    "rate": Kernel(rate, (("v", (3,)), ("omega", (3,)),), (3,), real=False),
+    "tangent_dot": Kernel(tangent_dot, (("v", (3,)), ("v_dot", (3,)),), (3, 3), real=False),
+    "twist_dot": Kernel(twist_dot, (("v", (3,)), ("v_dot", (3,)), ("v_ddot", (3,)),), (3,), real=False),
+    "rate_dot": Kernel(rate_dot, (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),), (3,), real=False),
+    "twist_jacobian": Kernel(twist_jacobian, (("v", (3,)), ("v_dot", (3,)),), (3, 3), real=False),
+    "rate_jacobian": Kernel(rate_jacobian, (("v", (3,)), ("omega", (3,)),), (3, 3), real=False),
+    "from_quaternion": Kernel(from_quaternion, (("q", (4,)),), (3,), real=True),
+    "from_tensor": Kernel(from_tensor, (("R", (3, 3)),), (3,), real=True),
+    "from_angle_axis": Kernel(from_angle_axis, (("angle", ()), ("u", (3,)),), (3,), real=True),
+    "to_angle_axis": Kernel(to_angle_axis, (("v", (3,)),), (4,), real=True),
+    "angle": Kernel(angle, (("v", (3,)),), (), real=True),
+    "to_exponential": Kernel(to_exponential, (("v", (3,)),), (3,), real=True),
+    "from_exponential": Kernel(from_exponential, (("w", (3,)),), (3,), real=True),
+    "turn": Kernel(turn, (("v", (3,)),), (3,), real=True),
+    "shadow": Kernel(shadow, (("v", (3,)),), (3,), real=True),
+    "identity_jacobian": Kernel(identity_jacobian, (("v", (3,)),), (3, 3), real=True),
+    "shadow_jacobian": Kernel(shadow_jacobian, (("v", (3,)),), (3, 3), real=True),
+    "principal": Kernel(principal, (("v", (3,)),), (3,), real=True),
+    "compose": Kernel(compose, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "between": Kernel(between, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "compose_jacobians": Kernel(compose_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "between_jacobians": Kernel(between_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "retract": Kernel(retract, (("v", (3,)), ("delta", (3,)),), (3,), real=True),
+    "body_retract": Kernel(body_retract, (("v", (3,)), ("delta", (3,)),), (3,), real=True),
+    "retract_jacobians": Kernel(retract_jacobians, (("v", (3,)), ("delta", (3,)),), (18,), real=True),
+    "body_retract_jacobians": Kernel(body_retract_jacobians, (("v", (3,)), ("delta", (3,)),), (18,), real=True),
+    "local": Kernel(local, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "body_local": Kernel(body_local, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "interpolate": Kernel(interpolate, (("v1", (3,)), ("v2", (3,)), ("t", ()),), (3,), real=True),
+    "adjoint": Kernel(adjoint, (("v", (3,)),), (3, 3), real=False),
+    "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (3,)), ("r", (3,)),), (18,), real=False),
 }

@@ -1485,3 +1485,10 @@ def kernels_of(module: str) -> RotationKernels:
     """Return the instance of a kernel module."""
     kernels: RotationKernels = importlib.import_module(module).KERNELS
     return kernels
+
+
+def exports(kernels: RotationKernels, *further: str) -> dict[str, Any]:
+    """Return the functions of a kernel module by name, with its ``__all__`` and ``__dir__``, which list further names."""
+    functions = {name: getattr(kernels, name) for name in dir(kernels) if not name.startswith("_")}
+    names = sorted((*functions, *further))
+    return {**functions, "__all__": names, "__dir__": lambda: names}

@@ -8,7 +8,6 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 import tomllib
 from pathlib import Path
 
@@ -18,8 +17,10 @@ import derive
 from derive import about
 from derive.__main__ import NEEDED
 from derive.cli import commands, display, options
-from derive.codegen import Difference, catalogue
-from derive.codegen.module import shared_texts
+from derive.codegen import Difference
+from derive.codegen.package import command as header
+from derive.codegen.package import shared_texts
+from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
@@ -55,8 +56,9 @@ def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path
 
 @pytest.mark.parametrize("options", [(), ("--target", "array-api", "--max-n", "9", "--force")])
 def test_the_advice_repeats_every_option_that_was_given(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
+    stale = Difference(tmp_path / "f.py", "stale")
     given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
-    monkeypatch.setattr("derive.cli.generate.check_folder", lambda *_, **__: [Difference(tmp_path / "f.py", "stale")])
+    monkeypatch.setattr("derive.codegen.publish.check_charts", lambda *_, **__: [stale])
     done = dualcay(*given, "--check")
     assert done.returncode == 1
     assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
@@ -65,7 +67,7 @@ def test_the_advice_repeats_every_option_that_was_given(tmp_path: Path, monkeypa
 def test_a_user_is_called_back_by_the_name_that_was_typed(monkeypatch):
     for started, name in (("/usr/bin/dualcay", "dualcay"), ("/x/derive/__main__.py", "python -m derive")):
         monkeypatch.setattr("sys.argv", [started, "generate", "--check"])
-        assert options.unchecked() == f"{name} generate"
+        assert options.without_check() == f"{name} generate"
 
 
 @pytest.mark.parametrize(
@@ -109,9 +111,9 @@ def hook(event, arguments):
         os.kill(os.getpid(), signal.SIGKILL)
 sys.addaudithook(hook)
 from derive.__main__ import main
-from derive.codegen import compiler
+from derive.codegen import publish
 from tests.support.packages import unvalidated
-compiler.TARGETS = {"numpy": unvalidated(compiler.TARGETS["numpy"])}
+publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
 sys.exit(main())
 """
 """Dies when all is ready, the notice and one other file are in place, and the next is about to be."""
@@ -136,7 +138,7 @@ def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path, 
 @pytest.mark.parametrize("target", [target for target in TARGETS if target != "numpy"])
 def test_a_second_target_in_a_folder_is_refused(tmp_path: Path, target: str, monkeypatch):
     """Before anything is proved."""
-    monkeypatch.setattr("derive.codegen.compiler.prove", lambda chart: pytest.fail("proved in vain"))
+    monkeypatch.setattr("derive.codegen.build.prove", lambda chart: pytest.fail("proved in vain"))
     write(tmp_path, shared_texts(TARGETS["numpy"]))
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     done = dualcay("generate", "-n", "1", "--target", target, "-o", str(tmp_path))
@@ -172,9 +174,9 @@ def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path, with
 
 
 def test_a_header_names_the_command_that_makes_it():
-    assert catalogue.command("c") == "python -m derive generate --target c"
-    assert catalogue.command("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
-    both = catalogue.command("numpy", Cayley(6), Cayley(65))
+    assert header("c") == "python -m derive generate --target c"
+    assert header("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
+    both = header("numpy", Cayley(6), Cayley(65))
     assert both == "python -m derive generate -n 6,65 --target numpy --max-n 65"
 
 
@@ -215,6 +217,7 @@ def test_list_names_what_there_is():
 
 def test_names_of_the_command_are_those_of_what_they_name():
     assert tuple(TARGETS) == about.TARGETS
+    assert tuple(PUBLIC) == about.FUNCTIONS
     assert tuple(paper.slug for paper in PAPERS) == about.PAPERS
     assert tuple(FORMATS) == about.FORMATS
     assert all(hasattr(Cayley, name) for name in about.FORMULAS)
@@ -244,16 +247,14 @@ def test_tables_fit_the_screen(tmp_path: Path, monkeypatch):
     assert max(map(len, dualcay("list").stdout.splitlines())) <= 40
 
 
-def test_a_long_run_on_a_pipe_says_how_far_it_is_and_a_short_one_nothing(monkeypatch, capsys):
+def test_progress_on_a_pipe_is_silent_for_short_runs_and_sparse_for_long_ones(monkeypatch, capsys):
     with display.progress(2) as step:
         step("first")
     assert capsys.readouterr().err == ""
-    monkeypatch.setattr(display, "SPARSE", 0.05)
-    with display.progress(3) as step:
-        step("first")
-        step("second")
-        time.sleep(0.25)
-    lines = capsys.readouterr().err.splitlines()
-    assert lines
-    assert set(lines) == {"0 s: 1/3  second"}
-    assert len(lines) <= 3  # after 0.05, 0.15 and, on a slow machine, 0.35 s
+    monkeypatch.setattr(display, "FIRST_PAUSE", 10.0)
+    clock = iter([0.0, 9.0, 12.0, 20.0, 33.0])
+    monkeypatch.setattr(display.time, "monotonic", lambda: next(clock))
+    with display.progress(4) as step:
+        for line in ("first", "second", "third", "fourth"):
+            step(line)
+    assert capsys.readouterr().err == "12 s: 1/4  second\n33 s: 3/4  fourth\n"

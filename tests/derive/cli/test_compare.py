@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from derive.cli import compare, compared
-from derive.cli.compared import MEASURED, MEASUREMENTS, TIMED, Compared
+from derive import about
+from derive.cli import compare
+from derive.cli.compare import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
 from tests.support.command import ROOT, dualcay
 
@@ -24,7 +25,7 @@ def test_figures_of_some_charts():
     assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
     assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
     assert found["phi"]["measured"] is None
-    assert found["lambert"]["measured"] == json.loads(MEASUREMENTS.read_text(encoding="utf-8"))["lambert"]
+    assert found["lambert"]["measured"] == json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))["lambert"]
 
 
 def test_text_fits_a_line():
@@ -84,12 +85,12 @@ def test_every_committed_chart_was_measured_where_it_reaches_and_within_its_gate
         assert list(found["nanoseconds"]) == list(TIMED)
 
 
-def test_without_a_checkout_nothing_was_measured(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
-    monkeypatch.setattr(compared, "MEASUREMENTS", tmp_path / "none.json")
-    compared.measurements.cache_clear()
+def test_without_a_checkout_nothing_was_measured(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(about, "checkout", lambda: None)
+    compare.measurements.cache_clear()
     try:
         chart, *_ = catalogue.charts((2,))
         assert Compared(chart).measured is None
-        assert compared.errors([Compared(chart)])[1] == compared.times([Compared(chart)])[1] == []
+        assert compare.errors([Compared(chart)])[1] == compare.times([Compared(chart)])[1] == []
     finally:
-        compared.measurements.cache_clear()
+        compare.measurements.cache_clear()

@@ -11,7 +11,7 @@ import pytest
 
 from derive import generate
 from derive.cli import display
-from derive.codegen import catalogue, taken
+from derive.codegen import catalogue
 from derive.codegen.targets import TARGETS
 from tests.support.command import ROOT, dualcay
 
@@ -25,7 +25,7 @@ CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
     [
         *((name, "with a leading underscore") for name in FILES),
         *((name, "in packages of kernels: take another") for name in WITHIN),
-        *((name, "would stand before that of C") for name in ("math", "Time", "Python")),
+        *((name, "would hide that of C") for name in ("math", "Time", "Python")),
         ("rotation", "the folder of rotations"),
         *((name, "is the name of the chart of phi = ") for name in CHARTS),
     ],
@@ -41,14 +41,14 @@ def test_taken_names_are_refused(tmp_path: Path, name: str, reason: str) -> None
 @pytest.mark.parametrize("target", TARGETS)
 def test_no_shared_file_can_be_overwritten(target: str) -> None:
     stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
-    assert stems <= taken.names()
+    assert stems <= catalogue.reserved_names()
 
 
 def test_no_header_that_texts_include_can_be_hidden() -> None:
     texts = [path.read_text(encoding="utf-8") for path in (ROOT / "templates").rglob("*.h.j2")]
     included = {name for text in texts for name in re.findall(r"#include <(\w+)\.h>", text)}
     assert {"math", "Python"} <= included
-    assert {name.lower() for name in included} <= taken.HEADERS
+    assert {name.lower() for name in included} <= catalogue.C_HEADERS
 
 
 @pytest.mark.parametrize(

@@ -47,9 +47,9 @@ def test_output_is_utf8_whatever_the_locale(encoding: str):
 def test_a_folder_whose_name_is_no_utf8_is_printed_as_it_is():
     name = os.fsdecode(b"k\xff")
     code = (
-        "import os, sys, derive.cli.generate as module\n"
+        "import os, sys, derive.codegen.publish as module\n"
         "from derive.codegen import Difference\n"
-        "module.check_folder = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
+        "module.check_charts = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"
     )

@@ -7,18 +7,18 @@ import subprocess
 
 import pytest
 from click.testing import CliRunner
-from derive.codegen.cases import cases
 
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check, generate
 from derive.codegen.lowered import geometry, lower_chart
 from derive.codegen.lowering.scalars import SCALARS
-from derive.codegen.module import notices
+from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
 from derive.codegen.rows import inside
 from derive.codegen.signatures import KERNELS, POSES, ROTATIONS
 from derive.codegen.targets import TARGETS, c, c99
 from derive.codegen.validation import compiled
+from derive.codegen.validation.float_cases import cases
 from derive.maps import Cayley
 from derive.output import files
 from tests.support import packages
@@ -298,7 +298,7 @@ def test_every_function_and_branch_has_cases(table):
 
 def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp_path):
     monkeypatch.setenv("CC", "no-such-compiler")
-    monkeypatch.setattr("derive.codegen.compiler.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
+    monkeypatch.setattr("derive.codegen.publish.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
     assert result.exit_code == 0
     assert re.search(r"cayley2\.h\W+\d+\W+\d+\W+0\W+-\W+-\s", result.stdout)

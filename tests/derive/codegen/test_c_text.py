@@ -10,7 +10,8 @@ import mpmath
 import pytest
 from derive.codegen.cases.decimals import DIGITS
 
-from derive.codegen import ValidationFailed, build, cases
+from derive.codegen import ValidationFailed, cases
+from derive.codegen.build import build
 from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
@@ -56,7 +57,7 @@ EQUIVALENT = {
 def folder(tmp_path_factory):
     found = tmp_path_factory.mktemp("c")
     headers = Otherwise(unvalidated(C), companions=C.further)  # their compiled tests are not run here
-    files.write(found, build(ORDERS, headers).texts)
+    files.write(found, build([Cayley(n) for n in ORDERS], headers).texts)
     return found
 
 

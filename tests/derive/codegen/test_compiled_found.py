@@ -7,7 +7,7 @@ from types import ModuleType, SimpleNamespace
 
 import pytest
 
-from derive.codegen.module import shared_texts
+from derive.codegen.package import shared_texts
 from derive.codegen.targets import TARGETS
 
 MODULE, COMPILED = "dualcay.cayley3", "dualcay_native.cayley3"

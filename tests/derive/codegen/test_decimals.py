@@ -10,9 +10,10 @@ from typing import Any
 
 import mpmath
 import pytest
-from derive.codegen.cases.decimals import DIGITS, Decimal, close
 from hypothesis import given
 from hypothesis import strategies as st
+
+from derive.codegen.validation.decimals import DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 

@@ -14,9 +14,8 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
@@ -61,7 +60,7 @@ def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / f"with_{name}", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)

@@ -11,9 +11,8 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.codegen.facts import LICENCE, Facts
 from derive.codegen.lowered import lower_chart
-from derive.codegen.module import companion_texts, notices, shared_texts
+from derive.codegen.package import LICENCE, Facts, module_texts, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
@@ -27,7 +26,7 @@ FACTS = Facts(prove(CHART), lower_chart(CHART))
 def texts(target: str) -> Iterator[tuple[str, str]]:
     """Files of a package by name, and what may stand in their places."""
     row = TARGETS[target]
-    yield from (shared_texts(row) | companion_texts(FACTS, row)).items()
+    yield from (shared_texts(row) | module_texts(FACTS, row)).items()
     yield from notices([CHART], row).items()
 
 
@@ -67,7 +66,7 @@ def test_the_version_stands_in_the_header_of_one_file(target: str) -> None:
 def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
     row = TARGETS[target]
     assert any(name.startswith("rotation/") and "geometry" in name for name in shared_texts(row))
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in companion_texts(FACTS, row))
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in module_texts(FACTS, row))
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -5,18 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from derive.codegen.cases import batches, digits, exact
-from derive.codegen.lowering.real import narrowed
 
 from derive.codegen import ValidationFailed, catalogue
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalars import SQUARES
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, validate
+from derive.codegen.validation import NUMPY, Machinery, replay, samples, validate
+from derive.codegen.validation import formulas as exact
+from derive.codegen.validation.samples import batches
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
@@ -68,12 +68,13 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
     def of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
         return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
-    for source in (exact, digits):
+    for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+        original = getattr(source, attribute)
 
-        def without(*given, original=source.expectations):
+        def without(*given, original=original):
             return (found for found in original(*given) if of(found) != name)
 
-        monkeypatch.setattr(source, "expectations", without)
+        monkeypatch.setattr(source, attribute, without)
     with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
         batches.__wrapped__(Cayley(3), ROTATIONS)
 
@@ -82,20 +83,19 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
 def texts() -> dict[str, str]:
     chart, target = Cayley(1), TARGETS["numpy"]
     facts = Facts(prove(chart), lower_chart(chart))
-    module = {module_name(chart, target): module_text(facts, target)}
-    return {**shared_texts(target), **companion_texts(facts, target), **module}
+    return shared_texts(target) | module_texts(facts, target)
 
 
-GEOMETRY, INTERFACE = "rotation/_geometry.py", "rotation/_interface.py"
+GEOMETRY, INTERFACE, OWN = "rotation/_geometry.py", "rotation/_interface.py", "rotation/cayley1.py"
 
 
 @pytest.mark.parametrize(
     ("file", "function", "old", "new"),
     [
         (GEOMETRY, "tensor", "gvv1 - fv3", "gvv1 + fv3"),
-        (GEOMETRY, "rate_blocks", "sub(", "add("),
         (GEOMETRY, "from_tensor", "Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "to_angle_axis", "x, 0, r", "x, 0, 2 * r"),
+        (OWN, "_own_tangent", "* v3", "* v2"),
         (INTERFACE, "body_tangent_inv", '"body_tangent_inv", axis', '"tangent_inv", axis'),
     ],
 )
@@ -104,7 +104,7 @@ def test_what_is_wrong_in_the_text_of_rotations_is_noticed(texts, tmp_path: Path
     assert old in rest
     files.write(tmp_path, {**texts, file: f"{head}def {function}({rest.replace(old, new, 1)}"})
     with pytest.raises(ValidationFailed):
-        validate(tmp_path, Cayley(1), tables=(ROTATIONS,))
+        validate(tmp_path, Cayley(1), geometry=True, tables=(ROTATIONS,))
 
 
 def test_floats_are_replayed_too(texts, tmp_path: Path) -> None:
@@ -112,7 +112,16 @@ def test_floats_are_replayed_too(texts, tmp_path: Path) -> None:
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.FEW"), (NUMPY,), (ROTATIONS,), all_ways=False)
+        replay(tmp_path, Cayley(1), Machinery(few="_runtime.FEW"), (NUMPY,), (ROTATIONS,), geometry=False)
+
+
+def test_programs_are_own_where_those_of_poses_are() -> None:
+    for n in (1, 3):
+        own = lower_chart(Cayley(n), ROTATIONS).own
+        assert {ROTATIONS.functions[name].source for name in own} <= lower_chart(Cayley(n)).own.keys()
+        assert bool(own) == (n == 1)
+
+
 @pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
 def test_no_phi_takes_the_name_of_the_folder(name: str) -> None:
     with pytest.raises(ValueError, match=f"'{name}' is the name of the folder of rotations"):

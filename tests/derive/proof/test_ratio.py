@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from derive.proof.ratio import NotExactError, Ratio, RationalFunctions
+from derive.algebra.exact import Element, NotExactError
 
 STEPS = 3
 NEAR = 1e-3
@@ -19,7 +19,7 @@ def field() -> RationalFunctions:
     return RationalFunctions(("a", "b"), {"alpha": STEPS})
 
 
-def at_reference(element: Ratio) -> float:
+def at_reference(element: Element) -> float:
     at = element.field.value_at_reference
     return float(at(element.numerator) / at(element.denominator))
 

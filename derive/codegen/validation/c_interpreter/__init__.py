@@ -2,9 +2,8 @@
 
 ========= ==========================================================================================
 memory    cells, pointers with bounds, cells that were never written
-source    preprocess and parse a header and what it includes
-types     types and typed expressions, conversions, and the refusal of everything else
-translate a syntax tree as Python functions of the same names
+source    preprocess and parse a header and the files that it includes
+translate translate a syntax tree to Python functions, and refuse what is outside the subset
 unit      a translation unit: its functions, ready to be called
 ========= ==========================================================================================
 

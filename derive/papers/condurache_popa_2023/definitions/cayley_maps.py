@@ -1,0 +1,271 @@
+"""What the symbols of section 7 stand for: maps with their preimages, families v = φ(α) u, their factors a(v)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
+from derive.maps import first_principles
+from derive.maps.families import Family, normal_rodrigues, rodrigues, sine
+from derive.papers.numbers.every_order import EveryOrder
+from derive.proof.every_order import citing
+
+from ...language import values
+from ...language.evaluation import Env
+from ...numbers.fields import UndefinedError, innermost
+from .orders import as_vector, cayley
+from .quaternion_maps import half_angle
+
+
+def next_p(env: Env, n: Any) -> Callable[[Any], Any]:
+    """The polynomial p_{n+1}, by ``(1 + iX)^(n+1)``."""
+    return lambda a: env.field.pair(n + 1, a * a)[0]
+
+
+def next_q(env: Env, n: Any) -> Callable[[Any], Any]:
+    """The polynomial q_{n+1}."""
+    return lambda a: env.field.pair(n + 1, a * a)[1]
+
+
+def quarter(env: Env, k: int) -> int:
+    """The p with ``k = 4p``, ``4p + 1``, ``4p + 2`` or ``4p + 3``."""
+    return k // 4
+
+
+def proved(*numbers: int) -> Callable[[Env], bool]:
+    """Whether theorems for every order say the same as these equations and are proved, by induction."""
+
+    return lambda env: set(numbers) <= _proved_among(numbers)
+
+
+@cache
+def _proved_among(numbers: tuple[int, ...]) -> frozenset[int]:
+    return frozenset(number for proof in citing(numbers) if proof.proved for number in proof.equations)
+
+
+# ---- the map and its preimages ----------------------------------------------------------------------------------
+
+
+def cayley_function(env: Env, n: Any) -> values.Map:
+    """The map (46) with its preimages: v of every branch k at which it is finite."""
+    return _map(env, n, lambda v: v, lambda t, u: [t * u])
+
+
+def cayley_function_of_growing_scale(env: Env, n: Any) -> values.Map:
+    """The map (59) with ``a(v) = 1 + v·v``: on each branch ``|v|/(1 + |v|²) = tan`` has two solutions, one or none."""
+
+    def solve(t: Any, u: Vector) -> list[Vector]:
+        if env.field.same(real_part(t), 0):
+            return [t * u]
+        discriminant = 1 - 4 * t * t
+        if innermost(discriminant) < 0:
+            return []
+        root = env.field.sqrt(discriminant)
+        return [(1 + root) / (2 * t) * u, (1 - root) / (2 * t) * u]
+
+    return _map(env, n, lambda v: v / (1 + v.dot(v)), solve)
+
+
+def counted_cayley_function(env: Env, n: Any) -> values.Map:
+    """The same; where the preimages are infinitely many, translations for n > 1, it has no list of them."""
+    f = cayley_function(env, n)
+
+    def preimages(q: Quaternion) -> list[Vector]:
+        if n > 1 and translation(env, q):
+            raise UndefinedError("infinitely many preimages")
+        return f.preimages(q)
+
+    return values.Map(f.image, preimages)
+
+
+def _map(
+    env: Env, n: Any, to_w: Callable[[Vector], Vector], from_t: Callable[[Any, Vector], list[Vector]]
+) -> values.Map:
+    def preimages(q: Quaternion) -> list[Vector]:
+        angle, u = half_angle(env, q)
+        found: list[Vector] = []
+        for k in range(n):
+            turn = (angle + k * env.field.pi) / n
+            cosine = env.field.cos(turn)
+            if innermost(cosine) != 0:
+                found += from_t(env.field.sin(turn) / cosine, u)
+        return found
+
+    return values.Map(lambda v: cayley(env, n, to_w(v)), preimages)
+
+
+def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
+    """``v_k``, from the sine and cosine of (α + 2kπ)/2n."""
+    v: Vector = branch_coefficient(env, n, k, alpha) * u
+    return v
+
+
+def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
+    """The signed coefficient of v_k along u."""
+    angle = values.divide(alpha + 2 * k * env.field.pi, 2 * n)
+    return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
+
+
+def principal_coefficient(env: Env, n: Any, alpha: Any) -> Any:
+    """The signed coefficient of v_0."""
+    angle = values.divide(alpha, 2 * n)
+    return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
+
+
+def coefficient_at_infinity(env: Env, n: int, k: int) -> Any:
+    """What the coefficient of v_k is where v_0 is infinite, at α = nπ."""
+    return branch_coefficient(env, n, k, n * env.field.pi)
+
+
+def scalar_of(order: int) -> Callable[..., Any]:
+    """The scalar part of the map of one order."""
+    return lambda env, v: cayley(env, order, v).scalar
+
+
+def scalar(env: Env, q: Quaternion) -> Any:
+    """The scalar part."""
+    return q.scalar
+
+
+# ---- any factor a(v) --------------------------------------------------------------------------------------------
+
+
+def constant(env: Env, value: Any) -> Callable[[Any], Any]:
+    """A function of v by its value there."""
+    return lambda argument: value
+
+
+def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
+    """A symbol that the paper writes as a function of v, by its value there."""
+    return lambda env, *arguments: constant(env, definition(env, *arguments))
+
+
+def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
+    """The map (59): that of order n at v/a."""
+    return cayley(env, n, v / a)
+
+
+def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
+    """The same where the root of odd order leaves the sign open."""
+    q = modified(env, n, a, v)
+    return q if isinstance(n, int) and n % 2 == 0 else values.Either(q, -q)
+
+
+def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
+    """The orthogonal dual tensor of (59), by the action of the quaternion."""
+    return first_principles.tensor_by_sandwich(modified(env, n, a, v))
+
+
+def scaled_rodrigues(env: Env, n: Any, a: Any, alpha: Any, u: Vector) -> Vector:
+    """``a tan(α/2n) u``: any v = φ(α) u, by its a."""
+    v: Vector = a * rodrigues_vector(env, n, alpha, u)
+    return v
+
+
+def product(env: Env, a: Any, w: Vector) -> Vector:
+    """``a w``."""
+    v: Vector = a * w
+    return v
+
+
+def direction(env: Env, v: Vector) -> Vector:
+    """``v/|v|``."""
+    u: Vector = v / _pole(env.field.magnitude(v))
+    return u
+
+
+def scales(env: Env, n: Any, q: Quaternion, v: Vector) -> values.Solution:
+    """Every a with which (59) takes v to ±q."""
+    return values.Solution(lambda a: values.equal(env.field, values.Either(q, -q), modified(env, n, a, v)))
+
+
+def solutions(env: Env, n: Any, a: Any, q: Quaternion) -> values.Solution:
+    """Every v that (59) takes to ±q with this a."""
+    either = values.Either(q, -q)
+    return values.Solution(lambda v: values.equal(env.field, either, modified(env, n, a, as_vector(env, v))))
+
+
+# ---- families ---------------------------------------------------------------------------------------------------
+
+
+def member(family: Family) -> Callable[..., Vector]:
+    """``v = φ(α) u`` of a family."""
+    return lambda env, alpha, u: family.vector(alpha, u, env.field)
+
+
+def rodrigues_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
+    """``tan(α/2n) u`` for any order: that of order 1 at α/n."""
+    return rodrigues(1).vector(values.divide(alpha, n), u, env.field)
+
+
+def normal_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
+    """``2n tan(α/2n) u``."""
+    v: Vector = n * normal_rodrigues(1).vector(values.divide(alpha, n), u, env.field)
+    return v
+
+
+def sine_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
+    """``sin(α/2n) u``."""
+    return sine(1).vector(values.divide(alpha, n), u, env.field)
+
+
+def powers(env: Env, n: Any) -> Callable[[Any], tuple[Any, Any]]:
+    """(P_n, Q_n) at |v|, from ``(√(1 − v²) + v)ⁿ = P_n + Q_n v`` multiplied out."""
+
+    def pair(length: Any) -> tuple[Any, Any]:
+        c, x = env.field.sqrt(1 - length * length), length * length
+        if isinstance(env.field, EveryOrder) and not isinstance(n, int):
+            power = env.power(Quaternion(c, Vector(length, 0 * length, 0 * length)), n)
+            return power.scalar, power.vector.c1 / length
+        P, Q = c, 1 + 0 * c
+        for _ in range(n - 1):
+            P, Q = c * P - x * Q, P + c * Q
+        return P, Q
+
+    return pair
+
+
+def power_scalar(env: Env, n: Any) -> Callable[[Any], Any]:
+    """P_n."""
+    return lambda length: powers(env, n)(length)[0]
+
+
+def power_vector(env: Env, n: Any) -> Callable[[Any], Any]:
+    """Q_n."""
+    return lambda length: powers(env, n)(length)[1]
+
+
+def square_of_breusing(env: Env, c: Any) -> Any:
+    """``|v|² = tan(α/4) sin(α/4)`` from c = cos(α/4)."""
+    return (1 - c * c) / c
+
+
+def composed(env: Env, n: int, v2: Vector, v1: Vector) -> values.Solution:
+    """Every v of order n of the displacement v₁ followed by v₂."""
+    target = cayley(env, n, v2) * cayley(env, n, v1)
+    either = values.Either(target, -target)
+    return values.Solution(lambda v: values.equal(env.field, either, cayley(env, n, as_vector(env, v))))
+
+
+def translation(env: Env, q: Quaternion) -> bool:
+    """Whether a displacement is a pure translation, the identity included."""
+    return values.equal(env.field, q.vector.re, 0 * q.vector.re)
+
+
+def rotation(env: Env, q: Quaternion) -> bool:
+    """Whether it is a pure rotation, the identity included: α is real, so ``cos α/2`` and ``|sin α/2|`` are."""
+    parts = (q.scalar, env.field.magnitude(q.vector))
+    return all(values.equal(env.field, dual_part(part), 0) for part in parts)
+
+
+def screw(env: Env, q: Quaternion) -> bool:
+    """Whether it is neither."""
+    return not translation(env, q) and not rotation(env, q)
+
+
+def _pole(a: Any) -> Any:
+    if innermost(a) == 0:
+        raise ZeroDivisionError("a pole")
+    return a

@@ -1,0 +1,151 @@
+"""What the symbols of section 2 stand for: dual numbers, dual vectors and dual tensors by their parts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
+from derive.maps import first_principles
+
+from ...language import values
+from ...language.evaluation import Env
+from ...language.values import dualise
+
+Frame = Callable[[int], Vector]
+"""The vectors of a basis by their number, 1 to 3."""
+
+# ---- dual numbers ---------------------------------------------------------------------------------------------------
+
+
+def from_parts(env: Env, re: Any, du: Any) -> Dual:
+    """The dual number with these parts."""
+    return Dual(re, du)
+
+
+def sign(env: Env) -> Callable[[Any], Any]:
+    """``sgn``."""
+    return lambda x: x / abs(x) if x != 0 else 0
+
+
+def multiplies_singularly(env: Env, a: Any) -> bool:
+    """Whether ``b -> a b``, the matrix [[a, 0], [a°, a]] on the parts of b, has a kernel."""
+    return bool(env.field.same(real_part(a) ** 2, 0))
+
+
+def multiplies_onto(env: Env, a: Any) -> bool:
+    """Whether 1 is among the products with a."""
+    try:
+        return bool(values.equal(env.field, a * (1 / a), 1))
+    except ZeroDivisionError:
+        return False
+
+
+# ---- dual vectors ---------------------------------------------------------------------------------------------------
+
+
+def vector_from_parts(env: Env, re: Vector, du: Vector) -> Any:
+    """The dual vector with these parts."""
+    return dualise(re, du)
+
+
+def magnitudes(env: Env, a: Vector) -> values.Solution:
+    """Every m with ``m m = a · a`` and positive real part; at Re a = 0, also of the size of the dual part."""
+
+    def is_magnitude(m: Any) -> bool:
+        if not values.equal(env.field, m * m, a.dot(a)):
+            return False
+        return real_part(m) != 0 or values.equal(env.field, m.du * m.du, a.du.dot(a.du))
+
+    return values.Solution(is_magnitude)
+
+
+def coordinates(env: Env, a: Vector) -> values.Solution:
+    """Every α with ``a = α u`` for some unit vector u."""
+
+    def divides(number: Any) -> bool:
+        if real_part(number) != 0:
+            return values.equal(env.field, a.dot(a), number * number)
+        return values.equal(env.field, a.re, 0 * a.re) and values.equal(env.field, a.du.dot(a.du), number.du**2)
+
+    return values.Solution(divides)
+
+
+def axes(env: Env, a: Vector) -> values.Solution:
+    """Every unit vector u that a is a multiple of: ``a = (a · u) u``."""
+
+    def carries(axis: Vector) -> bool:
+        unit = values.equal(env.field, axis.dot(axis), 1)
+        return unit and values.equal(env.field, a, a.dot(axis) * axis)
+
+    return values.Solution(carries)
+
+
+def magnitude(env: Env, a: Vector) -> Any:
+    """``|a|``."""
+    return env.field.magnitude(a)
+
+
+def one_axis(env: Env, a: Vector) -> Vector:
+    """One unit vector along a."""
+    if real_part(a.dot(a)) != 0:
+        axis: Vector = a / env.field.magnitude(a)
+        return axis
+    length = env.field.magnitude(a.du)
+    axis = a.du / length if length != 0 else Vector(1, 0, 0)
+    lifted: Vector = dualise(axis, 0 * axis)
+    return lifted
+
+
+def on_line(env: Env, a: Vector) -> values.Solution:
+    """Every point of the line of a: its moment ``r × u`` is the dual part of the unit vector."""
+    axis = one_axis(env, a)
+    return values.Solution(lambda point: values.equal(env.field, point.cross(axis.re), axis.du))
+
+
+def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
+    """Every point of the line through `through` along a⁰."""
+    return values.Solution(lambda point: values.equal(env.field, (point - through).cross(a0), 0 * a0))
+
+
+def basis(i: int) -> Callable[[Env], Vector]:
+    """A vector of the standard basis."""
+    return lambda env: Vector(*(int(i == k) for k in range(3)))
+
+
+# ---- dual tensors ---------------------------------------------------------------------------------------------------
+
+
+def frame(env: Env, q: Quaternion) -> Callable[[int], Vector]:
+    """A right-handed orthonormal basis of dual vectors: any one is a turned standard basis."""
+    turned = first_principles.tensor_by_sandwich(q)
+    return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
+
+
+def components(env: Env, a: Vector, frame: Frame) -> Callable[[int], Any]:
+    """The components in a frame."""
+    return lambda k: frame(k).dot(a)
+
+
+def matrix_of_dyad(env: Env, a: Vector, b: Vector, frame: Frame) -> Tensor:
+    """``e_j · T e_k`` with T the map ``v -> (v · b) a``."""
+    return Tensor.from_entries(frame(j).dot(frame(k).dot(b) * a) for j in (1, 2, 3) for k in (1, 2, 3))
+
+
+def matrix_of_cross(env: Env, a: Vector, frame: Frame) -> Tensor:
+    """``e_j · (a × e_k)``."""
+    return Tensor.from_entries(frame(j).dot(a.cross(frame(k))) for j in (1, 2, 3) for k in (1, 2, 3))
+
+
+def skew_part(env: Env, a: Tensor) -> Tensor:
+    """A skew-symmetric tensor."""
+    return a - a.transpose
+
+
+def axial(env: Env, a: Tensor) -> Vector:
+    """The a with ``A b = a × b``, from the images of the standard basis: ``½ Σ e × A e``."""
+    total: Any = Vector(0, 0, 0)
+    for row in Tensor.identity().rows:
+        total = total + Vector(*row).cross(a @ Vector(*row))
+    axial: Vector = total * values.divide(1, 2)
+    return axial

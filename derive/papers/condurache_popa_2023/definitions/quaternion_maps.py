@@ -1,0 +1,90 @@
+"""What the symbols of section 4 stand for: unit dual quaternions, their displacements and exponentials."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from derive.algebra import Quaternion, Tensor, Vector
+from derive.maps import first_principles
+from derive.maps.exponential import quaternion_exponential, tensor_exponential
+from derive.maps.pose import pose_from_tensor
+
+from ...language import values
+from ...language.evaluation import Env
+from ...language.terms import Symbol
+from ...language.values import dualise
+from ...numbers.draw import Draw
+from . import motions
+from .orders import screw_quaternion
+
+
+def unit(i: int) -> Callable[[Env], Quaternion]:
+    """A basis vector as a quaternion."""
+    return lambda env: Quaternion(0, motions.AXES[i])
+
+
+def multiple(env: Env, factor: Any, axis: Vector) -> Vector:
+    """A number times a vector."""
+    product: Vector = factor * axis
+    return product
+
+
+def displacement(env: Env, q: Quaternion) -> Vector:
+    """The displacement of the pose whose line action is ``l -> q l q*``."""
+    return pose_from_tensor(first_principles.tensor_by_sandwich(q)).displacement
+
+
+def screw(env: Env, alpha: Any, u: Vector) -> Quaternion:
+    """The quaternion of an angle and an axis."""
+    return screw_quaternion(env, alpha, u)
+
+
+def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
+    """Every unit quaternion whose action is the rotation by α about u."""
+    R = tensor_exponential(alpha * u, env.field)
+
+    def acts_so(q: Quaternion) -> bool:
+        q = values.quaternion(q)
+        unit_norm = values.equal(env.field, q.norm2(), 1)
+        return unit_norm and values.equal(env.field, first_principles.tensor_by_sandwich(q), R)
+
+    return values.Solution(acts_so)
+
+
+def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
+    """The angle between 0 and π, and the axis, whose cosine and sine q is made of."""
+    field, w = env.field, q.vector
+    if values.equal(field, w.re, 0 * w.re) if env.dual else False:
+        length = field.magnitude(w.du)
+        axis = w.du / length if not field.same(length, 0) else motions.AXES[0]
+        u = dualise(axis, 0 * axis)
+        return field.atan2(dualise(0 * length, length), q.scalar), u
+    length = field.magnitude(w)
+    return field.atan2(length, q.scalar), w / length
+
+
+def exponential_map(env: Env) -> values.Map:
+    """Dual vectors a to ``exp(a/2)``."""
+
+    def preimage(q: Quaternion) -> list[Vector]:
+        angle, axis = half_angle(env, q)
+        return [2 * angle * axis]
+
+    return values.Map(lambda a: quaternion_exponential(values.divide(a, 2), env.field), preimage)
+
+
+def covering(env: Env) -> values.Map:
+    """Unit quaternions to tensors."""
+
+    def preimages(R: Tensor) -> list[Quaternion]:
+        q = screw_quaternion(env, *motions.invariants(env, R))
+        return [q, -q]
+
+    return values.Map(first_principles.tensor_by_sandwich, preimages)
+
+
+def opposite(draw: Draw, first: Symbol, second: Symbol) -> Mapping[Symbol, Any]:
+    """A quaternion and its opposite."""
+    q = draw.quaternion(draw.real())
+    return {first: q, second: -q}

@@ -1,0 +1,66 @@
+"""Operators of sections 7 and 8: limits, signs, numbers of preimages and of equations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from derive.algebra import Quaternion, Tensor, Vector
+from derive.algebra.exact import Element
+
+from ..language import values
+from ..language.evaluation import Env
+from ..language.notation import define
+from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
+from ..numbers.fields import UndefinedError, innermost
+
+FAR = (40, 80)
+"""Two orders, beyond which the sequences at hand are constant if at all."""
+
+
+def _positive(env: Env, a: Any) -> bool:
+    """Generic symbols are taken on the positive side."""
+    return not env.field.ordered or bool(innermost(a) > 0)
+
+
+positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
+no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
+                 lambda env, a, b: isinstance(a, Element) or a >= b)
+"""``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
+
+
+def _limit(env: Env, index: Term, body: Term) -> Any:
+    """The limit of a sequence that is constant from some order on; of any other it is not known."""
+    if not isinstance(index, Symbol):
+        raise TypeError("only a symbol can tend to infinity")
+    if not isinstance(env.value(index), int):
+        return env.value(body)
+    free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
+    first, second = (
+        Env(env.field, {**free, index: order}, env.definitions, env.dual, env.moving).value(body) for order in FAR
+    )
+    if not values.equal(env.field, first, second):
+        raise UndefinedError(f"still changing at order {FAR[-1]}")
+    return second
+
+
+limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
+provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
+tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
+               lambda env, a, b: values.equal(env.field, a, b))
+preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
+                        lambda env, f, target: f.reaches(env.field, target))
+
+
+def _components(a: Any) -> int:
+    sizes = {Vector: 3, Quaternion: 4, Tensor: 9}
+    return 2 * sizes.get(type(a), 1)
+
+
+equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
+                      lambda env, a: _components(a))
+"""How many real numbers a dual quantity is, hence how many real equations its rate."""
+
+
+def is_algebraic(*statements: Term) -> bool:
+    """Whether no transcendental function occurs in any of the statements."""
+    return not with_trait(Trait.TRANSCENDENTAL, *statements)

@@ -1,0 +1,216 @@
+"""What the paper's symbols stand for, by their definitions: what its printed formulas are checked against.
+
+Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+
+from derive.algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
+from derive.maps import first_principles, lines, rodrigues
+
+from ..language import values
+from ..language.evaluation import Env
+from ..language.terms import Symbol
+from ..numbers.draw import Draw
+from ..numbers.fields import Decimal60
+
+# ---- dual numbers and vectors ---------------------------------------------------------------------------------
+
+
+def dual_number(env: Env, re: Any, du: Any) -> Dual:
+    """``re + e du``."""
+    return Dual(re, du)
+
+
+def dual_vector(env: Env, *components: Any) -> Vector:
+    """The dual vector with these six real components."""
+    return Vector.dual(components[:3], components[3:])
+
+
+def same(env: Env, a: Any) -> Any:
+    """The same: for a symbol of which a mark is gone."""
+    return a
+
+
+def along(env: Env, size: Any, axis: Vector) -> Vector:
+    """``size · axis``: every dual vector whose real part is not zero is one, with a rational norm."""
+    whole: Vector = axis * size
+    return whole
+
+
+def component(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
+    """The index-th component of a vector, or of a part of it."""
+    return lambda env, a: part(tuple(a)[index - 1])
+
+
+def real_component(index: int) -> Callable[..., Any]:
+    """Of the real part."""
+    return component(index, real_part)
+
+
+def dual_component(index: int) -> Callable[..., Any]:
+    """Of the dual part."""
+    return component(index, dual_part)
+
+
+# ---- displacements --------------------------------------------------------------------------------------------
+
+
+def rotation(env: Env, angle: Any, axis: Vector) -> Tensor:
+    """The orthogonal dual tensor of a dual angle about an axis, by the action ``q x q*``."""
+    half = values.divide(angle, 2)
+    return first_principles.tensor_by_sandwich(Quaternion(env.field.cos(half), axis * env.field.sin(half)))
+
+
+def moved(env: Env, x: Vector, A: Tensor) -> Vector:
+    """``A x``."""
+    return A @ x
+
+
+def turned(env: Env, x: Vector, angle: Any, axis: Vector) -> Vector:
+    """x, after that displacement."""
+    return rotation(env, angle, axis) @ x
+
+
+def cayley_matrix(env: Env, A: Tensor) -> Tensor:
+    """``(A − I)(A + I)⁻¹``."""
+    return rodrigues.cayley_matrix(A)
+
+
+def skew_rodrigues(env: Env, A: Tensor) -> Tensor:
+    """The same from the invariants of A."""
+    return Tensor.skew(rodrigues.rodrigues_vector(A))
+
+
+def cayley_formula(env: Env, b: Vector) -> Tensor:
+    """``(I + B)(I − B)⁻¹``."""
+    return rodrigues.cayley_formula(b)
+
+
+def cross_matrix(env: Env, b: Vector) -> Tensor:
+    """The operator ``y -> b × y``, column by column."""
+    columns = (b.cross(Vector(*row)) for row in Tensor.identity().rows)
+    return Tensor.from_entries(entry for column in columns for entry in column).transpose
+
+
+def explicit_skew(env: Env, b: Vector) -> Tensor:
+    """The matrix of b, entry by entry."""
+    return Tensor.skew(b)
+
+
+def cayley_map(env: Env) -> values.Map:
+    """Skew-symmetric to orthogonal matrices: every B with ``(I + B)(I − B)⁻¹ = A`` is ``(A − I)(A + I)⁻¹``."""
+
+    def preimages(A: Tensor) -> list[Tensor]:
+        try:
+            return [rodrigues.cayley_matrix(A)]
+        except ArithmeticError as error:
+            raise values.MissedError("A + I is singular") from error
+
+    def image(B: Tensor) -> Tensor:
+        return (Tensor.identity() + B) @ (Tensor.identity() - B).inverse()
+
+    return values.Map(image, preimages)
+
+
+def rodrigues_vector(env: Env, A: Tensor) -> Vector:
+    """b̂ of a displacement."""
+    return rodrigues.rodrigues_vector(A)
+
+
+def screw_rodrigues(env: Env, angle: Any, axis: Vector) -> Vector:
+    """b̂ of the displacement with this angle and axis."""
+    return rodrigues.rodrigues_vector(rotation(env, angle, axis))
+
+
+def direction(env: Env, b: Vector) -> Vector:
+    """``b̂/‖b̂‖``."""
+    return rodrigues.direction(b, env.field)
+
+
+# ---- the rhombus of figure 1, in a frame Q with the axis third --------------------------------------------------
+
+
+def axis_of(env: Env, Q: Tensor) -> Vector:
+    """The third axis of a frame."""
+    return Vector(*Q.transpose.rows[2])
+
+
+def across(env: Env, size: Any, Q: Tensor) -> Vector:
+    """A vector along the first axis, across the third."""
+    side: Vector = Vector(*Q.transpose.rows[0]) * size
+    return side
+
+
+def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
+    """A vector with components along the first and third axes: up to the choice of the frame, every one."""
+    point: Vector = across(env, size, Q) + axis_of(env, Q) * height
+    return point
+
+
+def projected(env: Env, x: Vector, axis: Vector) -> Vector:
+    """The part of a vector across an axis."""
+    rest: Vector = x - axis * x.dot(axis)
+    return rest
+
+
+# ---- lines ----------------------------------------------------------------------------------------------------
+
+
+def distance(env: Env, a: Vector, b: Vector) -> Any:
+    """Shortest distance of two lines."""
+    normal = a.re.cross(b.re)
+    if env.field.same(normal.dot(normal), 0):
+        return lines.distance_of_parallels(a, b, env.field)
+    return lines.distance(a, b, env.field)
+
+
+def angle_between(env: Env, a: Vector, b: Vector) -> Any:
+    """The angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
+    apart, together = a.re - b.re, a.re + b.re
+    size = together.dot(together)
+    if env.field.same(size, 0):
+        return env.field.pi
+    return 2 * env.field.atan(env.field.sqrt(apart.dot(apart) / size))
+
+
+def foot(env: Env, a: Vector) -> Vector:
+    """The point of a line nearest to the origin."""
+    return lines.foot(a)
+
+
+# ---- points -----------------------------------------------------------------------------------------------------
+
+
+def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
+    """Unit dual vectors with one and with two real components zero, for ``also``."""
+
+    def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+        found = {}
+        for zeros, direction in ((2, (1, 0, 0)), (2, (-1, 0, 0)), (1, (3, 4, 0))):
+            for turn in range(3):
+                turned = tuple(direction[(n - turn) % 3] for n in range(3))
+                unit = Vector(*(draw.plain(c) for c in turned)) / (5 if zeros == 1 else 1)
+                point = Vector(draw.signed(), draw.signed(), draw.signed())
+                found[f"{axis.name}: direction {turned}"] = {axis: Vector.dual(unit, point.cross(unit))}
+        return found
+
+    return points
+
+
+def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
+    """Lines at right angles, one through the other and one that passes it."""
+
+    def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+        u, v = draw.unit(), draw.unit()
+        normal = u.cross(v)
+        crossing = normal / Decimal60().magnitude(normal)
+        passing = crossing + u * Dual(mpmath.mpf(0), draw.real())
+        return {"l_a crosses the axis": {axis: u, line: crossing}, "l_a passes the axis": {axis: u, line: passing}}
+
+    return points
