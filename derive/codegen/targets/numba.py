@@ -109,7 +109,7 @@ def _wrapped(text: str, indent: str) -> list[str]:
 
 def _lines(names: Sequence[str]) -> str:
     """Return names as lines of a tuple."""
-    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent="    ", subsequent_indent="    "))
+    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8))
 
 
 def _called(texts: Iterable[str]) -> list[str]:
