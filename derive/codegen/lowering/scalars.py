@@ -134,7 +134,7 @@ SCALARS: Mapping[str, Scalar] = {
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
-    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
+    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
     "coefficient_of": Scalar(
