@@ -1068,15 +1068,15 @@ def matrix6(D: Components) -> Result:
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
     v = compose(m, c, v2, v1)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, v2)
-    T = tangent(m, c, v1)
-    R = tensor(m, c, v2)
-    RT = dual_product(R, T)
-    P = dual_product(I, S)
-    N = dual_product(I, RT)
-    by_v2 = matrix6(P)
-    by_v1 = matrix6(N)
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, v2)
+    T1 = tangent(m, c, v1)
+    R2 = tensor(m, c, v2)
+    R2T1 = dual_product(R2, T1)
+    D2 = dual_product(back, T2)
+    D1 = dual_product(back, R2T1)
+    by_v2 = matrix6(D2)
+    by_v1 = matrix6(D1)
     return *by_v2, *by_v1
 
 
@@ -1090,19 +1090,20 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     minus_a2o = -a2o
     minus_a3o = -a3o
     v = compose(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o), v2)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
-    T = tangent(m, c, v2)
-    R = tensor(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
-    RT = dual_product(R, T)
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    T1 = tangent(m, c, v2)
+    R2 = tensor(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    R2T1 = dual_product(R2, T1)
     (
-        P11, P12, P13, P21, P22, P23, P31, P32, P33, P11o, P12o, P13o, P21o, P22o, P23o, P31o, P32o, P33o,
-    ) = dual_product(I, S)
-    N = dual_product(I, RT)
-    by_v2 = matrix6(N)
+        D211, D212, D213, D221, D222, D223, D231, D232, D233, D211o, D212o, D213o, D221o, D222o, D223o, D231o, D232o,
+        D233o,
+    ) = dual_product(back, T2)
+    D1 = dual_product(back, R2T1)
+    by_v2 = matrix6(D1)
     by_v1 = (
-        matrix6((-P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33, -P11o, -P12o, -P13o, -P21o, -P22o, -P23o, -P31o,
-        -P32o, -P33o))
+        matrix6((-D211, -D212, -D213, -D221, -D222, -D223, -D231, -D232, -D233, -D211o, -D212o, -D213o, -D221o, -D222o,
+        -D223o, -D231o, -D232o, -D233o))
     )
     return *by_v2, *by_v1
 
@@ -1269,18 +1270,18 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
     along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
-    I = (
+    back = (
         tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, (rho1 * fi - (w2 * rho3 - w3 * rho2) + w1 * along) / 2, (rho2
         * fi - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fi - (w1 * rho2 - w2 * rho1) + w3 * along) / 2))
     )
     R = tensor_at(f, g, h, delta)
     T = tangent(m, c, v)
     RT = dual_product(R, T)
-    D = tangent_at(f, g, h, fy, gy, hy, delta)
-    P = dual_product(I, RT)
-    N = dual_product(I, D)
-    by_v = matrix6(P)
-    by_delta = matrix6(N)
+    dexp = tangent_at(f, g, h, fy, gy, hy, delta)
+    D1 = dual_product(back, RT)
+    D2 = dual_product(back, dexp)
+    by_v = matrix6(D1)
+    by_delta = matrix6(D2)
     return *by_v, *by_delta
 
 

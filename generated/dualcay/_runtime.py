@@ -292,6 +292,12 @@ def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
     return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
 
 
+def unchanged(chart: Chart, axis: int, out: Array | None, v: ArrayLike) -> Array:
+    """Return v itself, checked and copied."""
+    array = as_array("v", v, chart.kernels["principal"].shape, axis, real=True)
+    return array.copy() if out is None else filled(array, out)
+
+
 def filled(array: Array, out: Array | None) -> Array:
     """The array, or ``out`` with what it holds."""
     if out is None:

@@ -51,7 +51,7 @@ class Numpy(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        own = [] if facts.chart.base else list(map(python.printed_scalar, facts.lowered.scalars.values()))
+        own = [] if facts.chart.base else python.printed_scalars(facts)
         return {"scalars": own, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:

@@ -630,14 +630,14 @@ def matrix_product(A: Components, B: Components) -> Result:
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
     v = compose(m, c, v2, v1)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, v2)
-    T = tangent(m, c, v1)
-    R = tensor(m, c, v2)
-    RT = matrix_product(R, T)
-    P = matrix_product(I, S)
-    N = matrix_product(I, RT)
-    return *P, *N
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, v2)
+    T1 = tangent(m, c, v1)
+    R2 = tensor(m, c, v2)
+    R2T1 = matrix_product(R2, T1)
+    D2 = matrix_product(back, T2)
+    D1 = matrix_product(back, R2T1)
+    return *D2, *D1
 
 
 def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -647,14 +647,14 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     minus_a2 = -a2
     minus_a3 = -a3
     v = compose(m, c, (minus_a1, minus_a2, minus_a3), v2)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, (minus_a1, minus_a2, minus_a3))
-    T = tangent(m, c, v2)
-    R = tensor(m, c, (minus_a1, minus_a2, minus_a3))
-    RT = matrix_product(R, T)
-    P11, P12, P13, P21, P22, P23, P31, P32, P33 = matrix_product(I, S)
-    N = matrix_product(I, RT)
-    return *N, -P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, (minus_a1, minus_a2, minus_a3))
+    T1 = tangent(m, c, v2)
+    R2 = tensor(m, c, (minus_a1, minus_a2, minus_a3))
+    R2T1 = matrix_product(R2, T1)
+    D211, D212, D213, D221, D222, D223, D231, D232, D233 = matrix_product(back, T2)
+    D1 = matrix_product(back, R2T1)
+    return *D1, -D211, -D212, -D213, -D221, -D222, -D223, -D231, -D232, -D233
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -689,14 +689,14 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     v33 = w3 * w3
     x = v11 + v22 + v33
     fi, hi, _, _ = c.tangent_inv_at(m, x, fe, angle)
-    I = tangent_inverse_at(fi, hi, (w1, w2, w3))
+    back = tangent_inverse_at(fi, hi, (w1, w2, w3))
     R = tensor_at(f, g, delta)
     T = tangent(m, c, v)
     RT = matrix_product(R, T)
-    D = tangent_at(f, g, h, delta)
-    P = matrix_product(I, RT)
-    N = matrix_product(I, D)
-    return *P, *N
+    dexp = tangent_at(f, g, h, delta)
+    D1 = matrix_product(back, RT)
+    D2 = matrix_product(back, dexp)
+    return *D1, *D2
 
 
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
