@@ -214,7 +214,7 @@ def shadow_jacobian(trace: Geometry) -> Program:
             square = point.name(f"uu{i + 1}{j + 1}", ui * uj)
             rest = point.name(f"p{i + 1}{j + 1}", int(i == j) - square)
             du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
-            row.append(Dual(ratio * rest + slope * square, point.name(f"J{i + 1}{j + 1}o", du)))
+            row.append(trace.dual(f"J{i + 1}{j + 1}", Dual(ratio * rest + slope * square, du)))
         rows.append(tuple(row))
     return trace.program("shadow_jacobian", entries6(trace, Tensor(rows)))
 

@@ -47,7 +47,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "natural": ("principal angle, d alpha/d r and sign of the axis, r = |v|", "", ()),
     "unfolded": ("angle of v = r u on its own branch", "", ()),
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
-    "turned": ("coefficient rk of the vector v_k = rk u from r, and drk/dr", "", ()),
+    "turned": ("coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
     "coefficient": ("r = phi(alpha) and phi'", "", ()),
     "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
