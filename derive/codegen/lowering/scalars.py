@@ -47,7 +47,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "natural": ("principal angle, d alpha/d r and sign of the axis, r = |v|", "", ()),
     "unfolded": ("angle of v = r u on its own branch", "", ()),
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
-    "turned": ("coefficient rk of the vector v_k = rk u from r, and drk/dr", "", ()),
+    "turned": ("coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
     "coefficient": ("r = phi(alpha) and phi'", "", ()),
     "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
@@ -170,7 +170,7 @@ SCALARS: Mapping[str, Scalar] = {
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
-    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
+    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
     "coefficient_of": Scalar(

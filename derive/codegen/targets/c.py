@@ -38,7 +38,7 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)), ("rate", (1, 0)))
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate", (1, 0)))
 }
 """What stands for scalars that geometry names and a chart never comes to."""
 

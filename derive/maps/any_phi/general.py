@@ -19,6 +19,7 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..branches import Derivatives
 from ..dependent import DependentScalars
 from ..families import alpha
 from ..order_charts import double_angle
@@ -276,11 +277,11 @@ class General(AngleChart):
             angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
         return angle
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """NaN beyond the edge, where the root is none."""
         with mpmath.workdps(DIGITS):
             square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
         left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
         one = m.name(f"inside{mark}", m.div(left, left))
         at = Lowering(angle, m)
-        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one
+        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one
