@@ -21,8 +21,8 @@ from functools import partial
 from typing import Any
 
 from derive.algebra import Dual, Structure
-from derive.algebra.polynomial_backend import Polynomial, Polynomials
 from derive.algebra.exact import Element
+from derive.algebra.polynomial_backend import Polynomial, Polynomials
 
 from .equation import Equation
 from .language import values

@@ -10,11 +10,11 @@ import sympy
 
 from ..maps import polynomials
 from .evaluation import NoValueError
-from .vector_ring import Ring
 from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
 from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
+from .vector_ring import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
 Stated = Callable[[], Sequence[Any]]

@@ -20,7 +20,6 @@ import sympy
 from ..algebra.exact import Element
 from .at_order import CayleyFormulas
 from .at_point import AtPoint
-from .vector_ring import Ring
 from .identity import Check, Claim, Multiplier, Proof, decide
 from .marks import (
     I,
@@ -41,6 +40,7 @@ from .marks import (
     z,
 )  # fmt: skip
 from .statement import Equation, Premise, definition
+from .vector_ring import Ring
 
 NORM = norm2(z)
 UNIT = definition(q_hat, z / sympy.sqrt(NORM))

@@ -21,8 +21,8 @@ from typing import Any
 import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from ..algebra.arithmetic import PLAIN
 from ..algebra.angles import AngleField
+from ..algebra.arithmetic import PLAIN
 from ..algebra.exact import Element
 from ..algebra.polynomial_backend import Polynomial
 from ..maps.chart import Chart
@@ -30,10 +30,10 @@ from ..maps.elementary import evaluate
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .vector_ring import Ring
 from .identity import Check, Claim, Proof, decide
 from .marks import Shifted, prime
 from .statement import Equation
+from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"

@@ -8,8 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.algebra.mixed import MeaninglessError
 from derive.algebra.exact import NotExactError
+from derive.algebra.mixed import MeaninglessError
 
 from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env

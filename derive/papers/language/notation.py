@@ -13,8 +13,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.algebra.exact import NotExactError
+from derive.maps.exponential import quaternion_exponential, tensor_exponential
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values

@@ -16,9 +16,9 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
-from derive.maps.polynomials import pair
 from derive.algebra.angles import AngleField
 from derive.algebra.exact import Element, NotExactError
+from derive.maps.polynomials import pair
 
 DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above the rounding of 60 digits, far below any difference that matters

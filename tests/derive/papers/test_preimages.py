@@ -9,11 +9,11 @@ from itertools import pairwise
 import pytest
 import sympy
 
+from derive.algebra.exact import Element
 from derive.papers import PAPERS, UndecidedError
 from derive.papers.condurache_popa_2023.alphabet import LOST
 from derive.papers.condurache_popa_2023.meanings import preimages
 from derive.papers.decide import decide
-from derive.algebra.exact import Element
 
 ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}
 THEOREMS = ("theorem-11-onto", "theorem-12-branches")

@@ -7,12 +7,12 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Dual
+from derive.algebra.exact import NotExactError
 from derive.papers.language.terms import Letter
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic, GenericOrder
 from derive.papers.numbers.kinds import KINDS
 from derive.papers.numbers.residues import Reduced
-from derive.algebra.exact import NotExactError
 
 t, v, w = (Letter(name, "dual vector") for name in "tvw")
 u1, u2, u3 = (Letter(f"u{i}", "unit vector") for i in (1, 2, 3))

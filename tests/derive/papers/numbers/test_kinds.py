@@ -6,12 +6,12 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
+from derive.algebra.exact import NotExactError
 from derive.papers.language.terms import Letter
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
 from derive.papers.numbers.kinds import KINDS
-from derive.algebra.exact import NotExactError
 
 DRAWN = [kind for kind in KINDS.values() if kind.draw is not None]
 EXACT = [kind for kind in KINDS.values() if kind.exact is not None]

@@ -8,8 +8,8 @@ from itertools import product
 
 import pytest
 
-from derive.papers.numbers.residues import PRIME, Residue, Residues, is_square, residue, square_root
 from derive.algebra.exact import NotExactError
+from derive.papers.numbers.residues import PRIME, Residue, Residues, is_square, residue, square_root
 
 NUMBERS = [Fraction(0), Fraction(1), Fraction(-3), Fraction(2, 7), Fraction(-5, 4), Fraction(PRIME + 2, 3)]
 OPERATIONS = (operator.add, operator.sub, operator.mul, operator.truediv)
