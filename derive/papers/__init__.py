@@ -1,26 +1,23 @@
 """Every equation of two papers, decided: `verify` computes the status of each.
 
 =====================  ========================================================================
-numbers                the numbers that formulas are executed on, and the values letters take
-language               how a formula is written down: terms, marks, meaning, execution
+numbers                the numbers that formulas are executed on, and the values symbols take
+language               how a formula is written down: terms, operators, values, execution
 equation               an entry
 result                 what came out for it
 paper                  a paper, its sections and the inventory of its text
 condurache_popa_2023   the entries of CP23, a module for each section
 karakilic_2010         those of K10
-readings               all ways to read a display whose marks were lost
 poles                  where the denominators of a formula vanish
 sharp                  whether a condition is sharp, by the denominators
 counterexample         what a false statement comes to at a point
 explore                a statement at seeded points, special ones and poles
 decide                 from an entry to its status
-equivalence            whether a mutant says the same
 mutation               mutants of a statement, and how they fare
-witnesses              30-digit values at seeded points, kept beside each paper's package
 report                 the results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
-A module imports only from those above it (`witnesses`, a command of its own, from this one too).
+A module imports only from those above it.
 """
 
 

@@ -24,20 +24,20 @@ SHOWN = 30
 
 
 def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Counterexample:
-    """What the free letters of a statement are at a point, and the sides that differ there."""
+    """What the free symbols of a statement are at a point, and the sides that differ there."""
     with mpmath.workdps(DIGITS):
-        letters = {latex(letter): shown(env.value(letter)) for letter in entry.free(statement)
-                   if is_value(env.value(letter))}  # fmt: skip
-        return Counterexample(point, letters, _different(env, statement))
+        symbols = {latex(symbol): shown(env.value(symbol)) for symbol in entry.free(statement)
+                   if is_value(env.value(symbol))}
+        return Counterexample(point, symbols, _different(env, statement))
 
 
 def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
     """The first two sides of one equation that are not equal."""
     if not isinstance(statement, Apply):
         return ()
-    if Trait.JOINS in statement.mark.traits:
+    if Trait.JOINS in statement.operator.traits:
         return next((found for part in statement.arguments if (found := _different(env, part))), ())
-    if statement.mark is equal:
+    if statement.operator is equal:
         for pair in pairwise(statement.arguments):
             try:
                 a, b = (env.now(env.value(side)) for side in pair)
@@ -52,10 +52,10 @@ def sides(env: Env, statement: Term) -> Iterator[Any]:
     """The values of both sides of each equation in a statement."""
     if not isinstance(statement, Apply):
         return
-    if Trait.JOINS in statement.mark.traits:
+    if Trait.JOINS in statement.operator.traits:
         for part in statement.arguments:
             yield from sides(env, part)
-    elif statement.mark is equal:
+    elif statement.operator is equal:
         for side in statement.arguments:
             yield env.value(side)
 

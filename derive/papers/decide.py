@@ -14,23 +14,19 @@ from .equation import Equation, Reading, UndecidedError, faithful
 from .explore import Outcome, explore
 from .language.evaluation import Env
 from .language.notation import over
-from .language.terms import Apply, Number, Term, Trait, marked, takes_apart, walk
+from .language.terms import Apply, Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.every_order import EveryOrder
 from .numbers.generic import Generic, GenericOrder
-from .numbers.kinds import BRANCH, ORDER, SIGN
-from .readings.enumeration import Readings, UnreadableError, read
+from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT = 1
 """Decimals of the numbers in a counterexample."""
-FOUND = "found among all readings"
 
 
-def decide(
-    paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS, count: bool = True
-) -> Result:
+def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
     """Compute the status of an entry.
 
     Parameters
@@ -41,8 +37,6 @@ def decide(
         Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
     orders : sequence of int
         The orders n at which statements about n are executed.
-    count : bool
-        Whether all readings are counted where a listed one is true; the status does not depend on it.
 
     Raises
     ------
@@ -56,24 +50,19 @@ def decide(
         raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
     for reading in entry.readings:
         if entry.extract and not faithful(reading.statement, entry.extract, lost):
-            raise UndecidedError(f"({entry.number}): a reading does not have the marks of line {entry.line}")
+            raise UndecidedError(f"({entry.number}): a reading does not have the characters of line {entry.line}")
     if entry.because is not None:
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
-    none_true = not any(verdict.true for verdict in listed)
-    found = _readings(entry, lost, none_true) if none_true or count else Readings(len(listed), False, ())
-    others = [judge(entry, Reading(statement, FOUND), orders) for statement in found.true] if none_true else []
-    known = (*listed, *(other for other in others if other.true))
-    verdicts = tuple(sorted(known, key=lambda verdict: not verdict.true))
+    verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
     decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
-    result = partial(Result, paper, entry, verdicts=verdicts, reading_count=found.count, capped=not found.complete,
-                     exact=entry.condition is not None and is_sharp(entry.condition, decided))  # fmt: skip
-    method = "; ".join(verdict.method for verdict in verdicts)
+    sharp = entry.condition is not None and is_sharp(entry.condition, decided)
+    result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
     if verdicts[0].true and not _speaks_for_a_false_one(entry, listed):
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
     if verdicts[0].true:
-        return result(Status.AMBIGUOUS, method)
+        return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
     if not (entry.extract or entry.said):
         raise UndecidedError(f"({entry.number}): an erratum shows the words of the paper")
     if entry.corrected is None:
@@ -83,19 +72,7 @@ def decide(
     correction = judge(entry, Reading(entry.corrected), orders)
     if not correction.true:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    status = Status.ERRATUM if found.complete else Status.AMBIGUOUS
-    more = "" if found.complete else "; there are more readings than can be tried"
-    return result(status, f"{verdicts[0].method}; correction {correction.method}{more}")
-
-
-def _readings(entry: Equation, lost: str, search: bool) -> Readings:
-    """All readings where signs were lost; elsewhere, and for claims in words, those that are listed."""
-    if not entry.extract or "-" not in lost:
-        return Readings(len(entry.readings), True, ())
-    try:
-        return read(entry, lost, search)
-    except UnreadableError:
-        return Readings(len(entry.readings), False, ())
+    return result(Status.ERRATUM, f"{verdicts[0].method}; correction {correction.method}")
 
 
 def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:
@@ -107,7 +84,7 @@ def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:
 
 def _support(entry: Equation, identity: Term) -> None:
     """Require that the supporting identity is proved; where it has no value it says nothing."""
-    moving = entry.moving or bool(marked(Trait.RATE, identity))
+    moving = entry.moving or bool(with_trait(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
     refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
     if refuted is not None or prove(entry, identity, ORDERS) is None:
@@ -132,12 +109,12 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 
 
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """A point outside the condition at which a statement happens to be true, for two letters are special there.
+    """A point outside the condition at which a statement happens to be true, for two symbols are special there.
 
     Raises
     ------
     UndecidedError
-        If one special letter is enough, for then the condition is too strict; or if the statement has a value where
+        If one special symbol is enough, for then the condition is too strict; or if the statement has a value where
         its form says that it has none.
     """
     for outcome in outside:
@@ -156,15 +133,15 @@ def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Ou
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
-    """How a true statement is known. What is more than an identity can still fail where letters are special."""
+    """How a true statement is known. What is more than an identity can still fail where symbols are special."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
     if exact is None and entry.argument:
         return f"proved by the argument in {entry.argument} from identities proved exactly; {evidence} besides"
     if exact is None:
         return f"evidence: {evidence}{supported}"
-    if any(entry.free(part) for part in marked(Trait.DELICATE, statement)):
-        return f"{exact} where letters are generic, {evidence}{supported}"
+    if any(entry.free(part) for part in with_trait(Trait.DELICATE, statement)):
+        return f"{exact} where symbols are generic, {evidence}{supported}"
     return f"{exact}{supported}"
 
 
@@ -177,11 +154,11 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
         If it is true at all points and false exactly: then one of the two is wrong.
     """
     free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind is ORDER), None)
-    branch = next((letter for letter in free if letter.kind is BRANCH), None)
+    order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
+    branch = next((symbol for symbol in free if symbol.quantity is BRANCH), None)
     # the first vector's magnitude is no root
-    lengths = {letter for part in marked(Trait.LENGTH, statement) for letter in entry.free(part)}
-    signs = [letter for letter in free if letter.kind is SIGN]
+    lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
+    signs = [symbol for symbol in free if symbol.quantity is SIGN]
     generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
         try:
@@ -209,7 +186,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 def _steps(statement: Term) -> int:
     """The integer M such that only multiples of angle/M occur."""
-    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.mark is over]
+    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 

@@ -1,17 +1,16 @@
 """One equation or claim of a paper, and how it is decided.
 
-An `Equation` is an entry: what is printed, and what the letters stand for. Nothing in it says whether it is true.
+An `Equation` is an entry: what is printed, and what the symbols stand for. Nothing in it says whether it is true.
 `decide` executes it and returns a `Result`:
 
-* every reading is evaluated at seeded 60-digit points, the special values of every letter among them. One failure
+* every reading is evaluated at seeded 60-digit points, the special values of every symbol among them. One failure
   refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
   an n. Where that is not possible the method says that the points are evidence, not proof;
 * every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text;
-* the readings that are listed are not all: `readings` puts the lost marks in anew, in every way that has a meaning;
-* ``holds``: a reading is true at all points, for the marks were lost by the extraction, not by the paper. ``holds-if``:
-  true where the entry's condition is, and not everywhere else; both sides are tested. ``erratum``: no reading is true,
-  of those listed or any other; then the correction must be. ``ambiguous``: a legible place speaks for a reading that
-  is false, or there are too many readings to say that none is true.
+* readings are listed by hand, the most charitable first;
+* ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
+  and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
+  ``ambiguous``: a true and a false reading that the text cannot tell apart.
 
 An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
 """
@@ -24,10 +23,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .language.evaluation import Definition
-from .language.terms import Letter, Term, letters, text
+from .language.terms import Symbol, Term, symbols, text
 from .numbers.draw import Draw
 
-Points = Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]
+Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 
 
 class UndecidedError(Exception):
@@ -68,9 +67,9 @@ class Equation:
     extract : str
         Its marks there, empty for a claim in words.
     readings : tuple of Reading
-        All faithful readings.
+        Readings listed by hand, the most charitable first.
     where : tuple of Definition
-        What the defined letters stand for; all others are free and vary over their kind.
+        What the defined symbols stand for; all others are free and vary over their quantity.
     claimed : Term, optional
         The domain that the paper states; points outside it are not tested.
     stated : tuple of int and str, optional
@@ -84,13 +83,13 @@ class Equation:
     argument : str
         Where the words stand that lead from that identity to the statement at all points: then it is proved.
     also : callable, optional
-        Further points: from a `numbers.draw.Draw` to values of free letters, by name.
+        Further points: from a `numbers.draw.Draw` to values of free symbols, by name.
     moving : bool
-        Whether the letters are functions of time.
+        Whether the symbols are functions of time.
     orders : tuple of int, optional
         The only orders it is about.
     branches : int, optional
-        How many values a branch letter takes, where that is not n.
+        How many values a branch symbol takes, where that is not n.
     components : bool
         Whether single components occur, so that no frame may be chosen along the vectors.
     lost : str
@@ -129,21 +128,21 @@ class Equation:
     source: str = ""
 
     @property
-    def definitions(self) -> dict[Letter, Definition]:
-        """The definitions by letter."""
-        return {definition.letter: definition for definition in self.where}
+    def definitions(self) -> dict[Symbol, Definition]:
+        """The definitions by symbol."""
+        return {definition.symbol: definition for definition in self.where}
 
-    def free(self, statement: Term) -> tuple[Letter, ...]:
-        """The letters that vary in a statement: its own and those its definitions rest on."""
+    def free(self, statement: Term) -> tuple[Symbol, ...]:
+        """The symbols that vary in a statement: its own and those its definitions rest on."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        seen = dict.fromkeys(letter for part in parts for letter in letters(part))
+        seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
         queue = list(seen)
-        for letter in queue:
-            if letter in self.definitions:
-                new = [argument for argument in self.definitions[letter].arguments if argument not in seen]
+        for symbol in queue:
+            if symbol in self.definitions:
+                new = [argument for argument in self.definitions[symbol].arguments if argument not in seen]
                 seen.update(dict.fromkeys(new))
                 queue += new
-        return tuple(letter for letter in queue if letter not in self.definitions and letter.kind.varies)
+        return tuple(symbol for symbol in queue if symbol not in self.definitions and symbol.quantity.varies)
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
@@ -167,7 +166,7 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
     ----------
     lost : str
         The characters the extraction of this paper lost or scattered; spaces are always ignored. A tilde and the
-        index of its letter come in either order.
+        index of its symbol come in either order.
     """
     drop = str.maketrans("", "", lost + " ")
 

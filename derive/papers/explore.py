@@ -1,4 +1,4 @@
-"""A statement at seeded points: letters generic, real, and special one by one and two by two; and poles."""
+"""A statement at seeded points: symbols generic, real, and special one by one and two by two; and poles."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from derive.algebra import Dual, Structure
 
 from .equation import Equation
 from .language.evaluation import Env
-from .language.terms import Letter, Term
+from .language.terms import Symbol, Term
 from .numbers.draw import Draw
 from .numbers.fields import DIGITS, Decimal60
-from .numbers.kinds import BRANCH, ORDER, Make
+from .numbers.quantities import BRANCH, ORDER, Make
 from .poles import poles
 
 GENERIC_POINTS = 2
@@ -31,7 +31,7 @@ class Outcome:
     truth: bool | None
     env: Env
     pair: bool = False
-    """Whether two letters have special values at once."""
+    """Whether two symbols have special values at once."""
 
     @property
     def place(self) -> str:
@@ -51,7 +51,7 @@ def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int
 
 @dataclass(frozen=True)
 class Point:
-    """Values of all letters, and what is special about them."""
+    """Values of all symbols, and what is special about them."""
 
     label: str
     env: Env
@@ -59,11 +59,11 @@ class Point:
 
 
 def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Point]:
-    """Seeded points: letters generic, special, as the entry says, all real; poles; two letters special at once."""
+    """Seeded points: symbols generic, special, as the entry says, all real; poles; two symbols special at once."""
     free = entry.free(statement)
-    order = next((letter for letter in free if letter.kind is ORDER), None)
-    others = [letter for letter in free if letter.kind not in (ORDER, BRANCH)]
-    branches = [letter for letter in free if letter.kind is BRANCH]
+    order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
+    others = [symbol for symbol in free if symbol.quantity not in (ORDER, BRANCH)]
+    branches = [symbol for symbol in free if symbol.quantity is BRANCH]
     for n in orders if order is not None else (0,):
         prefix = f"n = {n}, " if order is not None else ""
         for branch in range((entry.branches or n) if branches else 1):
@@ -71,36 +71,36 @@ def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int 
             draw = Draw(f"{entry.number} {n} {branch}", entry.moving, digits)
             for label, values in _variations(draw, others, entry):
                 yield Point(f"{prefix}{label}", _environment(entry, {**fixed, **values}))
-            start = {**fixed, **{letter: letter.kind.generic(draw) for letter in others}}
+            start = {**fixed, **{symbol: symbol.quantity.generic(draw) for symbol in others}}
             for values in _all_real(Draw(f"{entry.number} {n} {branch} real", entry.moving, digits), others):
-                yield Point(f"{prefix}all letters real", _environment(entry, {**fixed, **values}))
+                yield Point(f"{prefix}all symbols real", _environment(entry, {**fixed, **values}))
             for label, moved in poles(statement, _environment(entry, start)):
                 yield Point(f"{prefix}{label}", _environment(entry, {**start, **moved}))
             for label, values in _pairs(draw, others):
                 yield Point(f"{prefix}{label}", _environment(entry, {**fixed, **values}), pair=True)
 
 
-def _environment(entry: Equation, values: dict[Letter, object]) -> Env:
+def _environment(entry: Equation, values: dict[Symbol, object]) -> Env:
     return Env(Decimal60(), values, entry.definitions, moving=entry.moving)
 
 
-def _variations(draw: Draw, free: Sequence[Letter], entry: Equation) -> Iterator[tuple[str, dict[Letter, object]]]:
-    def generic() -> dict[Letter, object]:
-        return {letter: letter.kind.generic(draw) for letter in free}
+def _variations(draw: Draw, free: Sequence[Symbol], entry: Equation) -> Iterator[tuple[str, dict[Symbol, object]]]:
+    def generic() -> dict[Symbol, object]:
+        return {symbol: symbol.quantity.generic(draw) for symbol in free}
 
     for i in range(GENERIC_POINTS):
         yield f"generic point {i + 1}", generic()
-    for letter, label, make in _special(free):
-        yield f"{letter.name}: {label}", {**generic(), letter: make(draw)}
+    for symbol, label, make in _special(free):
+        yield f"{symbol.name}: {label}", {**generic(), symbol: make(draw)}
     for label, point in (entry.also(draw) if entry.also else {}).items():
         yield label, {**generic(), **point}
 
 
-def _all_real(draw: Draw, free: Sequence[Letter]) -> Iterator[dict[Letter, object]]:
-    """All letters without their dual parts, if any has one."""
-    values = {letter: letter.kind.generic(draw) for letter in free}
+def _all_real(draw: Draw, free: Sequence[Symbol]) -> Iterator[dict[Symbol, object]]:
+    """All symbols without their dual parts, if any has one."""
+    values = {symbol: symbol.quantity.generic(draw) for symbol in free}
     if any(isinstance(value, Dual | Structure) for value in values.values()):
-        yield {letter: _real(value) for letter, value in values.items()}
+        yield {symbol: _real(value) for symbol, value in values.items()}
 
 
 def _real(value: Any) -> Any:
@@ -110,17 +110,17 @@ def _real(value: Any) -> Any:
     return Dual(value.re, 0 * value.du) if isinstance(value, Dual) else value
 
 
-def _pairs(draw: Draw, free: Sequence[Letter]) -> Iterator[tuple[str, dict[Letter, object]]]:
+def _pairs(draw: Draw, free: Sequence[Symbol]) -> Iterator[tuple[str, dict[Symbol, object]]]:
     for (first, label, make), (second, other, other_make) in combinations(_special(free), 2):
         if first != second:
-            values = {letter: letter.kind.generic(draw) for letter in free}
+            values = {symbol: symbol.quantity.generic(draw) for symbol in free}
             point = {**values, first: make(draw), second: other_make(draw)}
             yield f"{first.name}: {label}, {second.name}: {other}", point
 
 
-def _special(free: Sequence[Letter]) -> list[tuple[Letter, str, Make]]:
-    """Every special value of every letter."""
-    return [(letter, label, make) for letter in free for label, make in letter.kind.special.items()]
+def _special(free: Sequence[Symbol]) -> list[tuple[Symbol, str, Make]]:
+    """Every special value of every symbol."""
+    return [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
 
 
 def _truth(env: Env, statement: Term) -> bool | None:

@@ -11,44 +11,43 @@ import mpmath
 from derive.algebra import Vector
 
 from .language.evaluation import Env
-from .language.terms import Apply, Letter, Term, letters, text, walk
+from .language.terms import Apply, Symbol, Term, symbols, text, walk
 from .numbers.fields import innermost
-from .readings.items import MEANINGLESS
 
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
-"""The multiples of a letter between which a change of sign is looked for."""
+"""The multiples of a symbol between which a change of sign is looked for."""
 SCALED = ("dual vector", "dual number", "argument")
 
 
-def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Letter, Any]]]:
-    """For each denominator the first multiple of a letter, where all others stay, at which its real part is 0."""
+def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
+    """For each denominator the first multiple of a symbol, where all others stay, at which its real part is 0."""
     for below in dict.fromkeys(denominators(statement)):
-        for letter in letters(below):
-            if letter.kind.name in SCALED and letter not in env.definitions:
-                scale = _root(below, letter, env)
+        for symbol in symbols(below):
+            if symbol.quantity.name in SCALED and symbol not in env.definitions:
+                scale = _root(below, symbol, env)
                 if scale is not None:
-                    yield f"{text(below)} has the real part 0", {letter: _scaled(env.values[letter], scale)}
+                    yield f"{text(below)} has the real part 0", {symbol: _scaled(env.values[symbol], scale)}
 
 
 def denominators(statement: Term) -> Iterator[Term]:
     """What stands under a fraction bar or a negative exponent, unless it is a mere numeral."""
     for node in walk(statement):
-        if isinstance(node, Apply) and node.mark.name == "over" and letters(node.arguments[1]):
+        if isinstance(node, Apply) and node.operator.name == "over" and symbols(node.arguments[1]):
             yield node.arguments[1]
 
 
-def _root(below: Term, letter: Letter, env: Env) -> Any | None:
+def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
     def real_part(scale: Any) -> Any:
         values = {a: v for a, v in env.values.items() if a not in env.definitions}
-        moved = Env(env.field, {**values, letter: _scaled(env.values[letter], scale)}, env.definitions, env.dual,
-                    env.moving)  # fmt: skip
+        moved = Env(env.field, {**values, symbol: _scaled(env.values[symbol], scale)}, env.definitions, env.dual,
+                    env.moving)
         return innermost(moved.value(below))
 
     try:
         for low, high in pairwise(SCALES):
             if real_part(low) * real_part(high) < 0:
                 return mpmath.findroot(real_part, (low, high), solver="anderson")
-    except MEANINGLESS:
+    except (ArithmeticError, TypeError, ValueError):
         pass
     return None
 

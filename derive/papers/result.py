@@ -29,19 +29,19 @@ class Counterexample:
     ----------
     point : str
         What is special about it.
-    letters : dict of str to list of str
-        LaTeX of each free letter to the numbers it consists of: real parts, then dual parts.
+    symbols : dict of str to list of str
+        LaTeX of each free symbol to the numbers it consists of: real parts, then dual parts.
     sides : tuple of list of str
         The numbers that the two sides of the equation that fails consist of; none for a claim in words.
     """
 
     point: str
-    letters: Mapping[str, list[str]]
+    symbols: Mapping[str, list[str]]
     sides: tuple[list[str], ...]
 
     def as_json(self) -> dict[str, Any]:
         """As plain data."""
-        return {"point": self.point, "letters": dict(self.letters), "sides": list(self.sides)}
+        return {"point": self.point, "letters": dict(self.symbols), "sides": list(self.sides)}
 
 
 @dataclass(frozen=True)
@@ -85,11 +85,7 @@ class Result:
     status : Status
     method : str
     verdicts : tuple of Verdict
-        One for each reading that is listed or was found true; a true one comes first if there is one.
-    reading_count : int
-        How many readings differ, at most `readings.search.CAP`.
-    capped : bool
-        Whether there are more, so that not all were looked at.
+        One for each listed reading; a true one comes first if there is one.
     exact : bool
         Whether the condition is sharp, as the form of the statement shows; if not, it is true at least there.
     """
@@ -99,8 +95,6 @@ class Result:
     status: Status
     method: str
     verdicts: tuple[Verdict, ...]
-    reading_count: int = 1
-    capped: bool = False
     exact: bool = False
 
     @property
@@ -157,8 +151,8 @@ class Result:
             "readings": [
                 {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
             ],
-            "reading_count": self.reading_count,
-            "capped": self.capped,
+            "reading_count": len(self.verdicts),
+            "capped": False,
             "counterexample": None if example is None else example.as_json(),
             "method": self.method,
             "anchor": self.anchor,

@@ -19,9 +19,9 @@ def is_sharp(condition: Term, statement: Term) -> bool:
 
 
 def _parts(condition: Term) -> Iterator[Term]:
-    if isinstance(condition, Apply) and condition.mark is remark:
+    if isinstance(condition, Apply) and condition.operator is remark:
         yield from _parts(condition.arguments[0])
-    elif isinstance(condition, Apply) and Trait.JOINS in condition.mark.traits and not condition.mark.lazy:
+    elif isinstance(condition, Apply) and Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
         for part in condition.arguments:
             yield from _parts(part)
     else:
@@ -30,24 +30,24 @@ def _parts(condition: Term) -> Iterator[Term]:
 
 def _subject(part: Term) -> Term | None:
     """What is not to vanish: where it is 0, its real part is."""
-    if not (isinstance(part, Apply) and part.mark is nonzero):
+    if not (isinstance(part, Apply) and part.operator is nonzero):
         return None
     (subject,) = part.arguments
-    return subject.arguments[0] if isinstance(subject, Apply) and subject.mark is Re else subject
+    return subject.arguments[0] if isinstance(subject, Apply) and subject.operator is Re else subject
 
 
 def _needed(node: Term) -> Iterator[Term]:
     """What must have a real part other than 0 for a statement to have a value."""
-    if not isinstance(node, Apply) or (node.mark.lazy and node.mark.name != "power"):
+    if not isinstance(node, Apply) or (node.operator.lazy and node.operator.name != "power"):
         return
-    if node.mark is over:
+    if node.operator is over:
         yield from _factors(node.arguments[1])
-    elif node.mark.name == "power" and _is_negative(node.arguments[1]):
+    elif node.operator.name == "power" and _is_negative(node.arguments[1]):
         yield det(node.arguments[0])
         yield from _factors(node.arguments[0])
-    elif Trait.OVER_COSINE in node.mark.traits:
+    elif Trait.OVER_COSINE in node.operator.traits:
         yield cos(node.arguments[0])
-    elif Trait.OVER_SINE in node.mark.traits:
+    elif Trait.OVER_SINE in node.operator.traits:
         yield sin(node.arguments[0])
     for argument in node.arguments:
         yield from _needed(argument)
@@ -58,10 +58,10 @@ def _factors(below: Term) -> Iterator[Term]:
     yield below
     if not isinstance(below, Apply):
         return
-    if below.mark.name in ("times", "root") or Trait.LENGTH in below.mark.traits:
+    if below.operator.name in ("times", "root") or Trait.LENGTH in below.operator.traits:
         for factor in below.arguments:
             yield from _factors(factor)
-    elif below.mark.name == "power" and not _is_negative(below.arguments[1]):
+    elif below.operator.name == "power" and not _is_negative(below.arguments[1]):
         yield from _factors(below.arguments[0])
 
 

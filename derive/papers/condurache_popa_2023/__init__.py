@@ -1,10 +1,10 @@
 """Condurache and Popa, Symmetry 15(11) 2011 (2023): every equation and claim, section by section.
 
 =========  ==================================================================================
-alphabet   the letters that the paper uses throughout, and the marks its extraction lost
-marks      marks of its own
-meanings   what the letters stand for: what the printed formulas are checked against
-sections   the entries, in printed order; a section uses letters of those before it
+symbols     symbols used throughout the paper, and the characters its text extraction lost
+operators   operators of its own
+definitions   what the symbols stand for: what the printed formulas are checked against
+sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================
 """
@@ -12,7 +12,7 @@ inventory  by line of the text: the entries that decide it, or why it claims not
 from __future__ import annotations
 
 from ..paper import Paper
-from .alphabet import LOST
+from .symbols import LOST
 
 PAPER = Paper(
     slug="condurache-popa-2023",
@@ -28,4 +28,4 @@ PAPER = Paper(
         "s07c_parameterizations", "s07d_families", "s07e_references", "s08a_kinematics", "s08b_tangent_operators",
         "s09a_orders_1_to_3", "s09b_orders_4_and_5", "s09c_components", "s10_conclusions",
     ),
-)  # fmt: skip
+)

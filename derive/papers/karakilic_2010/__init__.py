@@ -1,12 +1,12 @@
 """Karakılıç, The dual Rodrigues parameters (2010): every equation and claim, section by section.
 
-The LaTeX of its text is legible but for arrows over letters and a few stars: `alphabet.marks` says what is compared.
+The LaTeX of its text is legible but for arrows over symbols and a few stars: `symbols.shown` says what is compared.
 
 =========  ==================================================================================
-alphabet   the letters of the paper, and what its extraction keeps of a formula
-marks      marks of its own
-meanings   what the letters stand for: what the printed formulas are checked against
-sections   the entries, in printed order; a section uses letters of those before it
+symbols   the symbols of the paper, and what its extraction keeps of a formula
+operators  operators of its own
+definitions   what the symbols stand for: what the printed formulas are checked against
+sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================
 """
@@ -14,7 +14,7 @@ inventory  by line of the text: the entries that decide it, or why it claims not
 from __future__ import annotations
 
 from ..paper import Paper
-from .alphabet import LOST
+from .symbols import LOST
 
 PAPER = Paper(
     slug="karakilic-2010",
@@ -27,4 +27,4 @@ PAPER = Paper(
         "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s3c_steps",
         "s4_conclusion",
     ),
-)  # fmt: skip
+)

@@ -1,4 +1,4 @@
-"""Executing a term: letters have values, the notation table says what to do with them."""
+"""Executing a term: symbols have values, the notation table says what to do with them."""
 
 from __future__ import annotations
 
@@ -10,45 +10,45 @@ from typing import Any
 from derive.algebra import Dual, Structure
 
 from ..numbers.fields import Field
-from .terms import Apply, Letter, Number, Term
+from .terms import Apply, Number, Symbol, Term
 
 Function = Callable[..., Any]
 
 
 @dataclass(frozen=True)
 class Definition:
-    """What a letter stands for when it is not free: ``function(env, *values of the arguments)``.
+    """What a symbol stands for when it is not free: ``function(env, *values of the arguments)``.
 
     This is what a printed formula is checked against: the functions come from :mod:`derive.maps`.
     """
 
-    letter: Letter
+    symbol: Symbol
     function: Function
-    arguments: tuple[Letter, ...]
+    arguments: tuple[Symbol, ...]
 
 
-def let(letter: Letter, function: Function, *arguments: Letter) -> Definition:
-    """``letter := function(env, *arguments)``."""
-    return Definition(letter, function, arguments)
+def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
+    """``symbol := function(env, *arguments)``."""
+    return Definition(symbol, function, arguments)
 
 
 @dataclass
 class Env:
-    """Values of letters over a field of numbers.
+    """Values of symbols over a field of numbers.
 
     Attributes
     ----------
     field : Field
     values : dict
-        The free letters' values; defined letters join them as they are needed.
-    definitions : mapping of Letter to Definition
+        The free symbols' values; defined symbols join them as they are needed.
+    definitions : mapping of Symbol to Definition
     dual, moving : bool
         Whether coefficients are dual numbers, and whether (inside that) they carry a time derivative.
     """
 
     field: Field
-    values: dict[Letter, Any]
-    definitions: Mapping[Letter, Definition] = dataclasses.field(default_factory=dict)
+    values: dict[Symbol, Any]
+    definitions: Mapping[Symbol, Definition] = dataclasses.field(default_factory=dict)
     dual: bool = True
     moving: bool = False
 
@@ -56,19 +56,19 @@ class Env:
         """The value of a term: a number, vector, tensor, quaternion, function or truth."""
         if isinstance(statement, Number):
             return statement.value
-        if isinstance(statement, Letter):
-            return self._letter(statement)
+        if isinstance(statement, Symbol):
+            return self._symbol(statement)
         if not isinstance(statement, Apply):
             raise TypeError(f"not a formula: {statement!r}")
-        mark = statement.mark
-        if mark.lazy:
-            return mark.value(self, *statement.arguments)
-        return mark.value(self, *(self.value(argument) for argument in statement.arguments))
+        operator = statement.operator
+        if operator.lazy:
+            return operator.value(self, *statement.arguments)
+        return operator.value(self, *(self.value(argument) for argument in statement.arguments))
 
-    def bound(self, index: Letter | Term, value: Any) -> Env:
-        """The same with one more letter bound, as the index of a sum."""
-        if not isinstance(index, Letter):
-            raise TypeError(f"only a letter can be bound, not {index!r}")
+    def bound(self, index: Symbol | Term, value: Any) -> Env:
+        """The same with one more symbol bound, as the index of a sum."""
+        if not isinstance(index, Symbol):
+            raise TypeError(f"only a symbol can be bound, not {index!r}")
         return Env(self.field, {**self.values, index: value}, self.definitions, self.dual, self.moving)
 
     def power(self, base: Any, exponent: Any) -> Any:
@@ -93,18 +93,18 @@ class Env:
             return a
         return Dual(_value(a.re), _value(a.du)) if self.dual else a.re
 
-    def _letter(self, letter: Letter) -> Any:
-        if letter not in self.values:
-            self.values[letter] = self._meaning(letter)
-        return self.values[letter]
+    def _symbol(self, symbol: Symbol) -> Any:
+        if symbol not in self.values:
+            self.values[symbol] = self._meaning(symbol)
+        return self.values[symbol]
 
-    def _meaning(self, letter: Letter) -> Any:
-        if letter in self.definitions:
-            definition = self.definitions[letter]
+    def _meaning(self, symbol: Symbol) -> Any:
+        if symbol in self.definitions:
+            definition = self.definitions[symbol]
             return definition.function(self, *(self.value(a) for a in definition.arguments))
-        if letter.kind.value is not None:
-            return letter.kind.value(self.field)
-        raise KeyError(f"letter {letter.name!r} has no value")
+        if symbol.quantity.value is not None:
+            return symbol.quantity.value(self.field)
+        raise KeyError(f"symbol {symbol.name!r} has no value")
 
 
 def _slope(a: Any) -> Any:

@@ -7,8 +7,8 @@ Python's operators build it, so that an entry reads like the formula. From a ter
 * ``text(term)``, its marks in reading order, with which a reading is held against the extracted text,
 * its value, in :mod:`derive.papers.language.evaluation`.
 
-What a mark means is one row of the table in :mod:`derive.papers.language.notation`, what a letter may stand for one of
-that in :mod:`derive.papers.numbers.kinds`.
+What a mark means is one row of the table in :mod:`derive.papers.language.notation`, what a symbol may stand for one of
+that in :mod:`derive.papers.numbers.quantities`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from typing import Any, Self
 from sympy import Basic, Integer
 from sympy.core.symbol import Str
 
-from ..numbers.kinds import KINDS, Kind
+from ..numbers.quantities import QUANTITIES, Quantity
 
 ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # how tightly a term holds together
 
@@ -31,7 +31,7 @@ class Trait(Flag):
 
     NONE = 0
     DELICATE = auto()
-    """It can change its value where letters take special ones."""
+    """It can change its value where symbols take special ones."""
     APART = auto()
     """It takes the real or the dual part."""
     RATE = auto()
@@ -42,34 +42,14 @@ class Trait(Flag):
     """It is the root of a square, so that its own square needs no root."""
     JOINS = auto()
     """It joins statements: what its parts state is stated."""
-    EVENTUAL = auto()
-    """It is what its last argument is from some order on."""
     OVER_COSINE = auto()
     """It divides by the cosine of its argument."""
     OVER_SINE = auto()
     """It divides by the sine of its argument."""
-    ASCENDS = auto()
-    """It says that each argument is less than the next."""
 
 
 @dataclass(frozen=True)
-class Change:
-    """One way to spoil a term, for mutants.
-
-    Attributes
-    ----------
-    what : str
-        In words, with ``{}`` for the name of the mark.
-    made : callable
-        From the term to what it becomes.
-    """
-
-    what: str
-    made: Callable[[Apply], Term]
-
-
-@dataclass(frozen=True)
-class Mark:
+class Operator:
     """One row of the notation table; called with arguments it makes a term.
 
     Attributes
@@ -84,8 +64,6 @@ class Mark:
     value : callable
         ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
     traits : Trait
-    changes : tuple of Change
-        What mutants make of its terms, besides changing their arguments.
     """
 
     name: str
@@ -96,13 +74,12 @@ class Mark:
     value: Callable[..., Any]
     lazy: bool = False
     traits: Trait = Trait.NONE
-    changes: tuple[Change, ...] = ()
 
     def __call__(self, *arguments: Any) -> Apply:
         return Apply(self.name, *arguments)
 
 
-MARKS: dict[str, Mark] = {}
+OPERATORS: dict[str, Operator] = {}
 
 
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
@@ -155,23 +132,23 @@ class Number(Term):
         return int(self.args[0])
 
 
-class Letter(Term):
+class Symbol(Term):
     """A symbol of the page.
 
     Parameters
     ----------
     name : str
         Unique within a statement.
-    kind : str
-        What it stands for: a row of the table in :mod:`derive.papers.numbers.kinds`.
+    quantity : str
+        What it stands for: a row of the table in :mod:`derive.papers.numbers.quantities`.
     latex, text : str
         How it is typeset, and its marks as an extraction gives them.
     """
 
-    def __new__(cls, name: str, kind: str, latex: str | None = None, text: str | None = None) -> Self:
-        if kind not in KINDS:
-            raise ValueError(f"no kind {kind!r}: expected {', '.join(KINDS)}")
-        node: Self = super().__new__(cls, Str(name), Str(kind), Str(latex or name), Str(text or name))
+    def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
+        if quantity not in QUANTITIES:
+            raise ValueError(f"no quantity {quantity!r}: expected {', '.join(QUANTITIES)}")
+        node: Self = super().__new__(cls, Str(name), Str(quantity), Str(latex or name), Str(text or name))
         return node
 
     @property
@@ -180,23 +157,23 @@ class Letter(Term):
         return name
 
     @property
-    def kind(self) -> Kind:
-        return KINDS[self.args[1].name]
+    def quantity(self) -> Quantity:
+        return QUANTITIES[self.args[1].name]
 
 
 class Apply(Term):
     """A row of the notation table applied to arguments."""
 
-    def __new__(cls, mark: str | Str, *arguments: Any) -> Self:
-        name = str(mark)  # SymPy rebuilds a node from its own arguments
-        if name not in MARKS:
-            raise ValueError(f"no mark {name!r}")
+    def __new__(cls, operator: str | Str, *arguments: Any) -> Self:
+        name = str(operator)  # SymPy rebuilds a node from its own arguments
+        if name not in OPERATORS:
+            raise ValueError(f"no operator {name!r}")
         node: Self = super().__new__(cls, Str(name), *(term(a) for a in arguments))
         return node
 
     @property
-    def mark(self) -> Mark:
-        return MARKS[self.args[0].name]
+    def operator(self) -> Operator:
+        return OPERATORS[self.args[0].name]
 
     @property
     def arguments(self) -> tuple[Term, ...]:
@@ -212,9 +189,9 @@ def term(value: Any) -> Term:
     raise TypeError(f"a formula is made of terms and integers, not {type(value).__name__}")
 
 
-def letters(statement: Term) -> tuple[Letter, ...]:
-    """The letters of a statement, in the order of the page, each once."""
-    return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Letter)))
+def symbols(statement: Term) -> tuple[Symbol, ...]:
+    """The symbols of a statement, in the order of the page, each once."""
+    return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Symbol)))
 
 
 def walk(statement: Term) -> Iterator[Term]:
@@ -225,16 +202,16 @@ def walk(statement: Term) -> Iterator[Term]:
             yield from walk(argument)
 
 
-def marked(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
+def with_trait(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
     """The parts of statements whose mark has a trait."""
     nodes = (node for statement in statements for node in walk(statement))
-    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.mark.traits)
+    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.operator.traits)
 
 
 def takes_apart(*statements: Term) -> bool:
-    """Whether real and dual parts occur one by one: ε, Re, Du, a real letter, a claim in words."""
-    return bool(marked(Trait.APART, *statements)) or any(
-        letter.kind.apart for statement in statements for letter in letters(statement)
+    """Whether real and dual parts occur one by one: ε, Re, Du, a real symbol, a claim in words."""
+    return bool(with_trait(Trait.APART, *statements)) or any(
+        symbol.quantity.apart for statement in statements for symbol in symbols(statement)
     )
 
 
@@ -251,11 +228,11 @@ def text(statement: Term) -> str:
 def _typeset(node: Term, style: str, brackets: str) -> str:
     if isinstance(node, Number):
         return str(node.value)
-    if isinstance(node, Letter):
+    if isinstance(node, Symbol):
         return str(node.args[2 if style == "latex" else 3])
     if not isinstance(node, Apply):
         raise TypeError(f"not a formula: {node!r}")
-    row = node.mark
+    row = node.operator
     parts = []
     for i, argument in enumerate(node.arguments):
         part = _typeset(argument, style, brackets)
@@ -269,5 +246,5 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
 
 def _level(node: Term) -> int:
     if isinstance(node, Apply):
-        return node.mark.level
+        return node.operator.level
     return ATOM

@@ -32,7 +32,7 @@ class Either:
 
 @dataclass(frozen=True)
 class Solution:
-    """Whatever passes a test: a letter that the paper defines as a preimage equals everything that is one."""
+    """Whatever passes a test: a symbol that the paper defines as a preimage equals everything that is one."""
 
     test: Callable[[Any], bool]
 

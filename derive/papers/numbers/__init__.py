@@ -1,10 +1,9 @@
-"""The numbers that formulas are executed on, and the values that letters take.
+"""The numbers that formulas are executed on, and the values that symbols take.
 
 ===========  ==================================================================================
 fields       60 digits, and exact rational functions
 every_order  the exact field for symbolic n
-kinds        what a letter may stand for, special values included
-generic      letters at generic values of an exact field
-residues     the same as residues of a large prime
+quantities   what a symbol may stand for, special values included
+generic      symbols at generic values of an exact field
 ===========  ==================================================================================
 """

@@ -37,7 +37,7 @@ class Field(ABC):
     name : str
         How a method names it.
     ordered : bool
-        Whether every number has a sign; where not, a letter is taken on the side at hand.
+        Whether every number has a sign; where not, a symbol is taken on the side at hand.
     """
 
     name: str

@@ -1,9 +1,9 @@
-"""Letters at generic values of an exact field, so that one evaluation decides a statement for all values.
+"""Symbols at generic values of an exact field, so that one evaluation decides a statement for all values.
 
 Coordinates are chosen along the vectors at hand: the first vector lies on the first axis, the second in the plane of
 the first two. Every operation of the papers is independent of the frame, so nothing is lost. The magnitude X is then no
 root, and as the tangent of an angle of the field it leaves ``sqrt(1 + X²)`` rational too. Statements that take dual
-numbers apart (ε, Re, Du, real letters) get dual coefficients, and the frame is chosen along the real parts; for all
+numbers apart (ε, Re, Du, real symbols) get dual coefficients, and the frame is chosen along the real parts; for all
 others an identity of rational functions over Q carries over to dual numbers as it is.
 """
 
@@ -18,25 +18,25 @@ from derive.algebra.exact import NotExactError
 from .draw import sphere
 from .every_order import EveryOrder
 from .fields import Exact
-from .kinds import Kind, Role
+from .quantities import Quantity, Role
 
 STEPS = 4  # sine and cosine of α/4 and its multiples are exact
 
 
 class Variable(Protocol):
-    """What is given a value: a letter."""
+    """What is given a value: a symbol."""
 
     @property
     def name(self) -> str:
         """Unique among those of a statement."""
 
     @property
-    def kind(self) -> Kind:
+    def quantity(self) -> Quantity:
         """What it stands for."""
 
 
 class Generic:
-    """Generic values of some letters.
+    """Generic values of some symbols.
 
     Parameters
     ----------
@@ -53,30 +53,30 @@ class Generic:
         self, free: Iterable[Variable], dual: bool, moving: bool, steps: int = STEPS, framed: bool = True
     ) -> None:
         self.dual, self.moving = dual, moving
-        self.letters = tuple(free)
-        self.framed = framed and not any(letter.kind.role is Role.TENSOR for letter in self.letters)
-        self.first = next((letter.name for letter in self.letters if letter.kind.role is Role.VECTOR), None)
+        self.symbols = tuple(free)
+        self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
+        self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
         self.field = self._field(steps)
         self._vectors = 0  # how many vectors the frame is already fixed by
-        self.values: dict[Any, Any] = {letter: self._value(letter) for letter in self.letters}
+        self.values: dict[Any, Any] = {symbol: self._value(symbol) for symbol in self.symbols}
 
-    def fix(self, letter: Variable | None, value: Any) -> None:
-        """Give one more letter a value."""
-        if letter is not None:
-            self.values[letter] = value
+    def fix(self, symbol: Variable | None, value: Any) -> None:
+        """Give one more symbol a value."""
+        if symbol is not None:
+            self.values[symbol] = value
 
     def fix_branch(self, branch: Variable | None, k: int) -> None:
         """Let α + 2kπ be the generic angle, so that α is that less k turns."""
         self.fix(branch, k)
         if branch is not None:
-            turned = {letter: value - 2 * k * self.field.pi for letter, value in self.values.items()
-                      if letter.kind.role is Role.ANGLE}
+            turned = {symbol: value - 2 * k * self.field.pi for symbol, value in self.values.items()
+                      if symbol.quantity.role is Role.ANGLE}
             self.values.update(turned)
 
-    # ---- what the table of kinds makes values of: arguments are the names of letters ------------------------------
+    # ---- values that the table of quantities asks for, by the name of a symbol --------------------------------------
 
     def number(self, name: str, i: int = 0, at: Any = None) -> Any:
-        """The i-th number of a letter, dual and with a time derivative as the layout says; `at` fixes its value."""
+        """The i-th number of a symbol, dual and with a time derivative as the layout says; `at` fixes its value."""
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
@@ -87,7 +87,7 @@ class Generic:
     def real(self, number: Any) -> Any:
         """A number that is not dual."""
         if self.moving:
-            raise NotExactError("real letters in motion")
+            raise NotExactError("real symbols in motion")
         return number.re if self.dual else number
 
     def angle(self, name: str) -> Any:
@@ -137,21 +137,21 @@ class Generic:
 
     # ---- inside ---------------------------------------------------------------------------------------------------
 
-    def _value(self, letter: Variable) -> Any:
-        if letter.kind.exact is None:
-            raise NotExactError(f"no generic {letter.kind.name}")
-        return letter.kind.exact(self, letter.name)
+    def _value(self, symbol: Variable) -> Any:
+        if symbol.quantity.exact is None:
+            raise NotExactError(f"no generic {symbol.quantity.name}")
+        return symbol.quantity.exact(self, symbol.name)
 
     def _field(self, steps: int) -> Exact:
         return Exact(self._names(), self._angles(steps))
 
     def _angles(self, steps: int) -> dict[str, int]:
-        angles = {letter.name: steps for letter in self.letters if letter.kind.role in (Role.ANGLE, Role.TURN)}
+        angles = {symbol.name: steps for symbol in self.symbols if symbol.quantity.role in (Role.ANGLE, Role.TURN)}
         return angles if self.first is None else {**angles, f"arctan {self.first}": 1}
 
     def _names(self) -> list[str]:
         parts = [f"{part}{slope}" for part in (("", "°") if self.dual else ("",)) for slope in self._slopes]
-        stems = [f"{letter.name}{i}" for letter in self.letters for i in range(letter.kind.size)]
+        stems = [f"{symbol.name}{i}" for symbol in self.symbols for i in range(symbol.quantity.size)]
         return [f"{stem}{part}" for stem in stems for part in parts]
 
     @property

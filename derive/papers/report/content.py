@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from derive.proof import Proof
 
 from ..paper import Paper
-from ..readings.search import CAP
 from ..result import Counterexample, Result, Status
 from .plain import plain
 
 MEANING = {
-    Status.ERRATUM: "false as printed, however it is read; the correction is decided like any other statement",
-    Status.AMBIGUOUS: "a legible place speaks for a reading that is false, or there are too many readings to try",
+    Status.ERRATUM: "false as printed in every listed reading; its correction is decided like any other statement",
+    Status.AMBIGUOUS: "a true and a false reading that the text cannot tell apart",
     Status.HOLDS_IF: "true under the condition shown",
     Status.HOLDS: "true as printed",
 }
@@ -89,12 +88,9 @@ def place(result: Result) -> str:
 
 
 def readings(result: Result) -> str:
-    """How many readings the display has, and how many of those that were looked at are true."""
-    if not result.equation.extract or result.reading_count <= 1:
-        return ""
-    count, true = result.reading_count, sum(verdict.true for verdict in result.verdicts)
-    shown = f"{count} or more" if count == CAP or result.capped else str(count)
-    return f"{shown} readings, {'none' if not true else 'one' if true == 1 else true} true"
+    """Return how many readings are listed and how many are true; empty for a single reading."""
+    count, true = len(result.verdicts), sum(verdict.true for verdict in result.verdicts)
+    return f"{count} readings, {true or 'none'} true" if count > 1 else ""
 
 
 def extent(result: Result) -> str:
@@ -126,8 +122,8 @@ DIGITS = 10
 
 
 def example(found: Counterexample) -> tuple[str, ...]:
-    """A counterexample in lines: the letters, then the first number in which the sides differ."""
-    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items()]
+    """A counterexample in lines: the symbols, then the first number in which the sides differ."""
+    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
     if len(found.sides) == 2 and all(found.sides):
         left, right = found.sides
         differing = (i for i, pair in enumerate(zip(left, right, strict=False)) if pair[0][:DIGITS] != pair[1][:DIGITS])

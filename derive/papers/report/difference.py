@@ -10,7 +10,7 @@ CHANGED = {
     level: define(f"changed {level}", rf"\color{{{{{COLOUR}}}}}{{{{{{0}}}}}}", "{0}", level, (level,), lambda env, a: a)
     for level in (LIST, RELATION, SUM, PRODUCT, POWER, ATOM)
 }
-"""A mark for each level, so that brackets stay where they are."""
+"""An operator for each level, so that brackets stay where they are."""
 
 
 def differing(printed: Term, right: Term) -> tuple[str, str]:
@@ -22,11 +22,12 @@ def differing(printed: Term, right: Term) -> tuple[str, str]:
 def _marked(a: Term, b: Term) -> tuple[Term, Term]:
     if a == b:
         return a, b
-    if isinstance(a, Apply) and isinstance(b, Apply) and a.mark is b.mark and len(a.arguments) == len(b.arguments):
+    applied = isinstance(a, Apply) and isinstance(b, Apply) and a.operator is b.operator
+    if applied and len(a.arguments) == len(b.arguments):
         pairs = [_marked(s, t) for s, t in zip(a.arguments, b.arguments, strict=True)]
-        return a.mark(*(s for s, _ in pairs)), b.mark(*(t for _, t in pairs))
+        return a.operator(*(s for s, _ in pairs)), b.operator(*(t for _, t in pairs))
     return _coloured(a), _coloured(b)
 
 
 def _coloured(a: Term) -> Term:
-    return CHANGED[a.mark.level if isinstance(a, Apply) else ATOM](a)
+    return CHANGED[a.operator.level if isinstance(a, Apply) else ATOM](a)

@@ -11,7 +11,7 @@ from derive.output import render
 from derive.proof import Proof
 
 from ..result import Result, Status
-from .content import MEANING, Report, command, example, label, place, readings, why
+from .content import MEANING, Report, command, example, extent, label, place, readings, why
 from .difference import differing
 
 SCHEMA = 2
@@ -28,34 +28,24 @@ def as_json(report: Report) -> str:
 
 
 def as_markdown(report: Report) -> str:
-    """A page for a repository: formulas in fenced ``math`` blocks."""
-    return render("report/errata.md.j2", differing=differing_sides, **PAGE, **_data(report))
+    """Return a page for a repository: formulas in ``math`` spans."""
+    return render("report/errata.md.j2", **_common(report), **PAGE)
 
 
 def as_html(report: Report) -> str:
-    """One self-contained page: formulas in MathML, a filter that needs no network."""
-    return render("report/errata.html.j2", mathml=mathml, differing=differing_sides, **PAGE, **_data(report))
+    """Return one self-contained page: formulas in MathML, a filter that needs no network."""
+    return render("report/errata.html.j2", mathml=mathml, **_common(report), **PAGE)
 
 
 def as_latex(report: Report) -> str:
-    """A sheet of the errata, to be compiled with pdflatex."""
-    return render("report/errata.tex.j2", escape=escape, **_data(report))
+    """Return a sheet of the errata for pdflatex."""
+    return render("report/errata.tex.j2", escape=escape, HOLDS_IF=Status.HOLDS_IF, **_common(report))
 
 
-PAGE = {"place": place, "readings": readings, "why": why, "command": command, "example": example}
-"""What pages say besides."""
-
-
-def _data(report: Report) -> dict[str, Any]:
-    return {
-        "report": report,
-        "label": label,
-        "statuses": MEANING,
-        "ERRATUM": Status.ERRATUM,
-        "AMBIGUOUS": Status.AMBIGUOUS,
-        "HOLDS_IF": Status.HOLDS_IF,
-        "notes": notes,
-    }
+def _common(report: Report) -> dict[str, Any]:
+    """Return the data that all three templates use."""
+    statuses = {"statuses": MEANING, "ERRATUM": Status.ERRATUM, "AMBIGUOUS": Status.AMBIGUOUS}
+    return {"report": report, "label": label, "notes": notes, **statuses}
 
 
 def differing_sides(result: Result) -> tuple[str, str]:
@@ -64,11 +54,16 @@ def differing_sides(result: Result) -> tuple[str, str]:
     return differing(result.verdicts[0].statement, result.equation.corrected)
 
 
+PAGE = {"extent": extent, "place": place, "readings": readings, "why": why, "command": command, "example": example,
+        "differing": differing_sides}
+"""Further functions of the pages in Markdown and HTML."""
+
+
 def notes(result: Result) -> tuple[str, ...]:
     """What is to be said beside the formula."""
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
-    fixed = f"Reading fixed by {entry.fixed_by}." if entry.fixed_by else ""
+    fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
     return tuple(note for note in (said, entry.remark, fixed) if note)
 
 
@@ -115,7 +110,7 @@ _SPECIAL = {
     **dict(zip("αβθΘφψωρστλεπ", (rf"$\{name}$" for name in (
         "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
         "pi")), strict=True)),
-}  # fmt: skip
+}
 LAST_LETTER = "\u017f"  # what the T1 fonts of LaTeX have
 _ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
 _ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
@@ -125,9 +120,9 @@ def escape(text: str) -> str:
     """Plain text for pdflatex."""
     pieces = _ACCENTED.split(_decomposed(text))
     whole = []
-    for plain, letter, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
+    for plain, symbol, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
         whole.append("".join(map(_escaped, plain)))
-        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(letter).strip('$')}}}$" if accent else "")
+        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(symbol).strip('$')}}}$" if accent else "")
     return "".join(whole)
 
 
@@ -138,6 +133,6 @@ def _escaped(character: str) -> str:
 
 
 def _decomposed(text: str) -> str:
-    """Letters with a hat, a tilde or a dot, in two characters."""
+    """Symbols with a hat, a tilde or a dot, in two characters."""
     pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
     return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

@@ -13,7 +13,7 @@ _TOKENS = re.compile(r"\\[A-Za-z]+|\\.|[{}^_&]|\s+|.")
 _SUPERSCRIPTS = str.maketrans("0123456789+-()nTk*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿᵀᵏ*")
 _SUBSCRIPTS = str.maketrans("0123456789+-()nkij", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ₙₖᵢⱼ")
 _ACCENTS = {"\\hat": "\u0302", "\\tilde": "\u0303", "\\dot": "\u0307", "\\vec": "\u20d7", "\\overline": "\u0305",
-            "\\ddot": "\u0308", "\\underline": ""}  # fmt: skip
+            "\\ddot": "\u0308", "\\underline": ""}
 _SIGNS = {
     "\\varepsilon": "ε", "\\pi": "π", "\\alpha": "α", "\\theta": "θ", "\\Theta": "Θ", "\\omega": "ω", "\\rho": "ρ",
     "\\sigma": "σ", "\\tau": "τ", "\\psi": "ψ", "\\phi": "φ", "\\varphi": "φ", "\\beta": "β", "\\lambda": "λ",
@@ -25,7 +25,7 @@ _SIGNS = {
     "\\left": "", "\\right": "", "\\mathbf": "", "\\mathrm": "", "\\operatorname": "", "\\text": "", "\\,": " ",
     "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\dots": "…", "\\ldots": "…", "\\cdots": "…", "\\ ": " ",
     "$": "", "\\boldsymbol": "",
-}  # fmt: skip
+}
 _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
 
@@ -57,8 +57,8 @@ def _part(token: str, tokens: Iterator[str]) -> str:
     if token == "\\sqrt":
         return f"√{_grouped(_argument(tokens))}"
     if token in _ACCENTS:
-        letter = _argument(tokens).strip()
-        return letter[:1] + _ACCENTS[token] + letter[1:]
+        symbol = _argument(tokens).strip()
+        return symbol[:1] + _ACCENTS[token] + symbol[1:]
     if token in ("\\begin", "\\end"):
         _argument(tokens)
         return "[" if token == "\\begin" else "]"
@@ -72,11 +72,11 @@ def _argument(tokens: Iterator[str]) -> str:
     return _part(token, tokens) if token else ""
 
 
-def _script(value: str, mark: str) -> str:
-    table = _SUPERSCRIPTS if mark == "^" else _SUBSCRIPTS
+def _script(value: str, sign: str) -> str:
+    table = _SUPERSCRIPTS if sign == "^" else _SUBSCRIPTS
     if all(ord(character) in table for character in value):
         return value.translate(table)
-    return f"{mark}{value}" if len(value) == 1 else f"{mark}({value})"
+    return f"{sign}{value}" if len(value) == 1 else f"{sign}({value})"
 
 
 def _grouped(value: str) -> str:

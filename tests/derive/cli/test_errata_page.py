@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.report import FORMATS, Report
 from derive.papers.report.pages import differing_sides
 from derive.papers.result import Verdict
@@ -39,8 +39,8 @@ def test_the_first_table_counts_what_is_of_each_paper(results: list[Result]) -> 
 
 def test_readings_are_counted_from_one(results: list[Result]) -> None:
     first = results[0]
-    readings = tuple(Verdict(Letter(name, "real"), name, name == "a", "") for name in "ab")
+    readings = tuple(Verdict(Symbol(name, "real"), name, name == "a", "") for name in "ab")
     unclear = Result(first.paper, first.equation, Status.AMBIGUOUS, "readings differ", readings)
     page = FORMATS["markdown"](Report.of(PAPERS, [unclear], (), ".."))
-    decided = [line for line in page.splitlines() if line.endswith((": true", ": false"))]
-    assert decided == ["Reading 1 (a): true", "Reading 2 (b): false"]
+    decided = [line for line in page.splitlines() if line.startswith("Reading ")]
+    assert decided == ["Reading 1 (a), true: $`a`$\\", "Reading 2 (b), false: $`b`$\\"]

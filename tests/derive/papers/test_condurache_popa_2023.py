@@ -12,11 +12,10 @@ from derive.papers.condurache_popa_2023 import PAPER
 SECTIONS = tuple(s for s in PAPER.sections if not s.startswith(("s07", "s08", "s10")))
 ERRATA = {
     *("cayley-onto", "cayley-domain", "rodrigues-domain", "cayley-quaternion-onto", "38-domain", "cayley-half-onto"),
-    *("44-domain", "105", "111", "112", "118", "125", "129", "130", "131", "six-equations"),
+    *("44-domain", "105", "111", "112", "118", "119", "124", "125", "129", "130", "131", "six-equations"),
     "nature-of-95-to-98",
 }
-AMBIGUOUS = {"119"}
-"""No reading of it is found true, but there are too many to say that none is; so of (124), which takes longer."""
+AMBIGUOUS: set[str] = set()
 HOLDS_IF = {
     *("magnitude", "tangent", "6", "line-free", "18-axis", "general-screw", "31", "32", "cayley-quaternion-inverse"),
     *("39", "40", "41", "44", "45", "92", "99", "106", "113", "120", "126", "127", "128"),

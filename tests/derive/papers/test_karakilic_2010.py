@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from derive.papers import Result, Status, verify
-from derive.papers.karakilic_2010 import PAPER, alphabet, inventory
-from derive.papers.language.terms import Apply, Letter, walk
-from derive.papers.numbers.kinds import KINDS
+from derive.papers.karakilic_2010 import PAPER, symbols
+from derive.papers.language.terms import Apply, Symbol, walk
+from derive.papers.numbers.quantities import QUANTITIES
 
 AMBIGUOUS = {"conclusion-22"}
 ERRATA = {"14", "zero-components", "quadratic-expansion"}
@@ -53,32 +53,23 @@ def test_domain_of_14_ends_at_a_half_turn(results) -> None:
     assert result.corrected.endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
 
 
-def test_inventory_names_every_entry_and_no_other() -> None:
-    named = {slug for line in inventory.LINES.values() if isinstance(line, tuple) for slug in line}
-    assert named == {entry.number for entry in PAPER.entries()}
-
-
-def test_inventory_has_every_entry_at_its_line() -> None:
-    for entry in PAPER.entries():
-        assert entry.number in inventory.LINES[entry.line], entry.number
-
-
 def test_no_frame_is_chosen_where_components_are_taken() -> None:
     marks = {"K10 entry", "K10 component", "K10 matrix", "K10 sum over i and j", "K10 everywhere"}
     for entry in PAPER.entries():
-        heads = {node.mark.name for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}
-        letters = {f"{x}{i}{star}" for x in "bs" for i in (1, 2, 3) for star in ("", "*")}
-        defined = {d.letter.name for d in entry.where if d.arguments}
-        takes_apart = heads & marks or any(_names(reading.statement) & letters & defined for reading in entry.readings)
-        free_tensor = any(letter.kind is KINDS["tensor"] for r in entry.readings for letter in entry.free(r.statement))
+        heads = {node.operator.name for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}
+        symbols = {f"{x}{i}{star}" for x in "bs" for i in (1, 2, 3) for star in ("", "*")}
+        defined = {d.symbol.name for d in entry.where if d.arguments}
+        takes_apart = heads & marks or any(_names(reading.statement) & symbols & defined for reading in entry.readings)
+        free = [symbol for r in entry.readings for symbol in entry.free(r.statement)]
+        free_tensor = any(symbol.quantity is QUANTITIES["tensor"] for symbol in free)
         if takes_apart and not free_tensor and entry.number != "dimension":
             assert entry.components, entry.number
 
 
 def _names(statement) -> set[str]:
-    return {node.name for node in walk(statement) if isinstance(node, Letter)}
+    return {node.name for node in walk(statement) if isinstance(node, Symbol)}
 
 
 def test_marks_of_the_extraction() -> None:
-    assert alphabet.marks(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
-    assert alphabet.marks(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"
+    assert symbols.shown(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
+    assert symbols.shown(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"

@@ -9,15 +9,15 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("readings", "poles", "sharp", "counterexample", "explore", "decide")
+DECIDING = ("poles", "sharp", "counterexample", "explore", "decide")
 ENTRIES = ("equation", "result", "paper")
 ROOMS = (
-    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "equivalence", "mutation", "report", "", "witnesses",
+    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "",
 )  # fmt: skip
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 
-IN_A_PAPER = ("alphabet", "marks", "meanings", "sections", "inventory")
-"""Likewise inside the package of a paper; the package itself knows only its alphabet."""
+IN_A_PAPER = ("symbols", "operators", "definitions", "sections", "inventory")
+"""Likewise inside the package of a paper; the package itself knows only its symbols."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
@@ -38,7 +38,7 @@ def allowed(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
 
 def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
     if not importer:
-        return name == ("alphabet",)
+        return name == ("symbols",)
     if not name:
         return False
     if importer[0] == name[0] == "sections":
@@ -65,8 +65,8 @@ def test_sections_are_named_in_printed_order(paper) -> None:
 @pytest.mark.parametrize(
     ("importer", "name"),
     [(("numbers", "generic"), ("language", "terms")), (("language", "terms"), ("equation",)),
-     ((PACKAGES[0], "alphabet"), (PACKAGES[1], "alphabet")),
-     ((PACKAGES[0], "meanings", "orders"), (PACKAGES[0], "sections")),
+     ((PACKAGES[0], "symbols"), (PACKAGES[1], "symbols")),
+     ((PACKAGES[0], "definitions", "orders"), (PACKAGES[0], "sections")),
      ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
      (("equation",), ("decide",)), (("decide",), ())],
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Denominators of a formula are found, and the multiples of their letters at which they vanish."""
+"""Denominators of a formula are found, and the multiples of their symbols at which they vanish."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import pytest
 from derive.algebra import Dual, Vector
 from derive.papers.language.evaluation import Env, let
 from derive.papers.language.notation import equal, norm, over
-from derive.papers.language.terms import Letter, Number, text
+from derive.papers.language.terms import Number, Symbol, text
 from derive.papers.numbers.fields import DIGITS, Decimal60, innermost
 from derive.papers.poles import denominators, poles
 
-a, b, x = Letter("a", "dual number"), Letter("b", "dual number"), Letter("x", "argument")
-v, r, y = Letter("v", "dual vector"), Letter("r", "real"), Letter("y", "number")
+a, b, x = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("x", "argument")
+v, r, y = Symbol("v", "dual vector"), Symbol("r", "real"), Symbol("y", "number")
 START = mpmath.mpf(9) / 20
 VALUES = {a: Dual(START, START), b: Dual(START * 9 / 5, START), x: Dual(START, START), r: START,
           v: Vector(Dual(START, START), Dual(0 * START, START), Dual(0 * START, START))}  # fmt: skip
@@ -29,15 +29,15 @@ def environment() -> Env:
      (a - b, {a: START * 9 / 5, b: START}), (a**4 - a, {a: 1}), (r - 1, {}), (a - 10, {}),
      (a * (a - 1) * (a - 2), {a: 1})],
 )  # fmt: skip
-def test_a_denominator_vanishes_at_a_multiple_of_a_letter(below, found) -> None:
+def test_a_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
     with mpmath.workdps(DIGITS):
         result = list(poles(equal(1 / below, b), environment()))
         assert [(label, *moved) for label, moved in result] == [
             (f"{text(below)} has the real part 0", x) for x in found
         ]
         for (_, moved), at in zip(result, found.values(), strict=True):
-            ((letter, value),) = moved.items()
-            assert abs(innermost(value.c1 if letter is v else value) - at) < mpmath.mpf(10) ** -50
+            ((symbol, value),) = moved.items()
+            assert abs(innermost(value.c1 if symbol is v else value) - at) < mpmath.mpf(10) ** -50
             below_there = Env(Decimal60(), {**VALUES, **moved}).value(below)
             assert abs(innermost(below_there)) < mpmath.mpf(10) ** -50
 
@@ -46,10 +46,10 @@ def test_a_denominator_vanishes_at_a_multiple_of_a_letter(below, found) -> None:
 def test_multiples_from_an_eighth_to_five_are_looked_at(multiple: str, found) -> None:
     with mpmath.workdps(DIGITS):
         far = {a: Dual(START, START), r: START * mpmath.mpf(multiple)}
-        assert [letter for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for letter in moved] == found
+        assert [symbol for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for symbol in moved] == found
 
 
-def test_letters_with_a_definition_are_not_moved() -> None:
+def test_symbols_with_a_definition_are_not_moved() -> None:
     with mpmath.workdps(DIGITS):
         assert [list(moved) for _, moved in poles(equal(1 / y, b), environment())] == []
 

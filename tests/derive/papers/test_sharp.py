@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from derive.papers.condurache_popa_2023.alphabet import alpha, u, v
+from derive.papers.condurache_popa_2023.symbols import alpha, u, v
 from derive.papers.language.notation import (
     Re,
     both,
@@ -24,10 +24,10 @@ from derive.papers.language.notation import (
     words,
 )  # fmt: skip
 from derive.papers.language.notation import identity as I
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.sharp import is_sharp
 
-a, b, c = (Letter(name, "dual number") for name in "abc")
+a, b, c = (Symbol(name, "dual number") for name in "abc")
 
 
 @pytest.mark.parametrize(

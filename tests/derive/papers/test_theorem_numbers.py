@@ -14,7 +14,7 @@ from derive.maps import Cayley, closed_forms
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
-from derive.papers.language.terms import Apply, Letter, Number, Term, walk
+from derive.papers.language.terms import Apply, Number, Symbol, Term, walk
 from derive.proof import formulas, marks
 from derive.proof.any_phi import ANY_PHI
 from derive.proof.components import STATEMENTS
@@ -32,7 +32,7 @@ LETTERS = {
     "scalar": marks.scalar, "vector": marks.vector, "b": marks.b, "b1": marks.b_1, "b2": marks.b_2,
     "sigma": marks.sigma, "sigma1": marks.sigma_1, "sigma2": marks.sigma_2, "j": marks.j, "infinity": sympy.oo,
 }  # fmt: skip
-"""The theorems' letters for the paper's."""
+"""The theorems' symbols for the paper's."""
 
 FUNCTIONS = {
     "skew": marks.skew, "transpose": marks.transpose, "rate": marks.rate, "det": marks.det, "vect": marks.vect,
@@ -42,31 +42,31 @@ FUNCTIONS = {
 
 
 class OtherWordsError(Exception):
-    """The entry speaks of things that the theorems have no letters for."""
+    """The entry speaks of things that the theorems have no symbols for."""
 
 
 def converted(term: Term) -> Any:
-    """A printed formula in the theorems' letters."""
+    """A printed formula in the theorems' symbols."""
     if isinstance(term, Number):
         return sympy.Integer(term.value)
-    if isinstance(term, Letter):
+    if isinstance(term, Symbol):
         if term.name not in LETTERS:
             raise OtherWordsError(term.name)
         return LETTERS[term.name]
     assert isinstance(term, Apply)
     first = term.arguments[0]
-    if term.mark.name == "at":  # p_n(|v|)
+    if term.operator.name == "at":  # p_n(|v|)
         return sandwich(*term.arguments) if first == DELTA else converted(first)
-    if term.mark.name == "of two" and isinstance(first, Letter) and first.name == "R(α, u)":
+    if term.operator.name == "of two" and isinstance(first, Symbol) and first.name == "R(α, u)":
         return marks.R
     arguments = [converted(argument) for argument in term.arguments if not _is_bound(term, argument)]
-    return _applied(term.mark.name, arguments)
+    return _applied(term.operator.name, arguments)
 
 
 DELTA = next(
     node
     for entry in PAPERS[0].entries() if entry.number == "24"
-    for node in walk(entry.readings[0].statement) if isinstance(node, Letter) and node.name == "Delta"
+    for node in walk(entry.readings[0].statement) if isinstance(node, Symbol) and node.name == "Delta"
 )  # fmt: skip
 
 
@@ -76,7 +76,7 @@ def sandwich(_: Term, quaternion: Term) -> Any:
 
 def _is_bound(term: Apply, argument: Term) -> bool:
     """The upper bound of a sum: its terms vanish beyond."""
-    return term.mark.name == "sum" and argument is term.arguments[2]
+    return term.operator.name == "sum" and argument is term.arguments[2]
 
 
 def _applied(head: str, a: list[Any]) -> Any:
@@ -101,10 +101,10 @@ def _applied(head: str, a: list[Any]) -> Any:
 
 def chains(statement: Term) -> Iterator[list[Any]]:
     """The members of every chain of equalities, those that can be converted."""
-    if isinstance(statement, Apply) and statement.mark.name in ("both", "remark"):
+    if isinstance(statement, Apply) and statement.operator.name in ("both", "remark"):
         for part in statement.arguments:
             yield from chains(part)
-    elif isinstance(statement, Apply) and statement.mark.name == "equal":
+    elif isinstance(statement, Apply) and statement.operator.name == "equal":
         members = []
         for member in statement.arguments:
             try:
@@ -173,25 +173,25 @@ def test_a_wrong_number_is_noticed() -> None:
             assert not any(says(other, equation) for other in (number - 1, number + 1) if other not in equation.numbers)
 
 
-KINDS = {
+QUANTITIES = {
     "quaternion": "unit dual quaternion", "tensor": "orthogonal dual tensor", "tangent": "tangent operator",
     "tangent_inv": "kinematic tensor",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("n", range(1, 8))
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", QUANTITIES)
 def test_numbers_of_maps_are_those_of_the_entries_about_them(name: str, n: int) -> None:
     """The general equation, and the one of this order where it is printed."""
     printed = {entry.title: int(entry.number) for entry in PAPERS[0].entries() if entry.number.isdecimal()}
-    at_order = printed.get(f"{KINDS[name]}, n = {n}")
+    at_order = printed.get(f"{QUANTITIES[name]}, n = {n}")
     assert getattr(Cayley(n), name).equations == (*EQUATIONS[name], *([] if at_order is None else [at_order]))
     assert (at_order is not None) == (n <= 5)
-    general = [number for title, number in printed.items() if title.startswith(f"{KINDS[name]} of order n")]
+    general = [number for title, number in printed.items() if title.startswith(f"{QUANTITIES[name]} of order n")]
     assert list(EQUATIONS[name]) == general
 
 
-STATED = [getattr(at, name) for at in (closed_forms, formulas) for name in KINDS if hasattr(at, name)]
+STATED = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANTITIES if hasattr(at, name)]
 
 
 @pytest.mark.parametrize("function", STATED, ids=lambda function: f"{function.__module__}.{function.__name__}")

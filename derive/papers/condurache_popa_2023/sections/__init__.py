@@ -8,7 +8,7 @@ s03     rigid motion by orthogonal dual tensors
 s04     dual quaternions
 s05     Cayley transforms of tensors
 s06     Cayley transforms of quaternions
-s07     letters of a general order n, for sections 7 to 9
+s07     symbols of a general order n, for sections 7 to 9
 s07a    the fractional transform of order n, theorems 11 to 14
 s07b    its forms for the orders 1 to 5
 s07c    vectorial parameterizations, theorems 15 to 17

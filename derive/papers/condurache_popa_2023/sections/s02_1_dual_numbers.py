@@ -5,36 +5,18 @@ from __future__ import annotations
 from ...equation import equation
 from ...language.claims import proposition
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    arctan,
-    both,
-    cos,
-    cos2,
-    define,
-    epsilon,
-    equal,
-    iff,
-    negated,
-    nonzero,
-    norm,
-    remark,
-    sin,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import ATOM, Letter
-from ..alphabet import dual, n, real
-from ..meanings import dual_algebra
+from ...language.notation import *
+from ...language.terms import ATOM, Symbol
+from ..definitions import dual_algebra
+from ..symbols import dual, n, real
 
-a, a0, b, b0 = real("a"), Letter("a0", "real", "a^0", "a0"), real("b"), Letter("b0", "real", "b^0", "b0")
+a, a0, b, b0 = real("a"), Symbol("a0", "real", "a^0", "a0"), real("b"), Symbol("b0", "real", "b^0", "b0")
 a_, b_, c_ = dual("a"), dual("b"), dual("c")
-sgn = Letter("sgn", "function", r"\operatorname{sgn}", "sgn")
-f = Letter("f", "smooth function", "f", "f")
-angle = Letter("angle", "real angle", "a", "a")
-angle_ = Letter("angle_", "dual number", r"\underline{a}", "a")
-power_of_a = Letter("a^n", "real", "a^n", "an")
+sgn = Symbol("sgn", "function", r"\operatorname{sgn}", "sgn")
+f = Symbol("f", "smooth function", "f", "f")
+angle = Symbol("angle", "real angle", "a", "a")
+angle_ = Symbol("angle_", "dual number", r"\underline{a}", "a")
+power_of_a = Symbol("a^n", "real", "a^n", "an")
 divides_zero = proposition("a divides zero", r"$\underline{a}$ is a zero divisor")
 invertible = proposition("a is invertible", r"$\underline{a}$ is invertible")
 prime = define("derivative", "{0}'", "{0}'", ATOM, (ATOM,), lambda env, function: function.derivative)
@@ -43,8 +25,8 @@ prime = define("derivative", "{0}'", "{0}'", ATOM, (ATOM,), lambda env, function
 PARTS = (
     let(a_, dual_algebra.from_parts, a, a0), let(b_, dual_algebra.from_parts, b, b0), let(sgn, dual_algebra.sign),
     let(angle_, dual_algebra.from_parts, angle, a0),
-)  # fmt: skip
-KINDS = (let(divides_zero, dual_algebra.multiplies_singularly, a_), let(invertible, dual_algebra.multiplies_onto, a_))
+)
+ZERO = (let(divides_zero, dual_algebra.multiplies_singularly, a_), let(invertible, dual_algebra.multiplies_onto, a_))
 
 ENTRIES = (
     equation("1", "dual numbers", 47,
@@ -56,17 +38,17 @@ ENTRIES = (
     equation("magnitude", "magnitude of a dual number", 48, equal(norm(a_), norm(a) + epsilon * sgn(a) * a0),
              extract="a _ = a + ε s g n a a 0", where=PARTS, condition=nonzero(a),
              remark="At Re a = 0 the square of the magnitude leaves its dual part open; (4) makes it ε |a⁰|."),
-    equation("inverse-exists", "which dual numbers have an inverse", 48, iff(invertible, nonzero(Re(a_))), where=KINDS),
+    equation("inverse-exists", "which dual numbers have an inverse", 48, iff(invertible, nonzero(Re(a_))), where=ZERO),
     equation("inverse", "inverse of a dual number", 48,
              equal(a_ ** (-1), 1 / a_, 1 / a - epsilon * (a0 / a**2)),
              extract="a _ 1 = 1 a _ = 1 a ε a 0 a 2", where=PARTS, claimed=nonzero(Re(a_)),
              stated=(48, "exists solely when R e a _ 0")),
-    equation("zero-divisors", "zero divisors", 48, iff(divides_zero, zero(Re(a_))), where=KINDS),
+    equation("zero-divisors", "zero divisors", 48, iff(divides_zero, zero(Re(a_))), where=ZERO),
     equation("commutative-ring", "dual numbers are a commutative ring with unit", 48,
              both(equal(a_ + b_, b_ + a_), equal(a_ * b_, b_ * a_), equal((a_ * b_) * c_, a_ * (b_ * c_)),
                   equal(a_ * (b_ + c_), a_ * b_ + a_ * c_), equal(1 * a_, a_))),
     equation("invertible-or-zero-divisor", "each element is one or the other", 48,
-             iff(invertible, negated(divides_zero)), where=KINDS),
+             iff(invertible, negated(divides_zero)), where=ZERO),
     equation("2", "functions of dual numbers", 50, equal(f(a_), f(a) + epsilon * a0 * prime(f)(a)),
              extract="f a _ = f a + ε a 0 f a", where=PARTS, claimed=nonzero(a),
              stated=(49, "Any differentiable function"),
@@ -89,4 +71,4 @@ ENTRIES = (
              extract="a r c t a n a _ = a r c t a n a + ε a 0 1 + a 2", where=PARTS,
              because=equal(tan(angle + epsilon * (a0 / (1 + tan(angle) ** 2))), tan(angle) + epsilon * a0),
              remark="The supporting identity: the dual number on the right has the tangent a."),
-)  # fmt: skip
+)

@@ -6,39 +6,23 @@ from derive.algebra import Vector
 
 from ...equation import equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    bracket,
-    cases,
-    cross,
-    dot,
-    epsilon,
-    equal,
-    nonzero,
-    norm,
-    pm,
-    remark,
-    triple,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import Letter
-from ..alphabet import dual, real_vector, vector
-from ..alphabet import unit as unit_letter
-from ..meanings import dual_algebra, quaternion_maps
+from ...language.notation import *
+from ...language.terms import Symbol
+from ..definitions import dual_algebra, quaternion_maps
+from ..symbols import dual, real_vector, vector
+from ..symbols import unit as unit_vector
 
-a, a0 = real_vector("a"), Letter("a0 real", "real vector", r"\mathbf{a}^0", "a0")
+a, a0 = real_vector("a"), Symbol("a0 real", "real vector", r"\mathbf{a}^0", "a0")
 w = real_vector("v")
 a_, b_, c_ = vector("a"), vector("b"), vector("c")
 lam, mu = dual("lambda", r"\lambda", "λ"), dual("mu", r"\mu", "μ")
-lam_real = Letter("lambda", "real", r"\lambda", "λ")
-alpha = Letter("alpha_", "dual number", r"\underline{\alpha}", "α")
-u_a = Letter("u_a", "unit vector", r"\underline{\mathbf{u}}_a", "ua")
-size = Letter("|a|", "dual number", r"\left|\underline{\mathbf{a}}\right|", "a")
-r = Letter("r", "real vector", r"\mathbf{r}", "r")
-u = unit_letter("u")
-basis = tuple(Letter(f"e{i}", "dual vector", rf"\mathbf{{e}}_{i}", f"e{i}") for i in (1, 2, 3))
+lam_real = Symbol("lambda", "real", r"\lambda", "λ")
+alpha = Symbol("alpha_", "dual number", r"\underline{\alpha}", "α")
+u_a = Symbol("u_a", "unit vector", r"\underline{\mathbf{u}}_a", "ua")
+size = Symbol("|a|", "dual number", r"\left|\underline{\mathbf{a}}\right|", "a")
+r = Symbol("r", "real vector", r"\mathbf{r}", "r")
+u = unit_vector("u")
+basis = tuple(Symbol(f"e{i}", "dual vector", rf"\mathbf{{e}}_{i}", f"e{i}") for i in (1, 2, 3))
 
 
 PARTS = (let(a_, dual_algebra.vector_from_parts, a, a0),)
@@ -95,4 +79,4 @@ ENTRIES = (
                     words(r"\mathbf{v} \in V_3,\ \lambda \in \mathbb{R}", "vV3λR")),
              extract="r = v + λ a 0 a 0 , v V 3 , λ R", where=(let(r, dual_algebra.on_free_line, a0, w),),
              condition=nonzero(a0), remark="a = 0 has no line."),
-)  # fmt: skip
+)

@@ -3,85 +3,55 @@
 from __future__ import annotations
 
 from ...equation import equation
-from ...language.changes import SWAPPED
 from ...language.claims import dual_of, homogeneous, orthogonal, pose, proposition, real_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    both,
-    cases,
-    cos,
-    cot,
-    cross,
-    define,
-    det,
-    dot,
-    epsilon,
-    equal,
-    exp,
-    half,
-    identity,
-    implies,
-    nonzero,
-    norm,
-    reaches,
-    remark,
-    root,
-    sin,
-    skew,
-    trace,
-    transpose,
-    vect,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import ATOM, LIST, PRODUCT, Letter, Trait
-from ..alphabet import alpha, tensor, u
-from ..meanings import motions
+from ...language.notation import *
+from ...language.terms import ATOM, LIST, PRODUCT, Symbol, Trait
+from ..definitions import motions
+from ..symbols import alpha, tensor, u
 
 I = identity
 R = tensor("R", "orthogonal tensor")
-R1, R2 = (Letter(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
-R_of = Letter("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
-g, g1, g2 = (Letter(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
-Q, Q1, Q2 = (Letter(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
-any_turn = Letter("Q any", "rotation", r"\mathbf{Q}", "Q")
-any_shift = Letter("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
-turns = tuple(Letter(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-shifts = tuple(Letter(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
-phi, phi_inv = Letter("phi", "function", r"\phi", "ϕ"), Letter("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
-screw_map = Letter("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
-angle = Letter("alpha real", "real angle", r"\alpha", "α")
-shift = Letter("d of α", "real", "d", "d")
-axis = Letter("u real", "real vector", r"\mathbf{u}", "u")
-moment = Letter("u0", "real vector", r"\mathbf{u}^0", "u0")
-turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
-shift_only = Letter("d", "real", "d", "d")
-point = Letter("r", "real vector", r"\mathbf{r}", "r")
-lam = Letter("lambda", "real", r"\lambda", "λ")
-v = Letter("v real", "real vector", r"\mathbf{v}", "v")
-sign = Letter("sign", "sign", r"\pm", "±")
+R1, R2 = (Symbol(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
+R_of = Symbol("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
+g, g1, g2 = (Symbol(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
+Q, Q1, Q2 = (Symbol(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
+any_turn = Symbol("Q any", "rotation", r"\mathbf{Q}", "Q")
+any_shift = Symbol("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
+turns = tuple(Symbol(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+shifts = tuple(Symbol(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
+phi, phi_inv = Symbol("phi", "function", r"\phi", "ϕ"), Symbol("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
+screw_map = Symbol("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")
+angle = Symbol("alpha real", "real angle", r"\alpha", "α")
+shift = Symbol("d of α", "real", "d", "d")
+axis = Symbol("u real", "real vector", r"\mathbf{u}", "u")
+moment = Symbol("u0", "real vector", r"\mathbf{u}^0", "u0")
+turn_only = Symbol("alpha only", "real angle", r"\alpha", "α")
+shift_only = Symbol("d", "real", "d", "d")
+point = Symbol("r", "real vector", r"\mathbf{r}", "r")
+lam = Symbol("lambda", "real", r"\lambda", "λ")
+v = Symbol("v real", "real vector", r"\mathbf{v}", "v")
+sign = Symbol("sign", "sign", r"\pm", "±")
 principal = proposition("principal angle", r"$-\pi < \alpha \leq \pi$")
 of_two = define("of two", r"{0}\left({1}, {2}\right)", "{0} {1},{2}", ATOM, (ATOM, LIST, LIST),
-                lambda env, f, a, b: f(a, b))  # fmt: skip
+                lambda env, f, a, b: f(a, b))
 atan2 = define("atan2", r"\operatorname{{atan2}}\left({0};\, {1}\right)", "atan2 {0};{1}", PRODUCT, (LIST, LIST),
-               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL, changes=(SWAPPED,))  # fmt: skip
+               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL)
 when = define("when", r"\text{{when }} {0}", "when {0}", LIST, (LIST,), lambda env, a: a)
 when_between = define(
     "when between", r"\text{{when }} {0} \in \left({1}, {2}\right)", "when {0} {1},{2}", LIST, (LIST,),
     lambda env, a, low, high: not env.field.ordered
     or (low < a < high and not env.field.same(a, low) and not env.field.same(a, high)),
-)  # fmt: skip
+)
 
 INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
-GIVEN = tuple(let(letter, homogeneous, Q_i, rho_i) for letter, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
+GIVEN = tuple(let(symbol, homogeneous, Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
 PHI = (let(phi, motions.line_map), let(phi_inv, motions.inverse_line_map))
 SCREW = (
     let(R, motions.screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(axis, real_of, u), let(moment, dual_of, u), let(point, motions.foot, u), let(R_of, motions.screw_function),
-)  # fmt: skip
+)
 versine = 1 - cos(angle)
 size = root((1 + trace(Q)) * (3 - trace(Q)))
 
@@ -109,7 +79,7 @@ FIRST = (
              extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
              where=(let(Q, motions.same, any_turn), let(rho, motions.same, any_shift),
                     let(R, motions.tensor_of, any_turn, any_shift))),
-)  # fmt: skip
+)
 
 NATURAL = (
     equation("17", "screw form of an orthogonal dual tensor", 108,
@@ -154,6 +124,6 @@ NATURAL = (
              both(equal(Q, I + sin(angle) * skew(axis) + versine * skew(axis) ** 2),
                   equal(rho, shift * axis + sin(angle) * moment + versine * cross(axis, moment))),
              extract="Q = I + s i n α u ~ + 1 c o s α u ~ 2 ρ = d u + s i n α u 0 + 1 c o s α u × u 0", where=SCREW),
-)  # fmt: skip
+)
 
 ENTRIES = (*FIRST, *NATURAL)

@@ -3,85 +3,51 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
-from ...language.changes import SWAPPED
 from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    arctan,
-    both,
-    bracket,
-    cos,
-    define,
-    det,
-    dot,
-    epsilon,
-    equal,
-    exp,
-    factorial,
-    identity,
-    iff,
-    implies,
-    infinity,
-    nonzero,
-    norm,
-    pi,
-    power_of_e,
-    reaches,
-    remark,
-    sin,
-    skew,
-    summation,
-    tan,
-    tan2,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import ATOM, LIST, Letter
-from ..alphabet import alpha, tensor, u, v, vector
-from ..meanings import low_orders, motions, quaternion_maps
+from ...language.notation import *
+from ...language.terms import ATOM, LIST, Symbol
+from ..definitions import low_orders, motions, quaternion_maps
+from ..symbols import alpha, tensor, u, v, vector
 
 I, V = identity, skew(v)
 x = norm(v) ** 2
 R = tensor("R", "orthogonal tensor")
-A = Letter("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
-a = Letter("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
-a1, a2 = (Letter(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
-a_re, a_du = (Letter(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
+A = Symbol("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
+a = Symbol("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
+a1, a2 = (Symbol(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
+a_re, a_du = (Symbol(f"euler real{i}", "real vector", rf"\boldsymbol{{\alpha}}{i}", f"α{i}") for i in ("", "^0"))
 b = vector("b")
-k = Letter("k", "index", "k", "k")
-turns = Letter("k", "branch", "k", "k")
-cay = Letter("cay", "function", r"\mathrm{cay}", "cay")
-cay_map = Letter("cay map", "map", r"\mathrm{cay}", "cay")
-exp_map = Letter("exp map", "map", r"\exp", "exp")
-recovered = Letter("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
-slope = Letter("slope", "tensor",
-               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")  # fmt: skip
-start = Letter("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
-angle = Letter("angle of v", "dual number", r"\underline{\alpha}", "α")
-axis = Letter("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
-turn_only = Letter("alpha only", "real angle", r"\alpha", "α")
-shift_only = Letter("d", "real", "d", "d")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+k = Symbol("k", "index", "k", "k")
+turns = Symbol("k", "branch", "k", "k")
+cay = Symbol("cay", "function", r"\mathrm{cay}", "cay")
+cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
+exp_map = Symbol("exp map", "map", r"\exp", "exp")
+recovered = Symbol("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
+slope = Symbol("slope", "tensor",
+               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")
+start = Symbol("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
+angle = Symbol("angle of v", "dual number", r"\underline{\alpha}", "α")
+axis = Symbol("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
+turn_only = Symbol("alpha only", "real angle", r"\alpha", "α")
+shift_only = Symbol("d", "real", "d", "d")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
-                    lambda env, s, t: s @ t - t @ s, changes=(SWAPPED,))  # fmt: skip
+                    lambda env, s, t: s @ t - t @ s)
 
 EULER = (let(a, quaternion_maps.multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
 CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
-KINDS = low_orders.kinds(rotates, translates, general)
-EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in KINDS))
-OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in KINDS), let(Q, motions.rotation_of, R),
-        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))  # fmt: skip
+TYPES = low_orders.displacement_types(rotates, translates, general)
+EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
+OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in TYPES), let(Q, motions.rotation_of, R),
+        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
 AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
 
 
@@ -123,7 +89,7 @@ ALGEBRA = (
              where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
                     let(below, low_orders.is_below_half_turn, alpha)), claimed=below,
              stated=(157, "if α < π")),
-)  # fmt: skip
+)
 
 CAYLEY = (
     equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
@@ -162,7 +128,7 @@ CAYLEY = (
              extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
     equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
              where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
-)  # fmt: skip
+)
 
 projector = Q + transpose(Q) + (1 - trace(Q)) * I
 COROLLARY = (
@@ -184,6 +150,6 @@ COROLLARY = (
                   "R e α _ k π ,   k Z .",
              corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
-)  # fmt: skip
+)
 
 ENTRIES = (*ALGEBRA, *CAYLEY, *COROLLARY)

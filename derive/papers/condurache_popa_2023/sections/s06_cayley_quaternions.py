@@ -5,55 +5,30 @@ from __future__ import annotations
 from ...equation import Equation, Reading, equation
 from ...language.claims import defined, dual_of, proposition, real_of, scalar_part, unequal, unit_quaternion
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    both,
-    cos,
-    cross,
-    dot,
-    equal,
-    half,
-    identity,
-    iff,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    tan,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import Letter, Number, Term
-from ..alphabet import alpha, quaternion, u, v, vector
-from ..meanings import low_orders, motions, quaternion_maps
+from ...language.notation import *
+from ...language.terms import Number, Symbol, Term
+from ..definitions import low_orders, motions, quaternion_maps
+from ..symbols import alpha, quaternion, u, v, vector
 from .s04_dual_quaternions import scalar
 
 x = norm(v) ** 2
 q = quaternion("q")
-q0 = Letter("q scalar", "dual number", r"\underline{q}", "q")
-cay = Letter("cay", "function", r"\mathrm{cay}", "cay")
-cay_half = Letter("cay½", "function", r"\mathrm{cay}_{1/2}", "cay12")
-cay_map = Letter("cay map", "map", r"\mathrm{cay}", "cay")
-half_map = Letter("cay½ map", "map", r"\mathrm{cay}_{1/2}", "cay12")
-sigma = Letter("sigma", "dual vector", r"\underline{\boldsymbol{\sigma}}", "σ")
+q0 = Symbol("q scalar", "dual number", r"\underline{q}", "q")
+cay = Symbol("cay", "function", r"\mathrm{cay}", "cay")
+cay_half = Symbol("cay½", "function", r"\mathrm{cay}_{1/2}", "cay12")
+cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
+half_map = Symbol("cay½ map", "map", r"\mathrm{cay}_{1/2}", "cay12")
+sigma = Symbol("sigma", "dual vector", r"\underline{\boldsymbol{\sigma}}", "σ")
 sigma1, sigma2 = (
-    Letter(f"sigma{i}", "dual vector", rf"\underline{{\boldsymbol{{\sigma}}}}_{i}", f"σ{i}") for i in (1, 2)
+    Symbol(f"sigma{i}", "dual vector", rf"\underline{{\boldsymbol{{\sigma}}}}_{i}", f"σ{i}") for i in (1, 2)
 )
 b = vector("b")
-b1, b2 = (Letter(f"b{i}", "dual vector", rf"\underline{{\mathbf{{b}}}}_{i}", f"b{i}") for i in (1, 2))
-k = Letter("k", "index", "k", "k")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Letter(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
-R = Letter("R", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
+b1, b2 = (Symbol(f"b{i}", "dual vector", rf"\underline{{\mathbf{{b}}}}_{i}", f"b{i}") for i in (1, 2))
+k = Symbol("k", "index", "k", "k")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
+R = Symbol("R", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
@@ -73,10 +48,10 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
 
     `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
     """
-    kinds = low_orders.kinds(rotates, translates, general)
-    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in kinds),
+    types = low_orders.displacement_types(rotates, translates, general)
+    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in types),
              let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
-             let(v_du, dual_of, v))  # fmt: skip
+             let(v_du, dual_of, v))
     return (
         equation(f"corollary-{number}-rotation", "when the transform is a pure rotation", line,
                  iff(rotates, zero(Du(norm(v)))), where=where, also=low_orders.real_magnitude(v),
@@ -86,7 +61,7 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
                  implies(zero(Re(norm(v))), translates), where=where, also=low_orders.unit_magnitude(v)),
         equation(f"corollary-{number}-general", "in all other cases it is neither", line,
                  implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
-    )  # fmt: skip
+    )
 
 
 size = 1 + norm(v_re) ** 2
@@ -140,7 +115,7 @@ WHOLE = (
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
              where=COMPOSED, condition=nonzero(Re(q + 1)), also=low_orders.back_to_back(sigma2, sigma1)),
-)  # fmt: skip
+)
 
 HALVES = (
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
@@ -175,6 +150,6 @@ HALVES = (
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
              where=(let(q, low_orders.composed(1), b2, b1), let(b, low_orders.preimage(1), q)),
              condition=nonzero(Re(1 - dot(b1, b2))), also=low_orders.to_a_half_turn(b1, b2)),
-)  # fmt: skip
+)
 
 ENTRIES = (*WHOLE, *HALVES)

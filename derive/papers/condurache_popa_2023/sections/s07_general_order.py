@@ -1,28 +1,28 @@
-"""Letters of section 7 that belong to a general order n."""
+"""Symbols of section 7 that belong to a general order n."""
 
 from __future__ import annotations
 
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dyad, identity, nonzero, norm, skew
-from ...language.terms import Letter, Term
+from ...language.notation import *
+from ...language.terms import Symbol, Term
 from ...numbers.draw import Draw
-from ..alphabet import alpha, n, tensor, u, v, vector
-from ..meanings import cayley_maps, orders
-from ..meanings.motions import screw_tensor
+from ..definitions import cayley_maps, orders
+from ..definitions.motions import screw_tensor
+from ..symbols import alpha, n, tensor, u, v, vector
 
 I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
 
-p = Letter("p_n", "function", "p_n", "pn")
-q = Letter("q_n", "function", "q_n", "qn")
-q_hat = Letter("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+p = Symbol("p_n", "function", "p_n", "pn")
+q = Symbol("q_n", "function", "q_n", "qn")
+q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 R = tensor("R", "orthogonal tensor")
-k = Letter("k", "branch", "k", "k")
-X = Letter("X", "argument", "X", "X")
+k = Symbol("k", "branch", "k", "k")
+X = Symbol("X", "argument", "X", "X")
 w = vector("w")
-a_value = Letter("a_", "scale", r"\underline{a}", "a")
-a = Letter("a", "function", r"\underline{a}", "a")
-q_of = Letter("q(v)", "function", r"\underline{\hat{\mathbf{q}}}", "q^")
-R_of = Letter("R(v)", "function", r"\underline{\mathbf{R}}", "R")
+a_value = Symbol("a_", "scale", r"\underline{a}", "a")
+a = Symbol("a", "function", r"\underline{a}", "a")
+q_of = Symbol("q(v)", "function", r"\underline{\hat{\mathbf{q}}}", "q^")
+R_of = Symbol("R(v)", "function", r"\underline{\mathbf{R}}", "R")
 
 POLYNOMIALS = (let(p, orders.p, n), let(q, orders.q, n))
 CAYLEY = (*POLYNOMIALS, let(q_hat, orders.cayley, n, v), let(R, orders.rotation, n, v))
@@ -44,6 +44,6 @@ def finite(angle: Term) -> Term:
     return nonzero(Re(cos(angle)))
 
 
-def full_turns(draw: Draw) -> dict[str, dict[Letter, object]]:
+def full_turns(draw: Draw) -> dict[str, dict[Symbol, object]]:
     """Points at which q_3 or q_4 has real part 0."""
     return {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}, "Re |v|² = 1": {v: draw.vector(re=(0, 1, 0))}}

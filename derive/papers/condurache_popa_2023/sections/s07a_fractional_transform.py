@@ -5,60 +5,32 @@ from __future__ import annotations
 from ...equation import Reading, equation
 from ...language.claims import proposition
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    binomial,
-    both,
-    branches,
-    cases,
-    conjugate,
-    cos,
-    cot,
-    dot,
-    equal,
-    floor_over,
-    iff,
-    implies,
-    negated,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import Letter, Number
+from ...language.notation import *
+from ...language.terms import Number, Symbol
 from ...numbers.draw import Draw
-from ..alphabet import alpha, n, u, v, vector
-from ..marks import no_less, positive, preimage_count, tends
-from ..meanings import cayley_maps, orders, preimages
-from ..meanings.quaternion_maps import lift
+from ..definitions import cayley_maps, orders, preimages
+from ..definitions.quaternion_maps import lift
+from ..operators import no_less, positive, preimage_count, tends
+from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import CAYLEY, POLYNOMIALS, I, R, V, X, finite, full_turns, k, p, q, q_hat, x
 
-cay = Letter("cay_{n/2}", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
-cay_counted = Letter("cay_{n/2} counted", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
-cay_v = Letter("cay_{n/2}(v)", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}", "cayn2v")
-target = Letter("target", "unit quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
-scalar = Letter("q_0", "number", r"\underline{q}", "q")
-s_1, s_2 = (Letter(f"q_0 of order {i}", "number", rf"\underline{{q}}^{{(n={i})}}", "q") for i in (1, 2))
+cay = Symbol("cay_{n/2}", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
+cay_counted = Symbol("cay_{n/2} counted", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
+cay_v = Symbol("cay_{n/2}(v)", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}", "cayn2v")
+target = Symbol("target", "unit quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+scalar = Symbol("q_0", "number", r"\underline{q}", "q")
+s_1, s_2 = (Symbol(f"q_0 of order {i}", "number", rf"\underline{{q}}^{{(n={i})}}", "q") for i in (1, 2))
 by_induction = proposition("binomial sums for every n", "the binomial sums and powers of 1 + v, by induction on n")
 by_roots = proposition("preimages counted by roots", "the identities of the roots of $F_n$, by induction on n")
-image = Letter("image", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}_k", "cayvk")
+image = Symbol("image", "quaternion", r"\mathrm{cay}_{\frac{n}{2}} \underline{\mathbf{v}}_k", "cayvk")
 v_0, v_k = vector("v_0", text="v0"), vector("v_k", text="vk")
-r_0, r_k = (Letter(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
-r_far = Letter("r_k at infinity", "number", r"\underline{v}_k", "vk")
-index = Letter("j", "index", "k", "k")
-exponent, power = Letter("exponent", "branch", "k", "k"), Letter("quarter of k", "number", "p", "p")
-p_next = Letter("p_{n+1}", "function", "p_{n+1}", "pn+1")
-q_next = Letter("q_{n+1}", "function", "q_{n+1}", "qn+1")
-p_1, q_1 = Letter("p_1", "function", "p_1", "p1"), Letter("q_1", "function", "q_1", "q1")
+r_0, r_k = (Symbol(f"r_{i}", "number", rf"\underline{{v}}_{i}", f"v{i}") for i in "0k")
+r_far = Symbol("r_k at infinity", "number", r"\underline{v}_k", "vk")
+index = Symbol("j", "index", "k", "k")
+exponent, power = Symbol("exponent", "branch", "k", "k"), Symbol("quarter of k", "number", "p", "p")
+p_next = Symbol("p_{n+1}", "function", "p_{n+1}", "pn+1")
+q_next = Symbol("q_{n+1}", "function", "q_{n+1}", "qn+1")
+p_1, q_1 = Symbol("p_1", "function", "p_1", "p1"), Symbol("q_1", "function", "q_1", "q1")
 v_1, v_2 = vector("v_1", text="v1"), vector("v_2", text="v2")
 v_composed = vector("v composed", "v", "v")
 is_rotation, is_translation, is_screw = (
@@ -67,13 +39,13 @@ is_rotation, is_translation, is_screw = (
 )
 
 STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
-        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))  # fmt: skip
+        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))
 step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
-ARGUMENT = "meanings/preimages, for every n,"
+ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
         let(scalar, cayley_maps.scalar, target),
-        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))  # fmt: skip
+        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
 turned = (alpha + 2 * k * pi) / (2 * n)
 turn = k * pi / n
@@ -88,10 +60,10 @@ COEFFICIENTS = (
 TYPES = (
     let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
     let(is_translation, cayley_maps.translation, q_hat), let(is_screw, cayley_maps.screw, q_hat), *POLYNOMIALS,
-)  # fmt: skip
+)
 
 
-def opposite_axes(draw: Draw) -> dict[str, dict[Letter, object]]:
+def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
     """Two displacements whose product is a half turn at n = 1, and −1 at n = 2."""
     return {"a quarter turn twice": {v_1: draw.still((1, 0, 0), (1, 2, 3)), v_2: draw.still((1, 0, 0), (0, 1, 2))}}
 
@@ -163,7 +135,7 @@ FRACTIONAL = (
     equation("shadow-avoids-singularity", "where v is infinite, a shadow is finite", 251,
              nonzero(sin(pi / n)), where=(), condition=no_less(n, 2),
              remark="At Re α = nπ the shadow k = 1 is −cot(π/n) u; order 1 has no shadow."),
-)  # fmt: skip
+)
 
 BY_INDUCTION = (*CAYLEY, let(by_induction, cayley_maps.proved(51, 52, 53)))
 POLYNOMIAL = (
@@ -215,7 +187,7 @@ POLYNOMIAL = (
     equation("57", "orthogonal dual tensor of order n", 279,
              equal(R, I + 2 * p(norm(v)) * q(norm(v)) / (1 + x)**n * V + 2 * (q**2)(norm(v)) / (1 + x)**n * V**2),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),
-)  # fmt: skip
+)
 
 quotient_2, quotient_1 = ((1 + a) / (1 - a) for a in (v_2, v_1))
 product = (quotient_2 ** (n / 2) * quotient_1 ** (n / 2)) ** (2 / n)
@@ -227,6 +199,6 @@ COMPOSITION = (
              condition=nonzero(Re(product + 1)), also=opposite_axes,
              remark="Executed with principal roots; the other roots give shadows. Roots of products of two general "
              "quaternions leave every exact field at hand."),
-)  # fmt: skip
+)
 
 ENTRIES = (*FRACTIONAL, *POLYNOMIAL, *COMPOSITION)

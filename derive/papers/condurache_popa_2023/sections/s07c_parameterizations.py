@@ -4,41 +4,20 @@ from __future__ import annotations
 
 from ...equation import equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    binomial,
-    both,
-    conjugate,
-    cot,
-    equal,
-    floor_over,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    remark,
-    root,
-    sin,
-    skew,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
-from ...language.terms import Letter, Number
-from ..alphabet import alpha, n, u, v
-from ..marks import positive, preimage_count
-from ..meanings import cayley_maps, orders
+from ...language.notation import *
+from ...language.terms import Number, Symbol
+from ..definitions import cayley_maps, orders
+from ..operators import positive, preimage_count
+from ..symbols import alpha, n, u, v
 from .s07_general_order import POLYNOMIALS, I, R, V, X, a, a_value, finite, k, p, q, q_hat, q_of, w, x
 from .s07a_fractional_transform import FOR_EVERY_N, by_induction, index, target, turned
 
-caym = Letter("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
-caym_v = Letter("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \underline{\mathbf{v}}", "caymn2v")
-caym_map = Letter("caym with a = 1 + v·v", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
-v_of_q = Letter("v(q)", "function", r"\underline{\mathbf{v}}", "v")
-phi_inv = Letter("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
-axis = Letter("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
+caym = Symbol("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
+caym_v = Symbol("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \underline{\mathbf{v}}", "caymn2v")
+caym_map = Symbol("caym with a = 1 + v·v", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
+v_of_q = Symbol("v(q)", "function", r"\underline{\mathbf{v}}", "v")
+phi_inv = Symbol("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
+axis = Symbol("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
 W, xw = skew(w), norm(w) ** 2
 
 FACTOR = (let(a, cayley_maps.constant, a_value), let(v, cayley_maps.product, a_value, w))
@@ -49,7 +28,7 @@ MODIFIED = (
     let(caym, cayley_maps.function_of(cayley_maps.modified_root), n, a_value, v),
     let(q_of, cayley_maps.function_of(cayley_maps.modified), n, a_value, v),
     let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.proved(51, 52, 53)),
-)  # fmt: skip
+)
 
 THEOREM_15 = (
     equation("59", "modified fractional Cayley transform", 293,
@@ -80,7 +59,7 @@ THEOREM_15 = (
              corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
-)  # fmt: skip
+)
 
 THEOREM_16 = (
     equation("61", "unit dual quaternion of a vectorial parameterization", 301,
@@ -104,7 +83,7 @@ THEOREM_16 = (
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
              condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="It follows from (60), not from (61)."),
-)  # fmt: skip
+)
 
 THEOREM_17 = (
     equation("62", "unit dual quaternion by p_n and q_n", 307,
@@ -130,6 +109,6 @@ THEOREM_17 = (
              corrected=equal(R, I + 2 * p(norm(w)) * q(norm(w)) / (1 + xw)**n * W
                              + 2 * (q**2)(norm(w)) / (1 + xw)**n * W**2),
              remark="With w = v/a(v)."),
-)  # fmt: skip
+)
 
 ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

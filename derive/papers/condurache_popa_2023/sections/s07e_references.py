@@ -6,8 +6,8 @@ from ...equation import Equation, equation
 from ...language.claims import proposition
 from ...language.evaluation import let
 from ...language.terms import Term, latex, term
-from ..alphabet import n, v
-from ..meanings.references import displays
+from ..definitions.references import displays
+from ..symbols import n, v
 from . import s06_cayley_quaternions, s07a_fractional_transform, s07c_parameterizations
 from .s07_general_order import q_of
 from .s07a_fractional_transform import turned
@@ -22,7 +22,7 @@ def reference(slug: str, said: str, line: int, named: int, meant: int, part: Ter
     )
     where = (let(wrong, displays(KNOWN, str(named), part)), let(right, displays(KNOWN, str(meant), part)))
     return equation(slug, "an equation by its number", line, wrong, where=where, said=said, corrected=right,
-                    remark=remark)  # fmt: skip
+                    remark=remark)
 
 
 ENTRIES = (
@@ -35,4 +35,4 @@ ENTRIES = (
               "Equation (60) is meant; (61) is what the theorem claims, and has no angle."),
     reference("corollary-5-reference", "The orthogonal dual tensor associated with Equation (63) is:", 313, 63, 62,
               q_of, "Equation (62) is meant; (63) is the polynomial p_n."),
-)  # fmt: skip
+)

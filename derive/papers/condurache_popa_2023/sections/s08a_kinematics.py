@@ -4,53 +4,34 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cos,
-    cot,
-    cross,
-    ddt,
-    det,
-    dot,
-    epsilon,
-    equal,
-    half,
-    identity,
-    nonzero,
-    rate,
-    sin,
-    skew,
-    transpose,
-    vect,
-)  # fmt: skip
-from ...language.terms import Letter
-from ..alphabet import alpha, tensor, u, vector
-from ..marks import equations_in
-from ..meanings import orders, velocities
-from ..meanings.motions import screw_tensor
+from ...language.notation import *
+from ...language.terms import Symbol
+from ..definitions import orders, velocities
+from ..definitions.motions import screw_tensor
+from ..operators import equations_in
+from ..symbols import alpha, tensor, u, vector
 
 R = tensor("R", "orthogonal tensor")
-R_t = Letter("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
-R_0, other = Letter("R_0", "orthogonal tensor", r"\underline{\mathbf{R}}_0", "R0"), tensor("S")
+R_t = Symbol("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
+R_0, other = Symbol("R_0", "orthogonal tensor", r"\underline{\mathbf{R}}_0", "R0"), tensor("S")
 T = tensor("T")
-q_hat = Letter("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 omega = vector("omega", r"\omega", "ω")
-omega_B = Letter("omega_B", "dual vector", r"\underline{\boldsymbol{\omega}}_B", "ωB")
-skew_B = Letter("skew omega_B", "tensor", r"\tilde{\underline{\boldsymbol{\omega}}}_B", "ω~B")
-Phi = Letter("Phi", "tensor", r"\underline{\Phi}", "Φ")
+omega_B = Symbol("omega_B", "dual vector", r"\underline{\boldsymbol{\omega}}_B", "ωB")
+skew_B = Symbol("skew omega_B", "tensor", r"\tilde{\underline{\boldsymbol{\omega}}}_B", "ω~B")
+Phi = Symbol("Phi", "tensor", r"\underline{\Phi}", "Φ")
 line, line_0 = vector("l", r"l"), vector("l_0", "l_0", "l0")
-line_t = Letter("l(t)", "line", r"\underline{\mathbf{l}}(t)", "lt")
+line_t = Symbol("l(t)", "line", r"\underline{\mathbf{l}}(t)", "lt")
 free_line = vector("line")
-point, along = (Letter(name, "real vector", rf"\mathbf{{{name}}}", name) for name in ("point", "direction"))
-w_real = Letter("w", "real vector", r"\boldsymbol{\omega}", "ω")
-v_real = Letter("v of the origin", "real vector", r"\mathbf{v}", "v")
-rho = Letter("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-Q = Letter("Q", "real tensor", r"\mathbf{Q}", "Q")
-zero_tensor = Letter("0 tensor", "tensor", r"\underline{\mathbf{0}}", "0")
-at_start = Letter("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline{\mathbf{R}}^T)(t_0)", "RRTt0")
-Theta = Letter("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
-half_sine = Letter("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
+point, along = (Symbol(name, "real vector", rf"\mathbf{{{name}}}", name) for name in ("point", "direction"))
+w_real = Symbol("w", "real vector", r"\boldsymbol{\omega}", "ω")
+v_real = Symbol("v of the origin", "real vector", r"\mathbf{v}", "v")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+zero_tensor = Symbol("0 tensor", "tensor", r"\underline{\mathbf{0}}", "0")
+at_start = Symbol("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline{\mathbf{R}}^T)(t_0)", "RRTt0")
+Theta = Symbol("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
+half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
 
 MOTION = (
     let(R, screw_tensor, alpha, u), let(q_hat, orders.screw_quaternion, alpha, u), let(omega, velocities.twist, R),
@@ -58,12 +39,12 @@ MOTION = (
     let(line_0, velocities.at_rest, free_line), let(line, velocities.carried, R, line_0),
     let(zero_tensor, velocities.zero_tensor), let(Theta, velocities.axis_operator, alpha, u),
     let(half_sine, velocities.half_sine, alpha),
-)  # fmt: skip
+)
 PARTS = (
     let(R, screw_tensor, alpha, u), let(omega, velocities.twist, R), let(Q, velocities.rotation_part, R),
     let(rho, velocities.displacement_part, R), let(w_real, velocities.rotation_rate, Q),
     let(v_real, velocities.velocity_at_origin, Q, rho),
-)  # fmt: skip
+)
 
 VELOCITY = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
@@ -87,7 +68,7 @@ VELOCITY = (
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
              equal(v_real, rate(rho) - cross(w_real, rho)), extract="v = ρ ˙ ω × ρ", where=PARTS, moving=True),
-)  # fmt: skip
+)
 
 TENSOR = (
     equation("70", "Poisson-Darboux problem, spatial twist", 359, equal(rate(R), skew(omega) * R),
@@ -122,7 +103,7 @@ TENSOR = (
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),
              extract="R ˙ _ = R _ ω ~ _ B", where=MOTION, moving=True),
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
-)  # fmt: skip
+)
 
 Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
 QUATERNION = (
@@ -151,6 +132,6 @@ QUATERNION = (
     equation("80", "body twist by the natural invariants", 387,
              equal(omega_B, rate(alpha) * u + sin(alpha) * rate(u) - (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
-)  # fmt: skip
+)
 
 ENTRIES = (*VELOCITY, *TENSOR, *QUATERNION)

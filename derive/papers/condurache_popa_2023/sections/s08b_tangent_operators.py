@@ -5,50 +5,33 @@ from __future__ import annotations
 from ...equation import Reading, equation
 from ...language.claims import proposition
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cases,
-    cot,
-    equal,
-    half,
-    iff,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    rate,
-    sin,
-    skew,
-    transpose,
-    zero,
-)  # fmt: skip
-from ...language.terms import Letter
-from ..alphabet import alpha, dual, n, u, v, vector
-from ..marks import equations_in, provided
-from ..meanings import orders, velocities
-from ..meanings.cayley_maps import proved
-from ..meanings.motions import screw_tensor
-from ..meanings.quaternion_maps import multiple
+from ...language.notation import *
+from ...language.terms import Symbol
+from ..definitions import orders, velocities
+from ..definitions.cayley_maps import proved
+from ..definitions.motions import screw_tensor
+from ..definitions.quaternion_maps import multiple
+from ..operators import equations_in, provided
+from ..symbols import alpha, dual, n, u, v, vector
 from .s07_general_order import POLYNOMIALS, VV, I, V, full_turns, p, q, x
 from .s08a_kinematics import omega, omega_B
 
-R = Letter("R of the motion", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
+R = Symbol("R of the motion", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
 a = vector("α", r"\alpha")
 A = skew(a)
-dexp = Letter("dexp", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}", "dexpα")
-dexp_inv = Letter("dexp⁻¹", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{-1}", "dexpα-1")
-dexp_T = Letter("dexpᵀ", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{T}", "dexpαT")
-dexp_inv_T = Letter("dexp⁻ᵀ", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{-T}", "dexpα-T")
-sinc = Letter("sinc", "function", r"\operatorname{sinc}", "sinc")
+dexp = Symbol("dexp", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}", "dexpα")
+dexp_inv = Symbol("dexp⁻¹", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{-1}", "dexpα-1")
+dexp_T = Symbol("dexpᵀ", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{T}", "dexpαT")
+dexp_inv_T = Symbol("dexp⁻ᵀ", "tensor", r"\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}^{-T}", "dexpα-T")
+sinc = Symbol("sinc", "function", r"\operatorname{sinc}", "sinc")
 angle = dual("angle", r"\alpha", "α")
 invertible = proposition("invertible", r"$\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}$ has an inverse")
-half_sine = Letter("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
-half_sinc = Letter("sinc |α|/2", "number", r"\operatorname{sinc}\frac{|\underline{\boldsymbol{\alpha}}|}{2}", "sincα2")
-dcay = Letter("dcay_n", "tensor", r"\mathrm{dcay}_n", "dcayn")
-dcay_inv = Letter("dcay_n⁻¹", "tensor", r"\mathrm{dcay}_n^{-1}", "dcayn-1")
-dcay_inv_T = Letter("dcay_n⁻ᵀ", "tensor", r"\mathrm{dcay}_n^{-T}", "dcayn-T")
-q_now = Letter("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\right|\right)", "qnv")
+half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
+half_sinc = Symbol("sinc |α|/2", "number", r"\operatorname{sinc}\frac{|\underline{\boldsymbol{\alpha}}|}{2}", "sincα2")
+dcay = Symbol("dcay_n", "tensor", r"\mathrm{dcay}_n", "dcayn")
+dcay_inv = Symbol("dcay_n⁻¹", "tensor", r"\mathrm{dcay}_n^{-1}", "dcayn-1")
+dcay_inv_T = Symbol("dcay_n⁻ᵀ", "tensor", r"\mathrm{dcay}_n^{-T}", "dcayn-T")
+q_now = Symbol("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\right|\right)", "qnv")
 
 TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R))
 EXPONENTIAL = (
@@ -56,7 +39,7 @@ EXPONENTIAL = (
     let(dexp, velocities.dexp, a), let(dexp_inv, velocities.dexp_inv, a), let(dexp_T, velocities.dexp_transpose, a),
     let(dexp_inv_T, velocities.dexp_inv_transpose, a), let(invertible, velocities.is_invertible, dexp),
     let(half_sine, velocities.half_sine, alpha), let(half_sinc, velocities.half_sinc, alpha),
-)  # fmt: skip
+)
 full_turn = nonzero(Re(half_sinc))
 
 DEXP = (
@@ -90,13 +73,13 @@ DEXP = (
              (Reading(equal(rate(a), dexp_inv_T * omega_B), "inverse transpose"),
               Reading(equal(rate(a), dexp_T * omega_B), "transpose")),
              extract="α _ ˙ = d e x p α _ T ω _ B", where=EXPONENTIAL, moving=True, condition=full_turn),
-)  # fmt: skip
+)
 
 CAYLEY = (
     *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, velocities.dcay, n, v),
     let(dcay_inv, velocities.dcay_inv, n, v), let(dcay_inv_T, velocities.dcay_inv_transpose, n, v),
     let(q_now, velocities.q_now, n, v),
-)  # fmt: skip
+)
 regular = nonzero(Re(q_now))
 for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
 
@@ -131,6 +114,6 @@ RODRIGUES = (
              condition=regular, also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("six-real-equations", "the vector problems are six real equations", 412,
              both(equal(equations_in(a), 6), equal(equations_in(v), 6)), where=(let(a, multiple, alpha, u),)),
-)  # fmt: skip
+)
 
 ENTRIES = (*DEXP, *RODRIGUES)

@@ -7,11 +7,11 @@ from typing import Any
 
 from ...equation import equation
 from ...language.evaluation import Env, let
-from ...language.notation import both, equal, negated, nonzero, summation
-from ...language.terms import Letter
-from .. import meanings
-from ..alphabet import e, hat, k, marks, real
-from ..marks import Cos, Sin, coefficient, group, natural
+from ...language.notation import *
+from ...language.terms import Symbol
+from .. import definitions
+from ..operators import Cos, Sin, coefficient, group, natural
+from ..symbols import e, hat, k, real, shown
 
 a1, a1_, b1, b1_ = real("a", 1), real("a", 1, star=True), real("b", 1), real("b", 1, star=True)
 a, a_, a_hat, b_hat, c_hat = real("a"), real("a", star=True), *(hat(name, "dual number") for name in "abc")
@@ -19,17 +19,17 @@ a, a_, a_hat, b_hat, c_hat = real("a"), real("a", star=True), *(hat(name, "dual 
 NUMBERS = (
     equation("dual-number", "dual numbers and the dual unit", 23,
              both(equal(a_hat, a + e * a_), equal(e**2, 0), nonzero(e)),
-             where=(let(a_hat, meanings.dual_number, a, a_),)),
+             where=(let(a_hat, definitions.dual_number, a, a_),)),
     equation("addition", "sum of dual numbers", 25,
              equal(group(a1 + e * a1_) + group(b1 + e * b1_), group(a1 + b1) + e * (a1_ + b1_)),
-             extract=marks(r"(a_{1} + ea_{1}^{*}) + (b_{1} + eb_{1}^{*}) = (a_{1} + b_{1}) + e(a_{1}^{*} + "
+             extract=shown(r"(a_{1} + ea_{1}^{*}) + (b_{1} + eb_{1}^{*}) = (a_{1} + b_{1}) + e(a_{1}^{*} + "
                            r"b_{1}^{*})")),
     equation("multiplication", "product of dual numbers", 26,
              equal((a1 + e * a1_) * (b1 + e * b1_), group(a1 * b1) + e * (a1 * b1_ + a1_ * b1)),
-             extract=marks(r"(a_{1} + ea_{1}^{*}).(b_{1} + eb_{1}^{*}) = (a_{1}b_{1}) "
+             extract=shown(r"(a_{1} + ea_{1}^{*}).(b_{1} + eb_{1}^{*}) = (a_{1}b_{1}) "
                            r"+ e(a_{1}b_{1}^{*} + a_{1}^{*}b_{1})")),
     equation("zero-divisors", "zero divisors", 28, equal(3 * e * group(5 * e), 15 * e**2, 0),
-             extract=marks(r"3e.5e = 15e^2 = 0")),
+             extract=shown(r"3e.5e = 15e^2 = 0")),
     equation("ring", "the dual numbers are a commutative ring with identity", 28,
              both(equal(a_hat * b_hat, b_hat * a_hat),
                   equal(group(a_hat * b_hat) * c_hat, a_hat * group(b_hat * c_hat)),
@@ -39,17 +39,17 @@ NUMBERS = (
     equation("no-field", "the dual numbers are not a field", 28,
              both(nonzero(e), negated(equal(e * a_hat, 1))), because=equal((e * a_hat) * e, 0),
              remark="If e had the inverse â then e would be (e â) e = 0."),
-)  # fmt: skip
+)
 
 # ---- functions ------------------------------------------------------------------------------------------------
 
 DEGREE = 5
 series = tuple(real("a", index) for index in range(DEGREE + 1))
 x, x_, x_0, x_hat = real("x"), real("x", star=True), real("x", 0), hat("x", "dual number")
-f, f_prime = (Letter(name, "function", name, name) for name in ("f", "f'"))
-a_k = Letter("a of k", "function", "a", "a")
-top = Letter("top", "number", r"\infty", "∞")
-angle, angle_hat = real("x", kind="real angle"), hat("x", "angle")
+f, f_prime = (Symbol(name, "function", name, name) for name in ("f", "f'"))
+a_k = Symbol("a of k", "function", "a", "a")
+top = Symbol("top", "number", r"\infty", "∞")
+angle, angle_hat = real("x", quantity="real angle"), hat("x", "angle")
 
 
 def _coefficients(env: Env, *numbers: Any) -> Callable[[int], Any]:
@@ -73,7 +73,7 @@ def _derivative(env: Env, centre: Any, *numbers: Any) -> Callable[[Any], Any]:
 
 
 SERIES = (let(a_k, _coefficients, *series), let(f, _function, x_0, *series), let(f_prime, _derivative, x_0, *series),
-          let(top, lambda env: DEGREE))  # fmt: skip
+          let(top, lambda env: DEGREE))
 power = x - x_0
 
 FUNCTIONS = (
@@ -82,7 +82,7 @@ FUNCTIONS = (
                    summation(k, 0, top, coefficient(a_k, k) * power**k)
                    + e * summation(k, 0, top, k * coefficient(a_k, k) * power ** (k - 1) * x_),
                    f(x) + e * x_ * f_prime(x)),
-             extract=marks(r"f(x + ex^*) = \sum_{k=0}^{\infty} a_k (x + ex^* - x_0)^k"
+             extract=shown(r"f(x + ex^*) = \sum_{k=0}^{\infty} a_k (x + ex^* - x_0)^k"
                            r"= \sum_{k=0}^{\infty} a_k (x - x_0)^k + e \sum_{k=0}^{\infty} k a_k (x - x_0)^{k-1} x^*"
                            r"= f(x) + ex^* f'(x)"),
              where=SERIES, condition=nonzero(power), also=lambda draw: {"x = x₀": dict.fromkeys((x, x_0), draw.real())},
@@ -90,15 +90,15 @@ FUNCTIONS = (
              "At x = x₀ the term k = 0 of the last sum has no value; it starts at k = 1."),
     equation("sine", "sine of a dual number", 39,
              equal(Sin(angle_hat), Sin(group(angle + e * x_)), Sin(angle) + e * x_ * Cos(angle)),
-             extract=marks(r"Sin\hat{x} = Sin(x + ex^*) = Sinx + ex^*Cosx"),
-             where=(let(angle_hat, meanings.dual_number, angle, x_),)),
+             extract=shown(r"Sin\hat{x} = Sin(x + ex^*) = Sinx + ex^*Cosx"),
+             where=(let(angle_hat, definitions.dual_number, angle, x_),)),
     equation("cosine", "cosine of a dual number", 40,
              equal(Cos(angle_hat), Cos(group(angle + e * x_)), Cos(angle) - e * x_ * Sin(angle)),
-             extract=marks(r"Cos\hat{x} = Cos(x + ex^*) = Cosx - ex^*Sinx"),
-             where=(let(angle_hat, meanings.dual_number, angle, x_),)),
+             extract=shown(r"Cos\hat{x} = Cos(x + ex^*) = Cosx - ex^*Sinx"),
+             where=(let(angle_hat, definitions.dual_number, angle, x_),)),
     equation("exponential", "exponential of a dual number", 41,
              equal(natural(x_hat), natural(x) + e * x_ * natural(x)),
-             extract=marks(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, meanings.dual_number, x, x_),)),
-)  # fmt: skip
+             extract=shown(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, definitions.dual_number, x, x_),)),
+)
 
 ENTRIES = (*NUMBERS, *FUNCTIONS)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from ...equation import equation
 from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import both, cos, cross, dot, equal, iff, nonzero, zero
-from ...language.terms import Letter, Number
-from .. import meanings
-from ..alphabet import arrow, e, hat, marks, pi, real
-from ..marks import at_least, column, group, length, parts, square_root
+from ...language.notation import *
+from ...language.terms import Number, Symbol
+from .. import definitions
+from ..operators import at_least, column, group, length, parts, square_root
+from ..symbols import arrow, e, hat, pi, real, shown
 
 # ---- vectors --------------------------------------------------------------------------------------------------
 
@@ -18,15 +18,15 @@ v, v_ = arrow("v"), arrow("v", star=True)
 a_hat, b_hat = (hat(name, "dual number") for name in "ab")
 six = tuple(real("v", index, star) for star in (False, True) for index in (1, 2, 3))
 v1, v2, v3, v1_, v2_, v3_ = six
-size, axis = Letter("size", "dual number"), Letter("axis", "unit vector")
-POLAR = (let(v_hat, meanings.along, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
+size, axis = Symbol("size", "dual number"), Symbol("axis", "unit vector")
+POLAR = (let(v_hat, definitions.along, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
 unit_hat = hat("v", "unit vector")
 UNIT = (let(v, real_of, unit_hat), let(v_, dual_of, unit_hat))
 vr, vr_ = arrow("v", seen_as="r"), arrow("v", star=True, seen_as="r*")
 SEEN = (let(vr, real_of, v_hat), let(vr_, dual_of, v_hat))
 
 VECTORS = (
-    equation("dual-vector", "dual vectors", 43, equal(v_hat, v + e * v_), extract=marks(
+    equation("dual-vector", "dual vectors", 43, equal(v_hat, v + e * v_), extract=shown(
              r"\hat{v} = \stackrel{\mathbf{r}}{v} + \stackrel{\mathbf{r}}{e}v^*"), where=POLAR),
     equation("module", "dual vectors are a module over the dual numbers", 43,
              both(equal(a_hat * (v_hat + w_hat), a_hat * v_hat + a_hat * w_hat),
@@ -37,7 +37,7 @@ VECTORS = (
     equation("dimension", "real dimension 6", 45,
              both(equal(v_hat, column(v1, v2, v3) + e * column(v1_, v2_, v3_)),
                   iff(zero(v_hat), both(*(zero(c) for c in six)))),
-             where=(let(v_hat, meanings.dual_vector, *six),),
+             where=(let(v_hat, definitions.dual_vector, *six),),
              also=lambda draw: {"v̂ = 0": dict.fromkeys(six, draw.real() * 0)},
              remark="Six real coordinates; only all of them zero give the zero vector."),
     equation("degenerate", "the scalar product is degenerate", 45, equal(dot(group(e * v_hat), group(e * w_hat)), 0),
@@ -46,7 +46,7 @@ VECTORS = (
              equal(length(v_hat), square_root(dot(v_hat, v_hat)), square_root(dot(vr, vr) + (2 * e * dot(v, vr_))),
                    length(v) * square_root(group(1 + e * (dot(vr, vr_) / length(v)**2))**2),
                    length(v) + e * (dot(vr, vr_) / length(v)), parts(length(v), dot(vr, vr_) / length(v))),
-             extract=marks(
+             extract=shown(
                  r"\left\| \hat{v} \right\| &= \left(\hat{v} \cdot \hat{v} \right)^{\frac{1}{2}} = \left(\mathbf{r} "
                  r"\cdot "
                  r"\mathbf{r} + 2\mathbf{e}\mathbf{v} \cdot \mathbf{r}^* \right)^{\frac{1}{2}} \\ &= \left\| "
@@ -58,32 +58,32 @@ VECTORS = (
                  r" \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} \right)"),
              where=(*POLAR, *SEEN), condition=nonzero(v),
              remark="The extraction shows an arrow over v as r. Where v = 0 the norm is e ‖v*‖."),
-    equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=marks("1 = (1,0)")),
+    equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=shown("1 = (1,0)")),
     equation("unit-vector", "dual unit vectors", 49, both(equal(length(v), 1), zero(dot(v, v_))),
-             extract=marks(r"\|v\| = 1 v \cdot v^* = 0"), where=UNIT),
-)  # fmt: skip
+             extract=shown(r"\|v\| = 1 v \cdot v^* = 0"), where=UNIT),
+)
 
 # ---- lines ----------------------------------------------------------------------------------------------------
 
 l_a, l_b = hat("a", "unit vector"), hat("b", "unit vector")
 direction, moment = arrow("a"), arrow("a", star=True)
 foot = arrow("p")
-frame = Letter("Q", "orthogonal tensor")
-f, f_, f_hat = real("f", kind="real angle"), real("f", star=True), hat("f", "angle")
-normal = Letter("normal", "unit vector")
-distance = Letter("distance", "real", r"d\left(l_a, l_b\right)")
-angle = Letter("angle", "real", r"\angle\left(l_a, l_b\right)")
-ONE = Letter("one", "number")
+frame = Symbol("Q", "orthogonal tensor")
+f, f_, f_hat = real("f", quantity="real angle"), real("f", star=True), hat("f", "angle")
+normal = Symbol("normal", "unit vector")
+distance = Symbol("distance", "real", r"d\left(l_a, l_b\right)")
+angle = Symbol("angle", "real", r"\angle\left(l_a, l_b\right)")
+ONE = Symbol("one", "number")
 LINES = (
-    let(ONE, lambda env: 1), let(f_hat, meanings.dual_number, f, f_), let(normal, meanings.axis_of, frame),
-    let(l_a, meanings.across, ONE, frame), let(l_b, meanings.turned, l_a, f_hat, normal),
-    let(distance, meanings.distance, l_a, l_b), let(angle, meanings.angle_between, l_a, l_b),
-)  # fmt: skip
+    let(ONE, lambda env: 1), let(f_hat, definitions.dual_number, f, f_), let(normal, definitions.axis_of, frame),
+    let(l_a, definitions.across, ONE, frame), let(l_b, definitions.turned, l_a, f_hat, normal),
+    let(distance, definitions.distance, l_a, l_b), let(angle, definitions.angle_between, l_a, l_b),
+)
 
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
              both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
-             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, meanings.foot, l_a)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, definitions.foot, l_a)),
              remark="The line through p with direction a. Every line is two points, one for each orientation."),
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),
@@ -92,6 +92,6 @@ STUDY = (
              remark="The angle of two directions is at most π."),
     equation("study-distance", "f* is the distance of the lines", 23, equal(f_, distance), where=LINES,
              condition=at_least(f_, 0), remark="A distance has no sign: it is |f*|."),
-)  # fmt: skip
+)
 
 ENTRIES = (*VECTORS, *STUDY)

@@ -5,37 +5,39 @@ from __future__ import annotations
 from ...equation import equation
 from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import Re, both, cos, cross, det, dot, equal, identity, nonzero, zero
-from ...language.terms import Letter, Number, Term
-from .. import meanings
-from ..alphabet import arrow, e, hat, marks, real
-from ..marks import Tan, Tan2, at_least, group, length, ordered, pair
+from ...language.notation import *
+from ...language.terms import Number, Symbol, Term
+from .. import definitions
+from ..operators import Tan, Tan2, at_least, group, length, ordered, pair
+from ..symbols import arrow, e, hat, real, shown
 
 # ---- the equations of motion ----------------------------------------------------------------------------------
 
 A, x, X = hat("A", "orthogonal tensor"), hat("x", "dual vector"), hat("X", "dual vector")
 B, b_hat = hat("B", "tensor"), hat("b", "dual vector")
-MOVED = (let(X, meanings.moved, x, A), let(B, meanings.cayley_matrix, A), let(b_hat, meanings.rodrigues_vector, A))
+MOVED = (let(X, definitions.moved, x, A), let(B, definitions.cayley_matrix, A),
+         let(b_hat, definitions.rodrigues_vector, A))
 no_half_turn = nonzero(Re(det(A + identity)))
 
 EQUATIONS = (
     equation("rodrigues-matrix", "Rodrigues equation with B̂", 111, equal(X - x, B * (X + x)),
-             extract=marks(r"\hat{X} - \hat{x} = \hat{B}(\hat{X} + \hat{x})"), where=MOVED, condition=no_half_turn),
+             extract=shown(r"\hat{X} - \hat{x} = \hat{B}(\hat{X} + \hat{x})"), where=MOVED, condition=no_half_turn),
     equation("rodrigues-vector", "Rodrigues equation with b̂", 115, equal(X - x, cross(b_hat, X + x)),
-             extract=marks(r"\hat{X} - \hat{x} = \hat{b} \times (\hat{X} + \hat{x})."), where=MOVED,
+             extract=shown(r"\hat{X} - \hat{x} = \hat{b} \times (\hat{X} + \hat{x})."), where=MOVED,
              condition=no_half_turn),
-)  # fmt: skip
+)
 
 # ---- the rhombus of figure 1 ----------------------------------------------------------------------------------
 
-f_hat, axis, Q = hat("f", "angle"), Letter("axis", "unit vector"), Letter("Q", "orthogonal tensor")
-size, height = Letter("size", "dual number"), Letter("height", "dual number")
+f_hat, axis, Q = hat("f", "angle"), Symbol("axis", "unit vector"), Symbol("Q", "orthogonal tensor")
+size, height = Symbol("size", "dual number"), Symbol("height", "dual number")
 x_across, X_across = hat("x", "dual vector", "'"), hat("X", "dual vector", "'")
 FIGURE = (
-    let(axis, meanings.axis_of, Q), let(x, meanings.raised, size, height, Q), let(x_across, meanings.across, size, Q),
-    let(X, meanings.turned, x, f_hat, axis), let(X_across, meanings.projected, X, axis),
-    let(A, meanings.rotation, f_hat, axis), let(b_hat, meanings.rodrigues_vector, A),
-)  # fmt: skip
+    let(axis, definitions.axis_of, Q), let(x, definitions.raised, size, height, Q),
+    let(x_across, definitions.across, size, Q),
+    let(X, definitions.turned, x, f_hat, axis), let(X_across, definitions.projected, X, axis),
+    let(A, definitions.rotation, f_hat, axis), let(b_hat, definitions.rodrigues_vector, A),
+)
 turned_less = nonzero(Re(cos(f_hat / 2)))
 ratio = length(X_across - x_across) / length(X_across + x_across)
 seen = nonzero(Re(length(X_across + x_across)))
@@ -48,67 +50,67 @@ RHOMBUS = (
              equal(dot(X_across, x_across), length(X_across) * length(x_across) * cos(f_hat)), where=FIGURE),
     equation("projected", "Rodrigues equation of the projections", 123,
              equal(X_across - x_across, cross(b_hat, X_across + x_across)),
-             extract=marks(r"\hat{X}' - \hat{x}' = \hat{b} \times (\hat{X}' + \hat{x}')"), where=FIGURE,
+             extract=shown(r"\hat{X}' - \hat{x}' = \hat{b} \times (\hat{X}' + \hat{x}')"), where=FIGURE,
              condition=turned_less),
     equation("diagonals", "lengths of the diagonals", 123,
              equal(length(X_across - x_across), length(b_hat) * length(X_across + x_across)),
-             extract=marks(r"\|\hat{X}' - \hat{x}'\| = \|\hat{b}\| \|\hat{X}' + \hat{x}'\|"), where=FIGURE,
+             extract=shown(r"\|\hat{X}' - \hat{x}'\| = \|\hat{b}\| \|\hat{X}' + \hat{x}'\|"), where=FIGURE,
              condition=turned_less),
     equation("ratio", "norm of b̂ as a ratio", 125, equal(length(b_hat), ratio),
-             extract=marks(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
+             extract=shown(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
                            r"\hat{x}' \right\|}"), where=FIGURE, condition=seen),
     equation("half-angle", "the ratio as a tangent", 129,
              equal(ratio, (length(X_across - x_across) / 2) / (length(X_across + x_across) / 2), Tan(f_hat / 2)),
-             extract=marks(r"\hat{X}' - \hat{x}' \hat{X}' + \hat{x}' = \hat{X}' - \hat{x}' \hat{X}' + \hat{x}' 2 = Tan "
+             extract=shown(r"\hat{X}' - \hat{x}' \hat{X}' + \hat{x}' = \hat{X}' - \hat{x}' \hat{X}' + \hat{x}' 2 = Tan "
                            r"\frac{\hat{f}}{2}"),
              where=FIGURE, lost="2", condition=both(seen, at_least(Tan(f_hat / 2), 0)),
              fixed_by="figure 1, lines 125 and 133: the same ratio, so that both diagonals are halved",
              remark="The extraction has one 2 for both. Beyond a half turn the tangent is negative."),
     equation("1", "norm of the dual Rodrigues vector", 133, equal(length(b_hat), ratio),
-             extract=marks(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
+             extract=shown(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
                            r"\hat{x}' \right\|}"), where=FIGURE, condition=seen),
-)  # fmt: skip
+)
 
 # ---- real and dual parts --------------------------------------------------------------------------------------
 
-f, f_ = real("f", kind="real angle"), real("f", star=True)
+f, f_ = real("f", quantity="real angle"), real("f", star=True)
 b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
-turn = Letter("turn", "unit vector")
-ANY = (let(b_hat, meanings.along, size, turn),)
-SCREW = (let(f_hat, meanings.dual_number, f, f_), let(b_hat, meanings.screw_rodrigues, f_hat, turn))
+turn = Symbol("turn", "unit vector")
+ANY = (let(b_hat, definitions.along, size, turn),)
+SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
 PARTS = (
     let(b, real_of, b_hat), let(b_, dual_of, b_hat),
-    let(s_hat, meanings.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
-)  # fmt: skip
+    let(s_hat, definitions.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
+)
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), Tan(f / 2))
 LEGIBLE = "(5), line 151: the same quotient, with its star"
 
 DUAL_PARTS = (
     equation("2", "norm of b̂ by parts", 138, equal(length(b_hat), length(b) + e * (dot(b, b_) / length(b))),
-             extract=marks(r"\left\| \hat{b} \right\| = \left\| b \right\| + e \frac{b \cdot b}{\left\| b \right\|}"),
+             extract=shown(r"\left\| \hat{b} \right\| = \left\| b \right\| + e \frac{b \cdot b}{\left\| b \right\|}"),
              where=(*ANY, *PARTS), lost="*", condition=nonzero(b), fixed_by=LEGIBLE),
     equation("3", "tangent of half the dual angle", 143, equal(Tan(f_hat / 2), Tan(f / 2) + e * slope),
-             extract=marks(r"Tan\frac{\hat{f}}{2} = Tan\frac{f}{2} + e\frac{f^*}{2}(1 + Tan^2\frac{f}{2})"),
+             extract=shown(r"Tan\frac{\hat{f}}{2} = Tan\frac{f}{2} + e\frac{f^*}{2}(1 + Tan^2\frac{f}{2})"),
              where=SCREW, condition=nonzero(cos(f / 2))),
     equation("4", "both norms", 148,
              equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
-             extract=marks(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
+             extract=shown(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
                            r"\stackrel{\mathbf{r}}{b}}"
                            r"{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e \frac{f^*}{2} (1 + Tan^2 "
                            r"\frac{f}{2})"),
              where=(*SCREW, *PARTS), lost="*", condition=forward, fixed_by=LEGIBLE),
     equation("real-norm", "norm of the real Rodrigues vector", 151, equal(length(b), Tan(f / 2)),
-             extract=marks(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*SCREW, *PARTS),
+             extract=shown(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*SCREW, *PARTS),
              condition=at_least(Tan(f / 2), 0), remark="Beyond a half turn it is −Tan f/2."),
     equation("5", "dual part of the norm", 151, equal(pair(b, b_) / length(b), slope),
-             extract=marks(r"\frac{\stackrel{\mathbf{r}}{b} \stackrel{\mathbf{r}}{b}^{*}}{\left\| "
+             extract=shown(r"\frac{\stackrel{\mathbf{r}}{b} \stackrel{\mathbf{r}}{b}^{*}}{\left\| "
                            r"\stackrel{\mathbf{r}}{b} "
                            r"\right\|} = \frac{f^{*}}{2} (1 + Tan^{2} \frac{f}{2})"),
              where=(*SCREW, *PARTS), condition=forward),
     equation("6", "b* along s", 155, equal(dot(s, b_), slope),
-             extract=marks(r"\mathbf{\hat{r}}_{s.b*}^{\mathbf{r}} = \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),
+             extract=shown(r"\mathbf{\hat{r}}_{s.b*}^{\mathbf{r}} = \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),
              where=(*SCREW, *PARTS), lost="·",
              condition=forward),
     equation("7", "unit dual Rodrigues vector", 161,
@@ -116,7 +118,7 @@ DUAL_PARTS = (
                    b / length(b) + e * group(b_ / length(b) - (dot(b, b_) / length(b)**3) * b)),
              where=(*ANY, *PARTS), condition=nonzero(b),
              fixed_by="(8)-(10), which are its components",
-             remark="The extraction of the display shows most letters under its arrows as r."),
-)  # fmt: skip
+             remark="The extraction of the display shows most symbols under its arrows as r."),
+)
 
 ENTRIES = (*EQUATIONS, *RHOMBUS, *DUAL_PARTS)

@@ -7,32 +7,32 @@ from functools import partial
 from ...equation import Equation, equation
 from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import both, det, dyad, equal, identity, iff, negated, nonzero, zero
-from ...language.terms import Letter, Number, Term
-from .. import meanings
-from ..alphabet import arrow, hat, marks, pi, real
-from ..marks import Tan, Tan2, Tan3, component, group, length, ordered, provided
+from ...language.notation import *
+from ...language.terms import Number, Symbol, Term
+from .. import definitions
+from ..operators import Tan, Tan2, Tan3, component, group, length, ordered, provided
+from ..symbols import arrow, hat, pi, real, shown
 
-f, f_, f_hat = real("f", kind="real angle"), real("f", star=True), hat("f", "angle")
+f, f_, f_hat = real("f", quantity="real angle"), real("f", star=True), hat("f", "angle")
 b_hat, s_hat = hat("b", "dual vector"), hat("s", "dual vector")
 b, s, s_star, b_star = arrow("b"), arrow("s"), arrow("s", star=True), arrow("b", star=True)
 b1, b2, b3 = bs = tuple(real("b", index) for index in (1, 2, 3))
 b1_, b2_, b3_ = bs_ = tuple(real("b", index, star=True) for index in (1, 2, 3))
 s1, s2, s3 = ss = tuple(real("s", index) for index in (1, 2, 3))
 s1_, s2_, s3_ = ss_ = tuple(real("s", index, star=True) for index in (1, 2, 3))
-size, turn = Letter("size", "dual number"), Letter("turn", "unit vector")
+size, turn = Symbol("size", "dual number"), Symbol("turn", "unit vector")
 
 PARTS = (
-    let(s_hat, meanings.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
+    let(s_hat, definitions.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
     let(s, real_of, s_hat), let(s_star, dual_of, s_hat),
-    *(let(letter, meanings.real_component(n), b_hat) for n, letter in enumerate(bs, 1)),
-    *(let(letter, meanings.dual_component(n), b_hat) for n, letter in enumerate(bs_, 1)),
-    *(let(letter, meanings.real_component(n), s_hat) for n, letter in enumerate(ss, 1)),
-    *(let(letter, meanings.dual_component(n), s_hat) for n, letter in enumerate(ss_, 1)),
-)  # fmt: skip
-ANY = (let(b_hat, meanings.along, size, turn), *PARTS)
-SCREW = (let(f_hat, meanings.dual_number, f, f_), let(b_hat, meanings.screw_rodrigues, f_hat, turn), *PARTS)
-axes = meanings.special_axes(turn)
+    *(let(symbol, definitions.real_component(n), b_hat) for n, symbol in enumerate(bs, 1)),
+    *(let(symbol, definitions.dual_component(n), b_hat) for n, symbol in enumerate(bs_, 1)),
+    *(let(symbol, definitions.real_component(n), s_hat) for n, symbol in enumerate(ss, 1)),
+    *(let(symbol, definitions.dual_component(n), s_hat) for n, symbol in enumerate(ss_, 1)),
+)
+ANY = (let(b_hat, definitions.along, size, turn), *PARTS)
+SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
+axes = definitions.special_axes(turn)
 relation = partial(equation, components=True, also=axes)
 
 T: Term = Tan(f / 2)
@@ -45,9 +45,9 @@ general = both(nonzero(s1), nonzero(s2), nonzero(s3))
 
 total = b1 * b1_ + b2 * b2_ + b3 * b3_
 _S = (r"s_{%d}^{*} = \frac{b_{%d}^{*} \left\| \stackrel{\mathbf{r}}{b} \right\|^{2} - b_{%d} (b_{1} b_{1}^{*} + b_{2} "
-      r"b_{2}^{*} + b_{3} b_{3}^{*})}{\left\| \stackrel{\mathbf{r}}{b} \right\|^{3}}")  # fmt: skip
+      r"b_{2}^{*} + b_{3} b_{3}^{*})}{\left\| \stackrel{\mathbf{r}}{b} \right\|^{3}}")
 _B = (r"b_{%d}^{*} = \frac{s_{%d}^{*} \left\| b \right\|^{3} + b_{%d} b_{%d} b_{%d}^{*} + b_{%d} b_{%d} b_{%d}^{*}}"
-      r"{\left\| b \right\|^{2} - b_{%d}^{2}}")  # fmt: skip
+      r"{\left\| b \right\|^{2} - b_{%d}^{2}}")
 
 
 def from_b(number: str, line: int, n: int) -> Equation:
@@ -55,26 +55,26 @@ def from_b(number: str, line: int, n: int) -> Equation:
     b_n, b_n_, s_n_ = bs[n - 1], bs_[n - 1], ss_[n - 1]
     return relation(number, f"s{n}* from b̂", line,
                     equal(s_n_, (b_n_ * length(b)**2 - b_n * group(total)) / length(b)**3),
-                    extract=marks(_S % (n, n, n)), where=ANY, condition=nonzero(b))  # fmt: skip
+                    extract=shown(_S % (n, n, n)), where=ANY, condition=nonzero(b))
 
 
 def back_to_b(number: str, line: int, n: int, others: tuple[int, int]) -> Equation:
     """(11)-(13)."""
     b_n, (m, o) = bs[n - 1], others
-    below = length(b)**2 - b_n**2  # fmt: skip
-    above = ss_[n - 1] * length(b)**3 + b_n * bs[m - 1] * bs_[m - 1] + b_n * bs[o - 1] * bs_[o - 1]  # fmt: skip
+    below = length(b)**2 - b_n**2
+    above = ss_[n - 1] * length(b)**3 + b_n * bs[m - 1] * bs_[m - 1] + b_n * bs[o - 1] * bs_[o - 1]
     return relation(number, f"b{n}* from ŝ and the others", line, equal(bs_[n - 1], above / below),
-                    extract=marks(_B % (n, n, n, m, m, n, o, o, n)), where=ANY, condition=nonzero(below),
-                    remark="Not where b lies along that axis.")  # fmt: skip
+                    extract=shown(_B % (n, n, n, m, m, n, o, o, n)), where=ANY, condition=nonzero(below),
+                    remark="Not where b lies along that axis.")
 
 
 VECTOR = (
     relation("unit-rodrigues", "unit Rodrigues vector", 153, equal(s, b / length(b)),
-             extract=marks(r"\stackrel{\mathbf{r}}{s} = \frac{\stackrel{\mathbf{b}}{b}}{\left\|\stackrel{\mathbf{r}}{b}"
+             extract=shown(r"\stackrel{\mathbf{r}}{s} = \frac{\stackrel{\mathbf{b}}{b}}{\left\|\stackrel{\mathbf{r}}{b}"
                            r"\right\|}"), where=ANY, condition=nonzero(b)),
     from_b("8", 166, 1), from_b("9", 169, 2), from_b("10", 174, 3),
     back_to_b("11", 179, 1, (2, 3)), back_to_b("12", 182, 2, (1, 3)), back_to_b("13", 185, 3, (1, 2)),
-)  # fmt: skip
+)
 
 # ---- (14)-(17): of a displacement -----------------------------------------------------------------------------
 
@@ -90,38 +90,38 @@ half_turn = ordered(Number(0), f, pi)
 right_14, right_15, right_16 = (
     linear(1, s1 * s2 * b2_, s1 * s3 * b3_), linear(2, s1 * s2 * b1_, s2 * s3 * b3_),
     linear(3, s3 * s1 * b1_, s3 * s2 * b2_),
-)  # fmt: skip
+)
 BEYOND = "Beyond a half turn ‖b‖ is −Tan f/2, and s, which has the direction of b, is opposite to the axis."
 
 LINEAR = (
     relation("real-parameters", "real Rodrigues parameters", 190,
              both(equal(b1, s1 * T), equal(b2, s2 * T), equal(length(b), T), equal(b3, s3 * T)),
-             extract=marks(r"b_1 = s_1 Tan \frac{f}{2} b_2 = s_2 Tan \frac{f}{2} \left\| \stackrel{\mathbf{r}}{b} "
+             extract=shown(r"b_1 = s_1 Tan \frac{f}{2} b_2 = s_2 Tan \frac{f}{2} \left\| \stackrel{\mathbf{r}}{b} "
                            r"\right\| = Tan \frac{f}{2} b_3 = s_3 Tan \frac{f}{2}"),
              where=SCREW, condition=forward),
     relation("with-tangents", "(11) with tangents", 198,
              equal(b1_, cubed / (Tan2(f / 2) - s1**2 * Tan2(f / 2))),
-             extract=marks(r"b_{1}^{*} = \frac{s_{1}^{*}Tan^{3}\frac{f}{2} + s_{1}s_{2}Tan^{2}\frac{f}{2}b_{2}^{*} + "
+             extract=shown(r"b_{1}^{*} = \frac{s_{1}^{*}Tan^{3}\frac{f}{2} + s_{1}s_{2}Tan^{2}\frac{f}{2}b_{2}^{*} + "
                            r"s_{1}s_{3}Tan^{2}\frac{f}{2}b_{3}^{*}}{Tan^{2}\frac{f}{2} - s_{1}^{2}Tan^{2}\frac{f}{2}}"),
              where=SCREW, condition=both(forward, nonzero(1 - s1**2))),
     relation("14", "b1* from the others", 202, provided(equal(b1_, right_14), full_turn),
-             extract=marks(r"b_{1}^{*} = \frac{s_{1}^{*}Tan\frac{f}{2} + s_{1}s_{2}b_{2}^{*} + s_{1}s_{3}b_{3}^{*}}"
+             extract=shown(r"b_{1}^{*} = \frac{s_{1}^{*}Tan\frac{f}{2} + s_{1}s_{2}b_{2}^{*} + s_{1}s_{3}b_{3}^{*}}"
                            r"{1 - s_{1}^{2}}, \quad 0 < f < 2p"),
              where=SCREW, remark=BEYOND,
              corrected=provided(provided(equal(b1_, right_14), nonzero(1 - s1**2)), half_turn)),
     relation("15", "b2* from the others", 207, equal(b2_, right_15),
-             extract=marks(r"b_2^* = \frac{s_2^* Tan \frac{f}{2} + s_1 s_2 b_1^* + s_2 s_3 b_3^*}{1 - s_2^2}"),
+             extract=shown(r"b_2^* = \frac{s_2^* Tan \frac{f}{2} + s_1 s_2 b_1^* + s_2 s_3 b_3^*}{1 - s_2^2}"),
              where=SCREW, condition=both(forward, nonzero(1 - s2**2)), remark=BEYOND),
     relation("16", "b3* from the others", 210, equal(b3_, right_16),
-             extract=marks(r"b_3^* = \frac{s_3^* Tan \frac{f}{2} + s_3 s_1 b_1^* + s_3 s_2 b_2^*}{1 - s_3^2}"),
+             extract=shown(r"b_3^* = \frac{s_3^* Tan \frac{f}{2} + s_3 s_1 b_1^* + s_3 s_2 b_2^*}{1 - s_3^2}"),
              where=SCREW, condition=both(forward, nonzero(1 - s3**2)), remark=BEYOND),
     relation("unit-norm", "ŝ is a unit dual vector", 212, equal(length(s_hat), 1),
-             extract=marks(r"\|\hat{s}\| = 1"), where=ANY, condition=nonzero(b)),
+             extract=shown(r"\|\hat{s}\| = 1"), where=ANY, condition=nonzero(b)),
     relation("17", "ŝ is a unit dual vector, by parts", 214,
              both(equal(s1**2 + s2**2 + s3**2, 1), equal(s1 * s1_ + s2 * s2_ + s3 * s3_, 0)),
-             extract=marks(r"s_1^2 + s_2^2 + s_3^2 = 1, s_1s_1^* + s_2s_2^* + s_3s_3^* = 0."), where=ANY,
+             extract=shown(r"s_1^2 + s_2^2 + s_3^2 = 1, s_1s_1^* + s_2s_2^* + s_3s_3^* = 0."), where=ANY,
              condition=nonzero(b)),
-)  # fmt: skip
+)
 
 # ---- line 219 and (18)-(22) -----------------------------------------------------------------------------------
 
@@ -130,7 +130,7 @@ equations: dict[str, tuple[Term, Term]] = {
     "18": (b1_, (slope - s2 * b2_ - s3 * b3_) / s1),
     "19": (s2 * b2_ + s3 * b3_, group(1 - s1**2) * slope - s1 * s1_ * T),
     **{number: (bs_[n], ss_[n] * T + ss[n] * slope) for n, number in enumerate(("22", "20", "21"))},
-}  # fmt: skip
+}
 """Both sides, by number."""
 
 SOLUTION = r"b_%d^* = s_%d^* Tan \frac{f}{2} + s_%d \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"
@@ -140,7 +140,7 @@ def solution(number: str, line: int, n: int, restated: bool = False) -> Equation
     """(20)-(22)."""
     name, title = (f"conclusion-{number}", ", restated") if restated else (number, "")
     return relation(name, f"dual Rodrigues parameter b{n}*{title}", line, equal(*equations[number]),
-                    extract=marks(SOLUTION % (n, n, n)), where=SCREW, condition=forward)  # fmt: skip
+                    extract=shown(SOLUTION % (n, n, n)), where=SCREW, condition=forward)
 
 
 SYSTEM = identity - dyad(s, s)
@@ -161,15 +161,15 @@ SOLVED = (
              because=equal(1 - component(turn, 1)**2, component(turn, 2)**2 + component(turn, 3)**2),
              remark="So they are not zero where no s is."),
     relation("6-expanded", "(6) by components", 223, equal(s1 * b1_ + s2 * b2_ + s3 * b3_, slope),
-             extract=marks(r"s_1b_1^* + s_2b_2^* + s_3b_3^* = \frac{f^*}{2}(1 + Tan^2\frac{f}{2})."), where=SCREW,
+             extract=shown(r"s_1b_1^* + s_2b_2^* + s_3b_3^* = \frac{f^*}{2}(1 + Tan^2\frac{f}{2})."), where=SCREW,
              condition=forward),
     relation("18", "b1* from (6)", 227, equal(*equations["18"]),
-             extract=marks(r"b_1^* = \frac{\frac{f^*}{2}(1 + Tan^2\frac{f}{2}) - s_2b_2^* - s_3b_3^*}{s_1}"),
+             extract=shown(r"b_1^* = \frac{\frac{f^*}{2}(1 + Tan^2\frac{f}{2}) - s_2b_2^* - s_3b_3^*}{s_1}"),
              where=SCREW, claimed=nonzero(s1), stated=(225, "Since $s_1 \\neq 0$"), condition=forward),
     relation("19", "(14) and (18)", 232, equal(*equations["19"]),
-             extract=marks(r"s_2 b_2^* + s_3 b_3^* = (1 - s_1^2) \frac{f^*}{2} (1 + Tan^2 \frac{f}{2}) - s_1 s_1^* Tan "
+             extract=shown(r"s_2 b_2^* + s_3 b_3^* = (1 - s_1^2) \frac{f^*}{2} (1 + Tan^2 \frac{f}{2}) - s_1 s_1^* Tan "
                            r"\frac{f}{2} ."), where=SCREW, condition=forward),
     solution("20", 237, 2), solution("21", 242, 3), solution("22", 247, 1),
-)  # fmt: skip
+)
 
 ENTRIES = (*VECTOR, *LINEAR, *SOLVED)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dot, equal, implies, nonzero, zero
-from ...language.terms import Letter
-from .. import meanings
-from ..alphabet import hat, marks
+from ...language.notation import *
+from ...language.terms import Symbol
+from .. import definitions
+from ..symbols import hat, shown
 from .s3b_components import SCREW, equations, f, f_, forward, relation, solution
 
 b1_, right_22 = equations["22"]
@@ -17,28 +17,28 @@ RESTATED = (
              (Reading(equal(b1_, right_22), "with the star of f"),
               Reading(equal(b1_, right_22.xreplace({f_: f})), "without",
                       supported_by="line 256 itself, where the other stars are legible")),
-             extract=marks(r"b_1^* = s_1^* Tan \frac{f}{2} + s_1 \frac{f}{2} (1 + Tan^2 \frac{f}{2})"),
+             extract=shown(r"b_1^* = s_1^* Tan \frac{f}{2} + s_1 \frac{f}{2} (1 + Tan^2 \frac{f}{2})"),
              where=SCREW, lost="*", condition=forward,
              fixed_by="(22), line 247, and (20), (21) beside it: f*/2",
              remark="f/2 as it is legible there is wrong; whether its star was printed cannot be told."),
     solution("20", 259, 2, restated=True),
     solution("21", 262, 3, restated=True),
-)  # fmt: skip
+)
 
 # ---- the lines of figure 2 ------------------------------------------------------------------------------------
 
-f_hat, axis = hat("f", "angle"), Letter("axis", "unit vector", r"\hat{s}")
-before, after = Letter("l_a", "unit vector", "l_a"), Letter("l_b", "unit vector", "l_b")
-POSITIONS = (let(f_hat, meanings.dual_number, f, f_), let(after, meanings.turned, before, f_hat, axis))
+f_hat, axis = hat("f", "angle"), Symbol("axis", "unit vector", r"\hat{s}")
+before, after = Symbol("l_a", "unit vector", "l_a"), Symbol("l_b", "unit vector", "l_b")
+POSITIONS = (let(f_hat, definitions.dual_number, f, f_), let(after, definitions.turned, before, f_hat, axis))
 
 LINES = (
     equation("positions", "f̂ is the dual angle of two positions of a line of the body", 265,
              equal(dot(before, after), cos(f_hat)), where=POSITIONS,
              condition=implies(nonzero(1 - cos(f)), zero(Re(dot(before, axis)))),
-             also=meanings.crossing_lines(before, axis),
+             also=definitions.crossing_lines(before, axis),
              because=equal(dot(before, after), cos(f_hat) + (1 - cos(f_hat)) * dot(before, axis)**2),
              remark="Only of lines at right angles to the screw axis. For any other line "
              "l_a · l_b = cos f̂ + (1 − cos f̂)(l_a · ŝ)²."),
-)  # fmt: skip
+)
 
 ENTRIES = (*RESTATED, *LINES)

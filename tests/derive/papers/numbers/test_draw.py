@@ -10,7 +10,7 @@ import pytest
 from derive.algebra import Dual
 from derive.papers.numbers.draw import Draw, exponential_series, polynomial, rotation, sphere
 from derive.papers.numbers.fields import DIGITS, Decimal60
-from derive.papers.numbers.kinds import KINDS
+from derive.papers.numbers.quantities import QUANTITIES
 
 FIELD = Decimal60()
 
@@ -115,10 +115,10 @@ def test_the_series_is_the_exponential(a: str) -> None:
     assert FIELD.same(f.derivative(at), mpmath.exp(at))
 
 
-@pytest.mark.parametrize("name", ["generic", *KINDS["smooth function"].special])
+@pytest.mark.parametrize("name", ["generic", *QUANTITIES["smooth function"].special])
 def test_derivatives_are_those_of_the_function(name: str) -> None:
-    kind = KINDS["smooth function"]
-    f = {"generic": kind.generic, **kind.special}[name](Draw("f"))
+    quantity = QUANTITIES["smooth function"]
+    f = {"generic": quantity.generic, **quantity.special}[name](Draw("f"))
     for a in (mpmath.mpf("0.7"), mpmath.mpf("-1.2")):
         assert FIELD.same(f(Dual(a, mpmath.mpf(2))).du, 2 * f.derivative(a))
         assert FIELD.same(f(Dual(a, mpmath.mpf(2))).re, f(a))

@@ -12,7 +12,6 @@ from derive.algebra.exact import NotExactError
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
-from derive.papers.numbers.residues import Residue, Residues
 
 pytestmark = pytest.mark.smoke
 
@@ -119,19 +118,6 @@ def test_roots_for_every_order_are_of_unit_quaternions_of_the_angle() -> None:
 def test_vectors_beside_numbers_make_quaternions() -> None:
     field = Decimal60()
     assert field.power(Vector(1, 2, 3), 2) == Quaternion(-14, Vector(0, 0, 0))
-
-
-def test_residues_have_reciprocals_but_for_zero_and_sines_of_angles_alone() -> None:
-    field = Residues(["x"], {"a": 2})
-    x, a = field.symbol("x"), field.symbol("a")
-    assert x**-1 * x == x**-2 * x * x == Residue(1)
-    with pytest.raises(ZeroDivisionError):
-        Residue(0) ** -1
-    assert field.same(field.sin(a) ** 2 + field.cos(a) ** 2, 1)
-    assert field.sin(0) == 0
-    for other in (x, 5, Fraction(1, 2)):
-        with pytest.raises(NotExactError, match="no rational multiple of an angle"):
-            field.sin(other)
 
 
 # ---- what fields have and what they refuse ---------------------------------------------------------------------------

@@ -8,56 +8,51 @@ import pytest
 
 from derive.algebra import Dual
 from derive.algebra.exact import NotExactError
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic, GenericOrder
-from derive.papers.numbers.kinds import KINDS
-from derive.papers.numbers.residues import Reduced
+from derive.papers.numbers.quantities import QUANTITIES
 
-t, v, w = (Letter(name, "dual vector") for name in "tvw")
-u1, u2, u3 = (Letter(f"u{i}", "unit vector") for i in (1, 2, 3))
-a, alpha, n, k = Letter("a", "dual number"), Letter("α", "angle"), Letter("n", "order"), Letter("k", "branch")
-q, r, T = Letter("q", "unit quaternion"), Letter("r", "real"), Letter("T", "tensor")
-FIELDS = pytest.mark.parametrize("make", [Generic, Reduced])
+t, v, w = (Symbol(name, "dual vector") for name in "tvw")
+u1, u2, u3 = (Symbol(f"u{i}", "unit vector") for i in (1, 2, 3))
+a, alpha, n, k = Symbol("a", "dual number"), Symbol("α", "angle"), Symbol("n", "order"), Symbol("k", "branch")
+q, r, T = Symbol("q", "unit quaternion"), Symbol("r", "real"), Symbol("T", "tensor")
 
 
 def zeros(vector) -> list[bool]:
     return [c == 0 for c in vector]
 
 
-@FIELDS
-def test_a_frame_is_chosen_along_the_vectors(make) -> None:
-    found = make([t, v, w], dual=False, moving=False).values
+def test_a_frame_is_chosen_along_the_vectors() -> None:
+    found = Generic([t, v, w], dual=False, moving=False).values
     assert [zeros(found[x]) for x in (t, v, w)] == [[False, True, True], [False, False, True], [False, False, False]]
-    found = make([t, v], dual=False, moving=False, framed=False).values
+    found = Generic([t, v], dual=False, moving=False, framed=False).values
     assert zeros(found[t]) == zeros(found[v]) == [False, False, False]
-    found = make([T, v], dual=False, moving=False).values
+    found = Generic([T, v], dual=False, moving=False).values
     assert zeros(found[v]) == [False, False, False]
 
 
-@FIELDS
-def test_unit_vectors_have_a_frame_too(make) -> None:
-    found = make([u1, u2, u3], dual=False, moving=False).values
+def test_unit_vectors_have_a_frame_too() -> None:
+    found = Generic([u1, u2, u3], dual=False, moving=False).values
     assert list(found[u1]) == [1, 0, 0]
     assert zeros(found[u2]) == [False, True, False]
     assert zeros(found[u3]) == [False, False, False]
     assert all(found[u].dot(found[u]) == 1 for u in (u1, u2, u3))
-    found = make([v, u1, u2], dual=False, moving=False).values
+    found = Generic([v, u1, u2], dual=False, moving=False).values
     assert [zeros(found[x]) for x in (v, u1, u2)] == [[False, True, True], [False, True, False], [False, False, False]]
-    found = make([u1, u2], dual=False, moving=False, framed=False).values
+    found = Generic([u1, u2], dual=False, moving=False, framed=False).values
     assert zeros(found[u1]) == zeros(found[u2]) == [False, False, False]
     assert found[u1].dot(found[u1]) == 1 == found[u2].dot(found[u2])
 
 
-@FIELDS
-def test_a_frame_along_real_parts_leaves_dual_parts_free(make) -> None:
-    found = make([t, v, u1], dual=True, moving=False).values
+def test_a_frame_along_real_parts_leaves_dual_parts_free() -> None:
+    found = Generic([t, v, u1], dual=True, moving=False).values
     assert zeros(found[t].re) == [False, True, True]
     assert zeros(found[v].re) == [False, False, True]
     assert not any(zeros(found[t].du) + zeros(found[v].du))
     square = found[u1].dot(found[u1])
     assert (square.re, square.du) == (1, 0)
-    found = make([u1, u2, u3], dual=True, moving=False).values
+    found = Generic([u1, u2, u3], dual=True, moving=False).values
     assert [zeros(found[u].re) for u in (u1, u2)] == [[False, True, True], [False, True, False]]
     assert all(found[u].dot(found[u]) == Dual(1, 0) for u in (u1, u2, u3))
     assert not any(zeros(found[u2].du) + zeros(found[u3].du))
@@ -72,10 +67,9 @@ def test_magnitudes_of_the_first_vector_are_tangents() -> None:
         point.field.sqrt(1 + 2 * X * X)
 
 
-@FIELDS
 @pytest.mark.parametrize(("dual", "moving"), [(False, False), (True, False), (False, True), (True, True)])
-def test_numbers_have_the_parts_of_their_layout(make, dual: bool, moving: bool) -> None:
-    value = make([a], dual, moving).values[a]
+def test_numbers_have_the_parts_of_their_layout(dual: bool, moving: bool) -> None:
+    value = Generic([a], dual, moving).values[a]
     layers = 0
     while isinstance(value, Dual):
         assert value.du != 0
@@ -83,28 +77,25 @@ def test_numbers_have_the_parts_of_their_layout(make, dual: bool, moving: bool) 
     assert layers == dual + moving
 
 
-@FIELDS
-def test_letters_are_independent(make) -> None:
-    b = Letter("b", "dual number")
-    found = make([a, b, v], dual=True, moving=False).values
+def test_symbols_are_independent() -> None:
+    b = Symbol("b", "dual number")
+    found = Generic([a, b, v], dual=True, moving=False).values
     parts = [found[a].re, found[a].du, found[b].re, found[b].du, found[v].c1.re, found[v].c1.du]
     assert all(one != other for i, one in enumerate(parts) for other in parts[:i])
 
 
-@FIELDS
-def test_real_letters_do_not_move(make) -> None:
-    assert not isinstance(make([r], dual=True, moving=False).values[r], Dual)
-    assert not isinstance(make([r], dual=False, moving=False).values[r], Dual)
-    with pytest.raises(NotExactError, match="real letters in motion"):
-        make([r], dual=True, moving=True)
+def test_real_symbols_do_not_move() -> None:
+    assert not isinstance(Generic([r], dual=True, moving=False).values[r], Dual)
+    assert not isinstance(Generic([r], dual=False, moving=False).values[r], Dual)
+    with pytest.raises(NotExactError, match="real symbols in motion"):
+        Generic([r], dual=True, moving=True)
     with pytest.raises(NotExactError, match="a moving displacement"):
-        make([q], dual=True, moving=True)
+        Generic([q], dual=True, moving=True)
 
 
-@FIELDS
 @pytest.mark.parametrize("steps", [2, 4, 6])
-def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
-    point = make([alpha], dual=False, moving=False, steps=steps)
+def test_parts_of_angles_have_sine_and_cosine(steps: int) -> None:
+    point = Generic([alpha], dual=False, moving=False, steps=steps)
     for multiple in (1, 3, -2):
         part = point.values[alpha] * Fraction(multiple, steps)
         assert point.field.sin(part) ** 2 + point.field.cos(part) ** 2 == 1
@@ -114,10 +105,9 @@ def test_parts_of_angles_have_sine_and_cosine(make, steps: int) -> None:
         point.field.sin(point.values[alpha] * Fraction(1, 2 * steps + 1))
 
 
-@FIELDS
 @pytest.mark.parametrize("branch", [0, 1, 2])
-def test_a_branch_is_so_many_turns_less(make, branch: int) -> None:
-    point = make([alpha, a], dual=False, moving=False)
+def test_a_branch_is_so_many_turns_less(branch: int) -> None:
+    point = Generic([alpha, a], dual=False, moving=False)
     before = dict(point.values)
     point.fix_branch(k, branch)
     assert point.values[k] == branch
@@ -128,25 +118,24 @@ def test_a_branch_is_so_many_turns_less(make, branch: int) -> None:
     assert set(point.values) == {alpha, a, k}
 
 
-@FIELDS
-def test_displacements_are_unit_quaternions(make) -> None:
-    for letters in ([q], [v, q], [q, u1]):
-        point = make(letters, dual=False, moving=False)
+def test_displacements_are_unit_quaternions() -> None:
+    for symbols in ([q], [v, q], [q, u1]):
+        point = Generic(symbols, dual=False, moving=False)
         value = point.values[q]
         assert value.norm2() == 1
         assert value.scalar == point.field.cos(point.field.symbol("q"))
 
 
 def test_for_every_order_a_displacement_is_a_square() -> None:
-    for letters in ([q], [v, q]):
-        point = GenericOrder(letters, n, moving=False)
+    for symbols in ([q], [v, q]):
+        point = GenericOrder(symbols, n, moving=False)
         assert point.values[q].norm2() == 1
         assert not any(zeros(point.values[q].vector))
         assert point.values[q].scalar not in (0, 1)
 
 
 def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
-    x, s = Letter("x", "argument"), Letter("s", "scale")
+    x, s = Symbol("x", "argument"), Symbol("s", "scale")
     point = GenericOrder([v, alpha, x, s], n, moving=False)
     field = point.field
     assert isinstance(field, EveryOrder)
@@ -158,7 +147,7 @@ def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
 
 
 def test_what_only_a_definition_has_is_refused() -> None:
-    for name, kind in KINDS.items():
-        if kind.exact is None:
+    for name, quantity in QUANTITIES.items():
+        if quantity.exact is None:
             with pytest.raises(NotExactError, match=f"no generic {name}"):
-                Generic([Letter("x", name)], dual=False, moving=False)
+                Generic([Symbol("x", name)], dual=False, moving=False)

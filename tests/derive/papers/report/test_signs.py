@@ -31,7 +31,7 @@ WORDS = {"arctan", "cos", "cot", "det", "exp", "lim", "log", "sin", "tan"}
 
 
 @pytest.mark.parametrize("name", GREEK)
-def test_greek_letters_are_called_so(name: str) -> None:
+def test_greek_symbols_are_called_so(name: str) -> None:
     assert unicodedata.name(plain(f"\\{name}")) == f"GREEK SMALL LETTER {name.removeprefix('var').upper()}"
 
 

@@ -1,4 +1,4 @@
-"""The paper's own marks in sections 7 and 8: limits, signs, numbers of preimages and of equations."""
+"""Operators of sections 7 and 8: limits, signs, numbers of preimages and of equations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from derive.algebra.exact import Element
 from ..language import values
 from ..language.evaluation import Env
 from ..language.notation import define
-from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Letter, Term, Trait, marked
+from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
 from ..numbers.fields import UndefinedError, innermost
 
 FAR = (40, 80)
@@ -24,17 +24,17 @@ def _positive(env: Env, a: Any) -> bool:
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
 no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
-                 lambda env, a, b: isinstance(a, Element) or a >= b)  # fmt: skip
+                 lambda env, a, b: isinstance(a, Element) or a >= b)
 """``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
 
 
 def _limit(env: Env, index: Term, body: Term) -> Any:
     """The limit of a sequence that is constant from some order on; of any other it is not known."""
-    if not isinstance(index, Letter):
-        raise TypeError("only a letter can tend to infinity")
+    if not isinstance(index, Symbol):
+        raise TypeError("only a symbol can tend to infinity")
     if not isinstance(env.value(index), int):
         return env.value(body)
-    free = {letter: value for letter, value in env.values.items() if letter not in env.definitions}
+    free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
     first, second = (
         Env(env.field, {**free, index: order}, env.definitions, env.dual, env.moving).value(body) for order in FAR
     )
@@ -43,13 +43,12 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     return second
 
 
-limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True,
-               traits=Trait.EVENTUAL)  # fmt: skip
+limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: values.equal(env.field, a, b))  # fmt: skip
+               lambda env, a, b: values.equal(env.field, a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
-                        lambda env, f, target: f.reaches(env.field, target))  # fmt: skip
+                        lambda env, f, target: f.reaches(env.field, target))
 
 
 def _components(a: Any) -> int:
@@ -58,10 +57,10 @@ def _components(a: Any) -> int:
 
 
 equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
-                      lambda env, a: _components(a))  # fmt: skip
+                      lambda env, a: _components(a))
 """How many real numbers a dual quantity is, hence how many real equations its rate."""
 
 
 def is_algebraic(*statements: Term) -> bool:
     """Whether no transcendental function occurs in any of the statements."""
-    return not marked(Trait.TRANSCENDENTAL, *statements)
+    return not with_trait(Trait.TRANSCENDENTAL, *statements)

@@ -1,4 +1,4 @@
-"""What the letters of section 7 stand for: maps with their preimages, families v = φ(α) u, their factors a(v)."""
+"""What the symbols of section 7 stand for: maps with their preimages, families v = φ(α) u, their factors a(v)."""
 
 from __future__ import annotations
 
@@ -137,9 +137,9 @@ def constant(env: Env, value: Any) -> Callable[[Any], Any]:
     return lambda argument: value
 
 
-def function_of(meaning: Callable[..., Any]) -> Callable[..., Any]:
-    """A letter that the paper writes as a function of v, by its value there."""
-    return lambda env, *arguments: constant(env, meaning(env, *arguments))
+def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
+    """A symbol that the paper writes as a function of v, by its value there."""
+    return lambda env, *arguments: constant(env, definition(env, *arguments))
 
 
 def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:

@@ -1,4 +1,4 @@
-"""What the letters of sections 5 and 6 stand for: Cayley maps of the orders 1 and 2 by their rotations."""
+"""What the symbols of sections 5 and 6 stand for: Cayley maps of the orders 1 and 2 by their rotations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps.pose import pose_from_tensor
 
 from ...language import claims, values
 from ...language.evaluation import Env
-from ...language.terms import Letter
+from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from . import dual_algebra, motions, orders, quaternion_maps
@@ -110,32 +110,34 @@ def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
     return values.Solution(lambda alpha: values.equal(env.field, motions.screw_tensor(env, alpha, axis), R))
 
 
-def kinds(rotates: Letter, translates: Letter, general: Letter) -> tuple[tuple[Letter, Callable[..., bool]], ...]:
+def displacement_types(
+    rotates: Symbol, translates: Symbol, general: Symbol
+) -> tuple[tuple[Symbol, Callable[..., bool]], ...]:
     """The three statements about a displacement, with what computes them from its tensor."""
     table = ((rotates, claims.fixes_a_point), (translates, claims.fixes_directions), (general, claims.is_general))
 
     def of_tensor(check: Callable[..., bool]) -> Callable[..., bool]:
         return lambda env, R: check(env, pose_from_tensor(R))
 
-    return tuple((letter, of_tensor(check)) for letter, check in table)
+    return tuple((symbol, of_tensor(check)) for symbol, check in table)
 
 
-def real_magnitude(v: Letter) -> Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]:
+def real_magnitude(v: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
     """A point where |v| is real although v is dual."""
 
-    def point(draw: Draw) -> Mapping[str, Mapping[Letter, Any]]:
+    def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
         re, across = draw.vector().re, draw.vector().re
         return {"|v| real, v dual": {v: dualise(re, re.cross(across))}}
 
     return point
 
 
-def unit_magnitude(v: Letter) -> Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]:
+def unit_magnitude(v: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
     """A point where |v| = 1."""
     return lambda draw: {"|v| = 1": {v: draw.unit()}}
 
 
-def three_turns(alpha: Letter) -> Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]:
+def three_turns(alpha: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
     """A point where Re α is the second angle, after 2π, with an infinite tangent of α/4."""
     return lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.mpf(mpmath.pi))}}
 
@@ -188,20 +190,20 @@ def composed(order: int) -> Callable[[Env, Vector, Vector], Quaternion]:
     return lambda env, second, first: one(env, second) * one(env, first)
 
 
-def back_to_back(second: Letter, first: Letter) -> Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]:
+def back_to_back(second: Symbol, first: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
     """Two equal half turns at order 2: their product is −1."""
 
-    def point(draw: Draw) -> Mapping[str, Mapping[Letter, Any]]:
+    def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
         axis = draw.unit()
         return {"two half turns about one axis": {first: axis, second: axis}}
 
     return point
 
 
-def to_a_half_turn(first: Letter, second: Letter) -> Callable[[Draw], Mapping[str, Mapping[Letter, Any]]]:
+def to_a_half_turn(first: Symbol, second: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
     """Two vectors of order 1 whose product has the real part 1."""
 
-    def point(draw: Draw) -> Mapping[str, Mapping[Letter, Any]]:
+    def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
         v = draw.vector()
         w = v / real_part(v.dot(v)) + dualise(0 * v.re, draw.vector().re)
         return {"a half turn as the result": {first: v, second: w}}

@@ -1,4 +1,4 @@
-"""What the letters of section 4 stand for: unit dual quaternions, their displacements and exponentials."""
+"""What the symbols of section 4 stand for: unit dual quaternions, their displacements and exponentials."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.maps.pose import pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.terms import Letter
+from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from . import motions
@@ -84,7 +84,7 @@ def covering(env: Env) -> values.Map:
     return values.Map(first_principles.tensor_by_sandwich, preimages)
 
 
-def opposite(draw: Draw, first: Letter, second: Letter) -> Mapping[Letter, Any]:
+def opposite(draw: Draw, first: Symbol, second: Symbol) -> Mapping[Symbol, Any]:
     """A quaternion and its opposite."""
     q = draw.quaternion(draw.real())
     return {first: q, second: -q}

@@ -1,4 +1,4 @@
-"""What the letters of the paper stand for: what its printed formulas are checked against.
+"""What the symbols of the paper stand for: what its printed formulas are checked against.
 
 ===============  ========================================================================
 orders           p_n, q_n, the Cayley map of an order, its rotation and tangent operator

@@ -1,4 +1,4 @@
-"""The table of kinds: what letters stand for at points, and at generic values of an exact field."""
+"""The table of kinds: what symbols stand for at points, and at generic values of an exact field."""
 
 from __future__ import annotations
 
@@ -7,49 +7,49 @@ import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.algebra.exact import NotExactError
-from derive.papers.language.terms import Letter
+from derive.papers.language.terms import Symbol
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
-from derive.papers.numbers.kinds import KINDS
+from derive.papers.numbers.quantities import QUANTITIES
 
-DRAWN = [kind for kind in KINDS.values() if kind.draw is not None]
-EXACT = [kind for kind in KINDS.values() if kind.exact is not None]
+DRAWN = [quantity for quantity in QUANTITIES.values() if quantity.draw is not None]
+EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]
 
 
 def test_draws_with_one_seed_are_equal() -> None:
-    for kind in DRAWN:
-        if kind is not KINDS["smooth function"]:
-            assert kind.generic(Draw("s")) == kind.generic(Draw("s"))
+    for quantity in DRAWN:
+        if quantity is not QUANTITIES["smooth function"]:
+            assert quantity.generic(Draw("s")) == quantity.generic(Draw("s"))
 
 
 def test_unit_draws_are_unit() -> None:
     with mpmath.workdps(DIGITS):
         field = Decimal60()
-        for make in (KINDS["unit quaternion"].generic, *KINDS["unit quaternion"].special.values()):
+        for make in (QUANTITIES["unit quaternion"].generic, *QUANTITIES["unit quaternion"].special.values()):
             norm = make(Draw("unit")).norm2()
             assert field.same(norm.re, 1)
             assert field.same(norm.du, 0)
 
 
-@pytest.mark.parametrize("kind", EXACT, ids=lambda kind: kind.name)
+@pytest.mark.parametrize("quantity", EXACT, ids=lambda quantity: quantity.name)
 @pytest.mark.parametrize("dual", [False, True])
-def test_a_generic_value_is_of_the_type_that_is_drawn(kind, dual: bool) -> None:
-    letter = Letter("a", kind.name)
-    value = Generic([letter], dual, moving=False).values[letter]
-    drawn = kind.generic(Draw("type"))
+def test_a_generic_value_is_of_the_type_that_is_drawn(quantity, dual: bool) -> None:
+    symbol = Symbol("a", quantity.name)
+    value = Generic([symbol], dual, moving=False).values[symbol]
+    drawn = quantity.generic(Draw("type"))
     assert hasattr(value, "norm2") == hasattr(drawn, "norm2")
     assert hasattr(value, "dot") == hasattr(drawn, "dot")
     assert hasattr(value, "rows") == hasattr(drawn, "rows")
 
 
 def test_only_drawn_kinds_are_exact_and_those_without_either_are_refused() -> None:
-    assert set(DRAWN) - set(EXACT) == {KINDS["sign"]}
+    assert set(DRAWN) - set(EXACT) == {QUANTITIES["sign"]}
     assert set(EXACT) <= set(DRAWN)
-    with pytest.raises(ValueError, match="a letter that is a map has no value of its own"):
-        KINDS["map"].generic(Draw("s"))
+    with pytest.raises(ValueError, match="a symbol that is a map has no value of its own"):
+        QUANTITIES["map"].generic(Draw("s"))
     with pytest.raises(NotExactError, match="no generic map"):
-        Generic([Letter("f", "map")], False, False)
+        Generic([Symbol("f", "map")], False, False)
 
 
 # ---- special values --------------------------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ def coefficients(value):
 
 def test_every_special_value_is_described() -> None:
     described = {name: list(cases) for name, cases in SPECIAL.items()}
-    assert described == {k.name: list(k.special) for k in KINDS.values() if k.special and k.name not in FUNCTIONS}
+    assert described == {k.name: list(k.special) for k in QUANTITIES.values() if k.special and k.name not in FUNCTIONS}
 
 
 @pytest.mark.parametrize(("name", "label"), [(name, label) for name, cases in SPECIAL.items() for label in cases])
@@ -106,19 +106,19 @@ def test_special_values_are_what_they_are_called(name: str, label: str) -> None:
     low, high = SPECIAL[name][label]
     with mpmath.workdps(DIGITS):
         for seed in "abcde":
-            value = KINDS[name].special[label](Draw(seed))
+            value = QUANTITIES[name].special[label](Draw(seed))
             assert low - 1e-12 <= size(value) <= high + 1e-12
             duals = [a.du for a in coefficients(value) if hasattr(a, "du")]
-            generic = coefficients(KINDS[name].generic(Draw(seed)))
+            generic = coefficients(QUANTITIES[name].generic(Draw(seed)))
             assert bool(duals) == any(hasattr(a, "du") for a in generic)
             assert not duals or any(duals) is ((name, label) not in REAL)
 
 
 def test_a_singular_tensor_has_no_inverse() -> None:
     with mpmath.workdps(DIGITS):
-        value = KINDS["tensor"].special["singular"](Draw("s"))
+        value = QUANTITIES["tensor"].special["singular"](Draw("s"))
         assert Decimal60().same(value.det().re, 0)
-        assert not Decimal60().same(KINDS["tensor"].generic(Draw("s")).det().re, 0)
+        assert not Decimal60().same(QUANTITIES["tensor"].generic(Draw("s")).det().re, 0)
 
 
 # ---- constants, and what takes dual numbers apart --------------------------------------------------------------------
@@ -126,19 +126,19 @@ def test_a_singular_tensor_has_no_inverse() -> None:
 
 def test_constants_have_their_values() -> None:
     field = Decimal60()
-    values = {kind.name: kind.value(field) for kind in KINDS.values() if kind.value is not None}
+    values = {quantity.name: quantity.value(field) for quantity in QUANTITIES.values() if quantity.value is not None}
     assert values == {"dual unit": Dual(0, 1), "identity": Tensor.identity(), "π": mpmath.mpf(mpmath.pi), "words": None}
-    assert {kind.name for kind in KINDS.values() if not kind.varies} == {*values, "∞", "index"}
+    assert {quantity.name for quantity in QUANTITIES.values() if not quantity.varies} == {*values, "∞", "index"}
 
 
 def test_parts_of_what_is_dual_take_it_apart() -> None:
-    apart = {kind.name for kind in KINDS.values() if kind.apart}
-    real = {name for name in KINDS if name.startswith("real")}
+    apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
+    real = {name for name in QUANTITIES if name.startswith("real")}
     assert apart == {*real, "proposition", "line", "dual unit"}
 
 
 def test_exact_values_have_as_many_numbers_as_said() -> None:
-    for kind in EXACT:
-        point = Generic([Letter("a", kind.name)], dual=False, moving=False, framed=False)
+    for quantity in EXACT:
+        point = Generic([Symbol("a", quantity.name)], dual=False, moving=False, framed=False)
         declared = {name for name in point.field.functions.names if name[:1] == "a" and name[1:].isdecimal()}
-        assert len(declared) == kind.size
+        assert len(declared) == quantity.size

@@ -1,6 +1,6 @@
-"""What a letter may stand for: the table of kinds that all letters come from.
+"""What a symbol may stand for: the table of quantities that all symbols come from.
 
-``holds`` means at generic values and at every special value of every letter: real part zero, a half turn, the
+``holds`` means at generic values and at every special value of every symbol: real part zero, a half turn, the
 identity, a full turn. So a statement that fails or has no value there cannot pass as ``holds``.
 """
 
@@ -25,7 +25,7 @@ Make = Callable[[Draw], Any]
 
 
 class Role(Enum):
-    """What letters of a kind are to the choice of exact coordinates."""
+    """What symbols of a quantity are to the choice of exact coordinates."""
 
     ANGLE = auto()
     """An angle: sine and cosine of its parts are exact; where there are branches, α + 2kπ is the generic angle."""
@@ -38,27 +38,27 @@ class Role(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Kind:
+class Quantity:
     """A row of the table.
 
     Attributes
     ----------
     name : str
     draw : callable, optional
-        Draws a 60-digit value as it is almost always; letters of a kind without must be defined.
+        Draws a 60-digit value as it is almost always; symbols of a quantity without must be defined.
     special : dict of str to callable
         Values at which formulas tend to fail, by name.
     size : int
         How many independent numbers it is.
     exact : callable, optional
-        ``exact(generic, name)``, the value of a letter at generic values of an exact field.
+        ``exact(generic, name)``, the value of a symbol at generic values of an exact field.
     role : Role, optional
     value : callable, optional
         The value over a field, of a constant.
     apart : bool
         Whether it is a part of something dual, or takes that apart: then exact coefficients have to be dual too.
     varies : bool
-        Whether a letter that nothing defines is free.
+        Whether a symbol that nothing defines is free.
     """
 
     name: str
@@ -74,7 +74,7 @@ class Kind:
     def generic(self, draw: Draw) -> Any:
         """A 60-digit value as it is almost always."""
         if self.draw is None:
-            raise ValueError(f"a letter that is a {self.name} has no value of its own: define it")
+            raise ValueError(f"a symbol that is a {self.name} has no value of its own: define it")
         return self.draw(draw)
 
 
@@ -94,23 +94,23 @@ def _translation_quaternion(sign: int) -> Make:
 
 _ZERO = (0, 0, 0)
 
-ORDER = Kind("order")
+ORDER = Quantity("order")
 """n: the orders asked for, or all at once."""
-BRANCH = Kind("branch")
+BRANCH = Quantity("branch")
 """k = 0, 1 … n − 1."""
-PROPOSITION = Kind("proposition", apart=True)
+PROPOSITION = Quantity("proposition", apart=True)
 """What a claim in words says."""
-SIGN = Kind("sign", lambda d: 1, {"−": lambda d: -1})
+SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
 """±, for both sides of an equation at once."""
 
 _REAL = (
-    Kind(
+    Quantity(
         "real",
         lambda d: d.signed(),
         {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()},
         size=1, exact=lambda g, name: g.real(g.number(name)), apart=True,
     ),
-    Kind(
+    Quantity(
         "real angle",
         lambda d: d.real(0.3, 1.2),
         {
@@ -123,7 +123,7 @@ _REAL = (
         },
         size=1, exact=lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True,
     ),
-    Kind(
+    Quantity(
         "smooth function",
         lambda d: polynomial([d.signed() for _ in range(5)]),
         {
@@ -132,13 +132,13 @@ _REAL = (
         },
         size=4, exact=lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)]),
     ),
-    Kind(
+    Quantity(
         "real vector",
         lambda d: Vector(d.signed(), d.signed(), d.signed()),
         {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))},
         size=3, exact=lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True,
     ),
-    Kind(
+    Quantity(
         "rotation",
         lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
         {
@@ -148,12 +148,12 @@ _REAL = (
         },
         size=3, exact=lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN,
     ),
-    Kind("real tensor", apart=True),
-    Kind("real quaternion", apart=True),
-)  # fmt: skip
+    Quantity("real tensor", apart=True),
+    Quantity("real quaternion", apart=True),
+)
 
 _NUMBERS = (
-    Kind(
+    Quantity(
         "dual number",
         lambda d: d.number(d.signed()),
         {
@@ -164,19 +164,19 @@ _NUMBERS = (
         },
         size=1, exact=lambda g, name: g.number(name),
     ),
-    Kind(
+    Quantity(
         "argument",
         lambda d: d.number(d.signed()),
         {"real part 0": lambda d: d.number(0), "negative": lambda d: d.number(-d.real())},
         size=1, exact=lambda g, name: g.argument(name),
     ),
-    Kind(
+    Quantity(
         "scale",
         lambda d: d.number(d.real(0.5, 2.0)),
         {"negative": lambda d: d.number(-d.real(0.5, 2.0))},
         size=1, exact=lambda g, name: g.scale(name),
     ),
-    Kind(
+    Quantity(
         "angle",
         lambda d: d.number(d.real(0.3, 2.8)),
         {
@@ -191,10 +191,10 @@ _NUMBERS = (
         },
         size=1, exact=lambda g, name: g.angle(name), role=Role.ANGLE,
     ),
-)  # fmt: skip
+)
 
 _STRUCTURES = (
-    Kind(
+    Quantity(
         "dual vector",
         lambda d: d.vector(),
         {
@@ -204,14 +204,14 @@ _STRUCTURES = (
         },
         size=3, exact=lambda g, name: g.vector(name), role=Role.VECTOR,
     ),
-    Kind("unit vector", lambda d: d.unit(), size=2, exact=lambda g, name: g.unit(name)),
-    Kind(
+    Quantity("unit vector", lambda d: d.unit(), size=2, exact=lambda g, name: g.unit(name)),
+    Quantity(
         "quaternion",
         lambda d: Quaternion(d.number(d.signed()), d.vector()),
         {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))},
         size=4, exact=lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), role=Role.VECTOR,
     ),
-    Kind(
+    Quantity(
         "unit quaternion",
         lambda d: d.quaternion(d.real(0.3, 1.3)),
         {
@@ -222,13 +222,13 @@ _STRUCTURES = (
         },
         size=3, exact=lambda g, name: g.turn(name), role=Role.TURN,
     ),
-    Kind(
+    Quantity(
         "tensor",
         lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
         {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())},
         size=9, exact=lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), role=Role.TENSOR,
     ),
-    Kind(
+    Quantity(
         "orthogonal tensor",
         lambda d: rotation(d.quaternion(d.real(0.3, 1.3))),
         {
@@ -239,28 +239,28 @@ _STRUCTURES = (
         },
         size=3, exact=lambda g, name: rotation(g.turn(name)), role=Role.TURN,
     ),
-    Kind("line", apart=True),
-    Kind("pose"),
-)  # fmt: skip
+    Quantity("line", apart=True),
+    Quantity("pose"),
+)
 
 _DEFINED = (
-    Kind("number"),
-    Kind("function"),
-    Kind("map"),
+    Quantity("number"),
+    Quantity("function"),
+    Quantity("map"),
     PROPOSITION,
 )
 """What only a definition can say; of a number it is not said whether it is dual."""
 
 _CONSTANT = (
-    Kind("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),
-    Kind("identity", value=lambda field: Tensor.identity(), varies=False),
-    Kind("π", value=lambda field: field.pi, varies=False),
-    Kind("∞", varies=False),
-    Kind("words", value=lambda field: None, varies=False),
-    Kind("index", varies=False),
+    Quantity("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),
+    Quantity("identity", value=lambda field: Tensor.identity(), varies=False),
+    Quantity("π", value=lambda field: field.pi, varies=False),
+    Quantity("∞", varies=False),
+    Quantity("words", value=lambda field: None, varies=False),
+    Quantity("index", varies=False),
 )
-"""What never varies; an index is bound by the mark that it is the index of."""
+"""What never varies; an index is bound by its operator."""
 
-KINDS: dict[str, Kind] = {
-    kind.name: kind for kind in (ORDER, BRANCH, SIGN, *_REAL, *_NUMBERS, *_STRUCTURES, *_DEFINED, *_CONSTANT)
+QUANTITIES: dict[str, Quantity] = {
+    row.name: row for row in (ORDER, BRANCH, SIGN, *_REAL, *_NUMBERS, *_STRUCTURES, *_DEFINED, *_CONSTANT)
 }

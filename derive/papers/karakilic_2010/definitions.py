@@ -1,4 +1,4 @@
-"""What the paper's letters stand for, by their definitions: what its printed formulas are checked against.
+"""What the paper's symbols stand for, by their definitions: what its printed formulas are checked against.
 
 Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
@@ -15,7 +15,7 @@ from derive.maps import first_principles, lines, rodrigues
 
 from ..language import values
 from ..language.evaluation import Env
-from ..language.terms import Letter
+from ..language.terms import Symbol
 from ..numbers.draw import Draw
 from ..numbers.fields import Decimal60
 
@@ -33,7 +33,7 @@ def dual_vector(env: Env, *components: Any) -> Vector:
 
 
 def same(env: Env, a: Any) -> Any:
-    """The same: for a letter of which a mark is gone."""
+    """The same: for a symbol of which a mark is gone."""
     return a
 
 
@@ -187,10 +187,10 @@ def foot(env: Env, a: Vector) -> Vector:
 # ---- points -----------------------------------------------------------------------------------------------------
 
 
-def special_axes(axis: Letter) -> Callable[[Draw], dict[str, dict[Letter, Any]]]:
+def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
     """Unit dual vectors with one and with two real components zero, for ``also``."""
 
-    def points(draw: Draw) -> dict[str, dict[Letter, Any]]:
+    def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         found = {}
         for zeros, direction in ((2, (1, 0, 0)), (2, (-1, 0, 0)), (1, (3, 4, 0))):
             for turn in range(3):
@@ -203,10 +203,10 @@ def special_axes(axis: Letter) -> Callable[[Draw], dict[str, dict[Letter, Any]]]
     return points
 
 
-def crossing_lines(line: Letter, axis: Letter) -> Callable[[Draw], dict[str, dict[Letter, Any]]]:
+def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
     """Lines at right angles, one through the other and one that passes it."""
 
-    def points(draw: Draw) -> dict[str, dict[Letter, Any]]:
+    def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         u, v = draw.unit(), draw.unit()
         normal = u.cross(v)
         crossing = normal / Decimal60().magnitude(normal)

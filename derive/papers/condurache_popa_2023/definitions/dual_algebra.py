@@ -1,4 +1,4 @@
-"""What the letters of section 2 stand for: dual numbers, dual vectors and dual tensors by their parts."""
+"""What the symbols of section 2 stand for: dual numbers, dual vectors and dual tensors by their parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the paper's letters stand for, by their definitions: what its printed formulas are checked against.
+"""What the paper's symbols stand for, by their definitions: what its printed formulas are checked against.
 
 Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
@@ -19,7 +19,7 @@ Function = Callable[[Any], Any]
 
 
 def p(env: Env, n: Any) -> Function:
-    """The polynomial p_n by its recurrence, as a function of the letter X or of |v|."""
+    """The polynomial p_n by its recurrence, as a function of the symbol X or of |v|."""
     return lambda a: env.field.pair(n, _square(a))[0]
 
 
@@ -72,7 +72,7 @@ def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
 
 
 def at_order(order: int, function: Callable[..., Any]) -> Callable[..., Any]:
-    """A meaning at one order."""
+    """Return the definition at one order."""
     return lambda env, *arguments: function(env, order, *arguments)
 
 

@@ -1,4 +1,4 @@
-"""What the letters of sections 3-5 stand for: poses, the tensors that move lines as poses move points, screws.
+"""What the symbols of sections 3-5 stand for: poses, the tensors that move lines as poses move points, screws.
 
 Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
@@ -19,7 +19,7 @@ from derive.maps.pose import Pose, pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.terms import Letter
+from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from ...numbers.draw import rotation as sandwich
@@ -29,7 +29,7 @@ AXES = tuple(Vector(*row) for row in Tensor.identity().rows)
 
 
 def same(env: Env, a: Any) -> Any:
-    """The value of another letter."""
+    """The value of another symbol."""
     return a
 
 
@@ -150,7 +150,7 @@ def is_principal(env: Env, alpha: Any) -> bool:
     return not isinstance(angle, mpmath.mpf) or bool(-mpmath.pi < angle <= mpmath.pi)
 
 
-def half_turn_across(draw: Draw, R: Letter, v: Letter) -> Mapping[Letter, Any]:
+def half_turn_across(draw: Draw, R: Symbol, v: Symbol) -> Mapping[Symbol, Any]:
     """A half turn, and a vector across its axis."""
     q = draw.quaternion(mpmath.mpf(mpmath.pi) / 2)
     return {R: sandwich(q), v: q.vector.re.cross(Vector(1, 0, 0))}

@@ -1,6 +1,6 @@
-"""What the letters of section 8 stand for: twists and tangent operators, differentiated from first principles.
+"""What the symbols of section 8 stand for: twists and tangent operators, differentiated from first principles.
 
-Letters here may change in time: `Env.now` is their value alone, `Env.rate` their rate.
+Symbols here may change in time: `Env.now` is their value alone, `Env.rate` their rate.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from derive.maps.pose import pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env
-from ...language.terms import Letter
+from ...language.terms import Symbol
 from ...numbers.draw import Draw
 from ...numbers.fields import innermost
 from . import orders
@@ -147,10 +147,10 @@ def flow(draw: Draw) -> dict[str, Any]:
     }
 
 
-def not_orthogonal(R: Letter, omega: Letter) -> Callable[[Draw], dict[str, dict[Letter, Any]]]:
+def not_orthogonal(R: Symbol, omega: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
     """A solution of Ṙ = skew(ω) R that starts elsewhere."""
 
-    def point(draw: Draw) -> dict[str, dict[Letter, Any]]:
+    def point(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         parts = flow(draw)
         return {"R not orthogonal": {R: parts["R"], omega: parts["ω"]}}
 

@@ -1,0 +1,64 @@
+"""The table of marks: what mutants make of its terms, and what is to be known of a mark."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.papers import PAPERS
+from derive.papers.condurache_popa_2023.operators import is_algebraic
+from derive.papers.karakilic_2010.operators import Cos, Sin, Tan, Tan2, length
+from derive.papers.language.notation import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
+from derive.papers.language.terms import Apply, Symbol, Trait, symbols, takes_apart, text, with_trait
+from derive.papers.mutation import mutants
+from derive.papers.numbers.quantities import QUANTITIES
+
+a, b, r = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("r", "real")
+
+
+def statements(entry):
+    return [*(reading.statement for reading in entry.readings), *filter(None, (entry.corrected, entry.because))]
+
+
+def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
+    assert {text(mutant) for _, mutant in mutants(Sin(a))} == {"Cosa", "a"}
+    assert {text(mutant) for _, mutant in mutants(Cos(a))} == {"Sina", "a"}
+    assert {text(mutant) for _, mutant in mutants(Tan(a))} == {"cot a", "a"}
+    assert {text(mutant) for _, mutant in mutants(Tan2(a))} == {"Tan3a", "a"}
+    assert {text(mutant) for _, mutant in mutants(sin(a))} == {"cos a", "a"}
+
+
+def test_what_takes_numbers_apart() -> None:
+    assert takes_apart(equal(Re(a), b))
+    assert takes_apart(equal(a, b + epsilon * b))
+    assert takes_apart(equal(a, r))
+    assert not takes_apart(equal(norm(a), sin(b)))
+
+
+def test_delicate_marks_are_found_with_their_symbols() -> None:
+    (found,) = with_trait(Trait.DELICATE, equal(a, b) + nonzero(b))
+    assert symbols(found) == (b,)
+    assert len(with_trait(Trait.DELICATE, implies(nonzero(a), equal(a, b)))) == 2
+
+
+def test_transcendental_marks_of_either_paper() -> None:
+    assert is_algebraic(equal(norm(a), length(b) ** 2))
+    for term in (sin(a), cos(a), tan2(a), exp(a), Tan(a)):
+        assert not is_algebraic(equal(term, b))
+
+
+def test_what_is_not_in_a_table_is_refused() -> None:
+    with pytest.raises(ValueError, match="no operator 'sine'"):
+        Apply("sine", a)
+    with pytest.raises(ValueError, match="no quantity 'scalar': expected order, branch"):
+        Symbol("a", "scalar")
+
+
+def test_every_kind_is_in_use_and_names_are_unique_in_an_entry() -> None:
+    used = set()
+    for entry in (entry for paper in PAPERS for entry in paper.entries()):
+        parts = [*statements(entry), *filter(None, (entry.claimed, entry.condition))]
+        found = {symbol for part in parts for symbol in symbols(part)}
+        found |= {symbol for d in entry.where for symbol in (d.symbol, *d.arguments)}
+        assert len({symbol.name for symbol in found}) == len(found), entry.number
+        used |= {symbol.quantity for symbol in found}
+    assert used == set(QUANTITIES.values())
