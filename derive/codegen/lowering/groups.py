@@ -88,7 +88,7 @@ def _by_factors(
 ) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
     """Return the derivatives of a product by its factors."""
     v = trace.apply(compose, "v{}", second, first)
-    back = trace.apply(tangent_inv, "I{}", v)
-    T2, T1 = trace.apply(tangent, "S{}", second), trace.apply(tangent, "T{}", first)
-    turned = trace.apply(dual_product, "RT{}", trace.apply(tensor, "R{}", second), T1)
-    return trace.apply(dual_product, "P{}", back, T2), trace.apply(dual_product, "N{}", back, turned)
+    back = trace.apply(tangent_inv, "back{}", v)
+    T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)
+    turned = trace.apply(dual_product, "R2T1{}", trace.apply(tensor, "R2{}", second), T1)
+    return trace.apply(dual_product, "D2{}", back, T2), trace.apply(dual_product, "D1{}", back, turned)

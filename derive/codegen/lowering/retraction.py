@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
+from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
 from .groups import dual_product
@@ -115,11 +116,11 @@ def retract_jacobians(trace: Geometry) -> Program:
     re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
     fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
     du = dual_part(trace, fi, hi, re, rho)
-    back = trace.apply(tangent_inverse_at, "I{}", fi, hi, fiy, hiy, (*re, *du))
+    back = trace.apply(tangent_inverse_at, "back{}", fi, hi, fiy, hiy, (*re, *du))
     R = trace.apply(tensor_at, "R{}", f, g, h, delta)
     turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))
-    dexp = trace.apply(tangent_at, "D{}", f, g, h, *slopes, delta)
-    by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("P{}", turned), ("N{}", dexp)))
+    dexp = trace.apply(tangent_at, "dexp{}", f, g, h, *slopes, delta)
+    by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("D1{}", turned), ("D2{}", dexp)))
     results = (*trace.apply(matrix6, "by_v{}", by_v), *trace.apply(matrix6, "by_delta{}", by_delta))
     return trace.program("retract_jacobians", results)
 

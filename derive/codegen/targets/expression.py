@@ -147,6 +147,7 @@ class Lists:
     def __init__(self, program: Program) -> None:
         named: dict[tuple[Operand, ...], str]
         named = {names: argument for argument, names in program.inputs if names != (argument,)}
+        made: dict[tuple[Operand, ...], str]
         made = {call.names: call.result for call in program.calls if call.result}
         named |= made
         groups = [group for call in program.calls for group in call.groups]

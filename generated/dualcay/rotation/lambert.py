@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..lambert import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 2
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="b9ba3ba33baf3424",
+    _geometry.KERNELS,
+    programs="116c6220b8155bd6",
 )
 
 KERNELS = RotationKernels(CHART)

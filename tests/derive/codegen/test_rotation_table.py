@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from derive.codegen.lowering.real import narrowed
 
 from derive.codegen import ValidationFailed, catalogue
 from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalars import SQUARES
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
+from derive.proof.element import BITS, Element
+from derive.proof.polynomial_backend import packed_product, polynomials
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from derive.proof.element import BITS, Element
-from derive.proof import Ring
-from derive.proof.polynomial_backend import packed_product, polynomials
 from derive.algebra.exact import RationalFunctions
+from derive.proof import Ring
 
 pytestmark = pytest.mark.smoke
 

@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import pytest
 
-from derive.algebra.angles import AngleField
 from derive.algebra.exact import Element, NotExactError
 
 STEPS = 3
