@@ -202,19 +202,21 @@ def shadow_jacobian(trace: Geometry) -> Program:
     cosine, sine = _turn(trace)
     size, u, size_du, moment = _axis(trace, point)
     (sign,) = trace.ask("direction", (point.x, point.y, size))
-    length, slope = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
-    length_du = point.name("rko", size_du * slope)
-    across = trace.dual("across", Dual(length, length_du) / Dual(size, size_du))
-    # dr_k/dr is 1/φ′ of v by that of v_k: slopes of both make its dual part
-    (before, beforey), (after, aftery) = (
-        trace.ask("rate", (square,), mark) for square, mark in ((point.x, ""), (point.name("xk", length * length), "k"))
-    )
-    growth = point.y * (beforey / before) - point.name("yk", length * length_du) * (aftery / after)
-    spread = trace.dual("spread", Dual(slope, slope * growth) - across)
-    axis = Vector.dual(u, moment)
-    along = trace.dual_vector("su", spread * axis)
-    diagonal = Tensor(((across, 0, 0), (0, across, 0), (0, 0, across)))
-    return trace.program("shadow_jacobian", entries6(trace, Tensor.dyad(along, axis) + diagonal))
+    length, slope, bend = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
+    ratio = point.name("ratio", length / size)
+    spread = point.name("spread", slope - ratio)
+    # by division of each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows where r is small
+    change, along = point.name("change", spread * size_du), point.name("along", bend * size_du)
+    rows = []
+    for i, (ui, mi) in enumerate(zip(u, moment, strict=True)):
+        row = []
+        for j, (uj, mj) in enumerate(zip(u, moment, strict=True)):
+            square = point.name(f"uu{i + 1}{j + 1}", ui * uj)
+            rest = point.name(f"p{i + 1}{j + 1}", int(i == j) - square)
+            du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
+            row.append(trace.dual(f"J{i + 1}{j + 1}", Dual(ratio * rest + slope * square, du)))
+        rows.append(tuple(row))
+    return trace.program("shadow_jacobian", entries6(trace, Tensor(rows)))
 
 
 def identity_jacobian(trace: Geometry) -> Program:
@@ -281,7 +283,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
 def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
     """Return the vector a turn on along u: its coefficient r becomes rk, with the slope of that in the dual part."""
     size, u, size_du, moment = axis
-    length, slope = trace.ask("turned", (size, cosine, sine))
+    length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)
     return (*(length * u), *(length * moment + length_du * u))
 

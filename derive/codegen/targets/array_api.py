@@ -39,6 +39,7 @@ class ArrayApi(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
             "_checks.py": {},
             "_runtime.py": {},
@@ -49,7 +50,7 @@ class ArrayApi(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        return {"scalars": list(map(python.printed_scalar, facts.lowered.scalars.values()))}
+        return {"scalars": python.printed_scalars(facts)}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

@@ -26,7 +26,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.float_cases import Case, cases
 from . import c99
-from .said import SAID
 from .target import require_functions
 
 GEOMETRY = "geometry.h"
@@ -38,7 +37,7 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)), ("rate", (1, 0)))
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate", (1, 0)))
 }
 """What stands for scalars that geometry names and a chart never comes to."""
 
@@ -132,7 +131,6 @@ def shared_geometry(table: Table) -> Data:
         "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
         "functions": {name: interface(row, table) for name, row in table.public.items()},
         "poses": table is POSES,
-        "said": SAID[table.name],
     }
 
 

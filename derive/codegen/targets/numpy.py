@@ -42,6 +42,7 @@ class Numpy(python.PythonTarget):
             "_kernel.py": {},
             "_multiple.py": {},
             "_native.py": {},
+            "_program.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
             "_tools.py": {},
@@ -51,7 +52,7 @@ class Numpy(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        own = [] if facts.chart.base else list(map(python.printed_scalar, facts.lowered.scalars.values()))
+        own = [] if facts.chart.base else python.printed_scalars(facts)
         return {"scalars": own, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:

@@ -16,8 +16,9 @@ from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
-from ..package import Data, Facts, numbers
-from ..programs.program import Program, summary
+from ..lowering.scalars import FORMULAS
+from ..package import Data, Facts, comment, numbers
+from ..programs.program import Program
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
@@ -66,12 +67,12 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters, text of the body, and a summary of its operations."""
+    """A program as its template shows it: parameters, text of the body, and its formula as a comment."""
 
     name: str
     parameters: tuple[str, ...]
     forms: Any
-    summary: str = ""
+    formula: str = ""
 
 
 class PythonTarget(ABC):
@@ -222,11 +223,25 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*context, *given)
 
 
-def printed_scalar(program: Program) -> Printed:
-    """Return a scalar program as a plain function of numbers."""
-    parameters = tuple(name for _, names in program.inputs for name in names)
-    operations = f"operations {summary(program.operations)}"
-    return Printed(program.name, parameters, infix.body(program, alone=True), operations)
+def printed_scalars(facts: Facts) -> list[Printed]:
+    """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
+    return [
+        Printed(
+            name,
+            tuple(name for _, names in program.inputs for name in names),
+            infix.body(program, alone=True),
+            formula_of(name, facts.chart),
+        )
+        for name, program in facts.lowered.scalars.items()
+    ]
+
+
+def formula_of(scalar: str, chart: Chart) -> str:
+    """Return the formula of a scalar program as a comment: for every chart, then of order n, with equation numbers."""
+    general, of_order, maps = FORMULAS[scalar]
+    texts = [general, of_order] if of_order and chart.cayley else [general]
+    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:

@@ -31,7 +31,7 @@ from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
 
 SEED = 88
-POINTS = 5
+POINTS = 3
 STEP = mpmath.mpf(2) ** -80
 
 COMPONENT_MAX = 3

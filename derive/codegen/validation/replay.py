@@ -192,7 +192,7 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function, perhaps in all types and one of every kind in all ways, as run-time parts tell them apart."""
+        """Call every function, perhaps in all types; then also one of every kind in all ways."""
         kinds: dict[tuple[Any, ...], Group] = {}
         dtypes = self.library.dtypes if in_all_ways else self.library.dtypes[:1]
         for group in groups:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..breusing import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 2
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="66eca25a5c3ef041",
+    _geometry.KERNELS,
+    programs="16f0ff25d1b7bd7e",
 )
 
 KERNELS = RotationKernels(CHART)

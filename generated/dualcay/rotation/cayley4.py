@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley4 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 4
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="8a9f0e88616c7303",
+    _geometry.KERNELS,
+    programs="ab943322d0716ba9",
 )
 
 KERNELS = RotationKernels(CHART)

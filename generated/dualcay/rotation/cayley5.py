@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley5 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 5
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="abe5d830c03b51f0",
+    _geometry.KERNELS,
+    programs="bd26e74ec4a6a6d8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..scaled2 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 2
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="fb8d5a3351643bf8",
+    _geometry.KERNELS,
+    programs="e415acad51b14f76",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..scaled3 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 3
@@ -29,8 +29,8 @@ CHART = Chart(
     POSES.turns,
     POSES.returns,
     POSES.functions,
-    SHARED,
-    programs="69e4fd6540b17802",
+    _geometry.KERNELS,
+    programs="2cdefe8694b0cd50",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -38,14 +38,14 @@ class Function(NamedTuple):
     defined: bool
 
 
-def refuse(node: Any, message: str) -> CError:
-    """Return the error with file and line of a node of the syntax tree."""
-    return CError(f"{place(node)}: {message}")
-
-
 def place(node: Any) -> str:
-    """Return file name and line of a node."""
+    """Return file name and line of a node of the syntax tree."""
     return f"{PurePath(str(node.coord.file)).name}:{node.coord.line}" if node.coord else "?"
+
+
+def refuse(node: Any, message: str) -> CError:
+    """Return the error that names a node."""
+    return CError(f"{place(node)}: {message}")
 
 
 def converted(node: Any, value: Value, to: str) -> str:
@@ -96,7 +96,7 @@ class Translator:
         self._write(node, f"def f_{name}({', '.join(f'c_{each.name}' for each in parameters)}):")
         visible = {each.name: Value(self._type(each.type), f"c_{each.name}") for each in parameters}
         lengths = ((p.name, _length(p.type)) for p in parameters if isinstance(p.type, c_ast.ArrayDecl))
-        first = [f"called.add({name!r})", *(f"c_{p} = c_{p}.narrowed({length})" for p, length in lengths)]
+        first = [f"called.add({name!r})", *(f"c_{each} = c_{each}.narrowed({length})" for each, length in lengths)]
         self.result = self._type(node.decl.type.type)
         self._block(node, node.body, visible, first)
         if self.result != "void":
@@ -164,8 +164,6 @@ class Translator:
                 self._write(node, f"{target.text} = {converted(node, value, target.type)}")
             case c_ast.FuncCall():
                 self._write(node, self._value(node).text)
-            case c_ast.Return(expr=None):
-                self._write(node, "return")
             case c_ast.Return():
                 self._write(node, f"return {converted(node, self._value(node.expr), self.result)}")
             case c_ast.If():
@@ -221,8 +219,8 @@ class Translator:
             case c_ast.BinaryOp():
                 return self._binary(node, node.op, self._value(node.left), self._value(node.right))
             case c_ast.TernaryOp():
-                sides = [self._value(side) for side in (node.iftrue, node.iffalse)]
-                type_ = "real" if any(side.type == "real" for side in sides) else "int"
+                sides = self._value(node.iftrue), self._value(node.iffalse)
+                type_ = max(side.type for side in sides)  # "real" where one is
                 first, second = (converted(node, side, type_) for side in sides)
                 return Value(type_, f"({first} if {self._integer(node.cond)} else {second})")
             case c_ast.Cast():

@@ -49,18 +49,11 @@ class Unit:
 
 
 def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | None = None) -> Unit:
-    """Read a text, whose quoted includes are files of the folder, if one is given.
-
-    Raises
-    ------
-    CError
-        For what is not C, or not the subset of C that is read here; integer divisions among it.
+    """Read a text, whose quoted includes are files of a folder; a `CError` names what is outside the subset of C.
 
     Examples
     --------
-    >>> from fractions import Fraction
-    >>> unit = load("double half(double a) { return a / 2; }")
-    >>> unit.call("half", Fraction(3))
+    >>> load("double half(double a) { return a / 2; }").call("half", Fraction(3))
     Fraction(3, 2)
     """
     source, translator, called = parse(text, folder, defines or {}), Translator(), set[str]()
