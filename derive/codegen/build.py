@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
 
 from ..maps import Cayley
 from ..maps.chart import Chart
@@ -45,7 +44,7 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress | None = N
             printed.append(print_module(chart, target, report))
             files.write(staging, printed[-1].texts)
             report(f"{chart.name}: checking")
-            yield replace(cast(Any, chart)), target, staging  # cached values cannot be sent to a worker
+            yield chart, target, staging
 
     with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
         staging, shared = Path(folder), shared_texts(target)

@@ -43,6 +43,13 @@ def _printed(table: Table) -> Mapping[str, Program]:
     return found
 
 
+def shared_with_poses(table: Table) -> frozenset[str]:
+    """Return the names of geometry programs of a further table that are the same for poses, where they stand."""
+    found, poses = printed_geometry(table), printed_geometry(POSES)
+    same = (name for name in found.keys() - table.kernels.keys() if found[name] == poses.get(name))
+    return frozenset() if table is POSES else frozenset(same)
+
+
 def _add(found: dict[str, Program], program: Program) -> None:
     """Add a program after those it calls."""
     for called in program.called:

@@ -33,7 +33,7 @@ LETTERS_MAX = 600
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
-HASH_COMMENTS = (".txt", ".cmake", ".py", ".toml", ".build", ".options")
+HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
 """Suffixes of files whose comments begin with #, in every target."""
 
 

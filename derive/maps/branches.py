@@ -17,6 +17,9 @@ from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .cayley_scalars import CayleyScalars
 
+Derivatives = tuple[Coefficient, Coefficient, Coefficient]
+"""A value with its first and second derivatives."""
+
 NOISE = 16
 """A term that is lost beside another when divided by this is below 8 eps of it: 0 but for rounding.
 
@@ -57,11 +60,22 @@ def natural(
     return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
 
 
-def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-    """Return ``(r cos + sin)/(cos − r sin)`` and its derivative ``1/(cos − r sin)²``."""
+def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+    """Return ``r_k = (r cos + sin)/(cos − r sin)``, ``dr_k/dr = 1/(cos − r sin)²`` and the derivative of that."""
     cosine, sine = turn
     inverse = m.name("iden", m.div(1, cosine - r * sine))
-    return m.name("rk", (r * cosine + sine) * inverse), m.name("slope", inverse * inverse)
+    slope = m.name("slope", inverse * inverse)
+    return m.name("rk", (r * cosine + sine) * inverse), slope, m.name("bend", 2 * (sine * inverse) * slope)
+
+
+def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
+    """Return r_k with its derivatives by r, from φ with its derivatives by the angle at r and at r_k."""
+    _, slope, bend = before
+    slope = m.name("before", slope)
+    rk, slope_k, bend_k = after
+    ratio = m.name("slope", m.div(slope_k, slope))
+    change = m.name("slopeo", m.div(bend_k - ratio * bend, slope))
+    return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
 
 
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:

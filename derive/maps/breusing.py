@@ -20,7 +20,7 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import near_pole
+from . import branches, near_pole
 from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import OrderChart, double_angle
@@ -198,11 +198,11 @@ class Breusing(OrderChart):
     def scalars(self, x: Coefficient, m: Arithmetic) -> BreusingScalars:
         return BreusingScalars(x, m)
 
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
+    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+        square = m.name(f"square{mark}", cosine * cosine)
         inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
-        return sine * inverse, m.div((1 + cosine * cosine) / cosine * inverse, 2)
+        slope = m.div((1 + square) / cosine * inverse, 2)
+        return sine * inverse, slope, m.div((3 - square) * sine / square * inverse, 4)
 
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic

@@ -232,7 +232,7 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(r, 1)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
         return branches.turned(r, turn, m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:

@@ -205,10 +205,12 @@ class Chart(Protocol):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """The angle of ``v = r u`` on its own branch, r > 0."""
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r.
+    def turned(
+        self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """Return r_k of the vector a `turn` on from ``v = r u``, and its first and second derivatives by r.
 
-        Where v is principal already nothing uses them, r is ``sqrt(1 + x)``, and they must be numbers nevertheless.
+        Where v is principal already they are not used, r is ``sqrt(1 + x)``, and they must still be numbers.
         """
 
     def beyond(

@@ -15,6 +15,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
 from .any_phi.angle_chart import AngleChart
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import double_angle
@@ -154,5 +155,5 @@ class Exponential(AngleChart):
     def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
         return r
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
-        return angle, 1
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        return angle, 1, 0

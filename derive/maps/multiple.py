@@ -21,6 +21,7 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
+from .branches import Derivatives
 from .chart import Chart, Scalars
 from .parameterized import Parameterized
 from .polynomials import x
@@ -176,9 +177,9 @@ class Multiple(Parameterized):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.unfolded(self._square(x, m), self._length(r, m), m)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        rk, slope = self.base.turned(self._length(r, m), turn, m)
-        return self._times(rk, m, "rk_v"), slope
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+        rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
+        return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

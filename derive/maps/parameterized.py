@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import fields
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import mpmath
 import sympy
@@ -41,6 +42,10 @@ class Parameterized(ABC):
     order: int
     base: Chart | None = None
     factor: Fraction = Fraction(1)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields alone: cached formulas hold functions that cannot be sent to another process."""
+        return {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
 
     @property
     @abstractmethod

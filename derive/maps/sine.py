@@ -19,6 +19,7 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from . import branches
 from .dependent import DependentScalars
 from .evaluation import horner
 from .families import alpha
@@ -177,10 +178,8 @@ class Sine(OrderChart):
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
         return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
 
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
-        return sine, cosine
+    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+        return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         """Beyond the edge the cosine is another number, which nothing uses."""

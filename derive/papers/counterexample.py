@@ -27,7 +27,7 @@ def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Co
     """What the free symbols of a statement are at a point, and the sides that differ there."""
     with mpmath.workdps(DIGITS):
         symbols = {latex(symbol): shown(env.value(symbol)) for symbol in entry.free(statement)
-                   if is_value(env.value(symbol))}  # fmt: skip
+                   if is_value(env.value(symbol))}
         return Counterexample(point, symbols, _different(env, statement))
 
 

@@ -40,9 +40,14 @@ class Paper:
         return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
-        """By line of the text: the entries that decide what it says, or why it claims nothing."""
-        lines: dict[int, tuple[str, ...] | str] = importlib.import_module(f"{self.package}.inventory").LINES
-        return lines
+        """Return by line of the text: the entries that decide what it says, or why it claims nothing."""
+        module = importlib.import_module(f"{self.package}.inventory")
+        lines: dict[int, tuple[str, ...] | str] = {}
+        for entry in self.entries():
+            lines[entry.line] = (*lines.get(entry.line, ()), entry.number)
+        for line, numbers in module.CLAIMS.items():
+            lines[line] = (*lines.get(line, ()), *numbers.split())
+        return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}
 
 
 def _path(module: ModuleType) -> str:

@@ -40,7 +40,7 @@ def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
     def real_part(scale: Any) -> Any:
         values = {a: v for a, v in env.values.items() if a not in env.definitions}
         moved = Env(env.field, {**values, symbol: _scaled(env.values[symbol], scale)}, env.definitions, env.dual,
-                    env.moving)  # fmt: skip
+                    env.moving)
         return innermost(moved.value(below))
 
     try:

@@ -39,12 +39,12 @@ page                   all of this as Markdown
 
 from __future__ import annotations
 
-from .element import Element
+from ..algebra.exact import Element
 from .every_order import citing, theorems
-from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
 from .scalars import is_algebraic, root_of
+from .vector_ring import Ring
 
 __all__ = [
     "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "is_algebraic", "proofs", "prove",

@@ -7,16 +7,14 @@ from functools import lru_cache, partial
 from typing import Any, Protocol
 
 import sympy
-from sympy.polys.fields import field
 
 from ..maps import polynomials
-from .element import Element
 from .evaluation import NoValueError
-from .exact import Ring
 from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
 from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
+from .vector_ring import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
 Stated = Callable[[], Sequence[Any]]
@@ -88,22 +86,21 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
 
 
 class AtOrder:
-    """The theorems' formulas at one order, elements of Q(x), of the quaternion with the root of 1 + x."""
+    """The theorems' formulas at one order, with sqrt(1 + x), an odd power of which the quaternion has for odd n."""
 
     def __init__(self, order: int) -> None:
         self.order = order
-        self.functions, self.x = field("x", sympy.ZZ)
-        p_n, q_n = (self.functions.one * value for value in polynomials.pair(order, self.x))
+        self.ring = Ring(root=1)
+        self.x, root = self.ring.square("v"), self.ring.square_root() ** order
+        p_n, q_n = map(self.ring.element, polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
-        ring = Ring(root=True)  # of sqrt(1 + x), an odd power of which the quaternion has for odd n
-        self.square, root = ring.square("v"), ring.square_root() ** order
         tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}
         self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
             p: (p_n,),
             q: (q_n,),
             c: ((order * power / (1 + self.x) - p_n * q_n) / self.x,),
             d: (((1 + self.x) * q_n - order * p_n) / self.x,),
-            q_hat: tuple(value / root for value in polynomials.pair(order, self.square)),
+            q_hat: (p_n / root, q_n / root),
             **{letter: formula(order, self.x, p_n, q_n) for letter, formula in tensors.items()},
         }
 
@@ -114,15 +111,8 @@ class AtOrder:
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
         for place, (value, theorem) in enumerate(zip(stated, self.values[letter], strict=True), 1):
             label = f", coefficient {place}" if len(stated) > 1 else ""
-            yield f"{name}{label}", self._difference(value, theorem)
-
-    def _difference(self, value: Any, theorem: Any) -> Any:
-        """In the ring of the theorem's."""
-        if not isinstance(value, sympy.Expr):
-            return value - theorem
-        if isinstance(theorem, Element):
-            return theorem.ring.lift(value, {x: self.square}) - theorem
-        return self.functions.from_expr(value) - theorem
+            found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
+            yield f"{name}{label}", found - theorem
 
 
 @lru_cache(maxsize=2)

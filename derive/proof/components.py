@@ -17,10 +17,9 @@ from typing import Any
 
 import sympy
 
+from ..algebra.exact import Element
 from .at_order import CayleyFormulas
 from .at_point import AtPoint
-from .element import Element
-from .exact import Ring
 from .identity import Check, Claim, Multiplier, Proof, decide
 from .marks import (
     I,
@@ -41,6 +40,7 @@ from .marks import (
     z,
 )  # fmt: skip
 from .statement import Equation, Premise, definition
+from .vector_ring import Ring
 
 NORM = norm2(z)
 UNIT = definition(q_hat, z / sympy.sqrt(NORM))
@@ -84,7 +84,8 @@ class _Dual:
         return _Dual(self.re * other.re, self.re * other.du + self.du * other.re)
 
     def derivative(self, name: str) -> _Dual:
-        return _Dual(self.re.derivative(name), self.du.derivative(name))
+        derivative = self.re.ring.derivative
+        return _Dual(derivative(self.re, name), derivative(self.du, name))
 
 
 _Row = list[_Dual]
@@ -154,7 +155,7 @@ class Components:
 
     def _at_dual(self, polynomial: Element) -> _Dual:
         """f(x) + ε x° f'(x)."""
-        return _Dual(polynomial, self.x.du * polynomial.derivative("x"))
+        return _Dual(polynomial, self.x.du * self.ring.derivative(polynomial, "x"))
 
     def _expand(self, coefficients: Sequence[Any]) -> tuple[_Row, _Dual]:
         """Coefficients at the dual x, over a common denominator: the numerators, and that denominator."""

@@ -74,7 +74,7 @@ def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
         "pair_by_squaring": ("pq", lambda: functions.pair_by_squaring(order, at.x)),
         "brackets": ("cd", lambda: functions.brackets(order, at.x)),
     }
-    forms: dict[str, Stated] = {"quaternion": lambda: functions.quaternion(order, at.square)}
+    forms: dict[str, Stated] = {"quaternion": lambda: functions.quaternion(order, at.x)}
     forms |= {name: isotropic(name) for name in ("tensor", "tangent", "tangent_inv")}
     return (
         same_as_theorem(at, {f"polynomials.{a}_binomial({order})": (LETTERS[a], sums(a)) for a in "pqcd"}),
@@ -112,7 +112,7 @@ def _singular_angles(at: AtOrder, functions: Computed) -> Proof:
         places = [{turns: angle, poles: pole} for angle, pole in zip(full_turns, found, strict=False)]
         for equation, values in (*product(claim[:2], places), (claim[2], {last: end})):
             yield f"{equation.text} at {values}", (equation.left - equation.right).xreplace(values)
-        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numer.degree()
+        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numerator.degrees()[-1] // 2
         outside = [angle for angle in full_turns if not 0 < angle / sympy.pi < at.order]
         yield "how many are not between 0 and nπ", len(outside)
 

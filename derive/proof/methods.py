@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from itertools import combinations
 from typing import Any, TypeVar
 
@@ -116,8 +115,8 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
     """The residues of an equation, component by component, and what it was multiplied by."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
-        yield f"{label}, component {place}" if len(found) > 1 else label, difference.residue
-        yield from setting.ring.multiplier(difference.powers)
+        yield f"{label}, component {place}" if len(found) > 1 else label, setting.ring.residue(difference)
+        yield from setting.ring.multipliers(difference.denominator)
 
 
 def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
@@ -125,21 +124,16 @@ def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check
     was multiplied by to have them, and the derivation keeps them."""
     ring, said = setting.ring, [premise.equation.left for premise in premises]
     yield "what is said more than once", len(said) - len(set(said))
-    leading = [relation.leading_expv() for relation in ring.relations]
+    leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
     yield "relations that reduce the same letter", shared  # without, they are a Groebner basis, and 1 is not in it
-    for relation, powers in zip(ring.relations, ring.cleared, strict=True):
-        yield f"the relation {relation} is irreducible", _factors(relation) - 1
-        yield from ring.multiplier(powers)
+    for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
+        factors = sum(power for _, power in ring.library.factors(relation))
+        yield f"the relation {ring.text(relation)} is irreducible", factors - 1
+        yield from ring.multipliers(denominator)
     for difference in setting.relation_rates():
-        yield "the rate of a relation", difference.residue
-        yield from setting.ring.multiplier(difference.powers)
-
-
-@cache
-def _factors(relation: Any) -> int:
-    """How many factors a polynomial has."""
-    return sum(power for _, power in relation.factor_list()[1])
+        yield "the rate of a relation", ring.residue(difference)
+        yield from ring.multipliers(difference.denominator)
 
 
 def _rated(premise: Premise) -> sympy.Expr | None:

@@ -21,23 +21,22 @@ from typing import Any
 import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
+from ..algebra.exact import Element
+from ..algebra.polynomial_backend import Polynomial
 from ..maps.any_phi.elementary import evaluate
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
-from .element import Element
 from .evaluation import Evaluation
-from .exact import Ring
 from .identity import Check, Claim, Proof, decide
 from .marks import Shifted, prime
-from .polynomial_backend import Polynomial
-from .ratio import Ratio, RationalFunctions
 from .statement import Equation
+from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
-TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
 BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
@@ -142,7 +141,7 @@ class ScalarProofs:
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
-        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in (*VALUES, *SLOPES)}
+        values |= {prime(sympy.Symbol(name)): self.ring.derivative(found[name], "x") for name in (*VALUES, *SLOPES)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
@@ -178,8 +177,10 @@ class ScalarProofs:
 
     def _angle(self) -> Iterator[Check]:
         """Both sides at ``x = φ²``; of starts, at x = 0 and α = 0."""
-        angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
-        size, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
+        field = AngleField((), {alpha.name: _steps(self.chart.phi)})
+        functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
+        angle, phi = field.symbol(alpha.name), self.chart.phi
+        size, rate = (evaluate(e, alpha, angle, functions) for e in (phi, phi.diff(alpha)))
         values = {letter: self._at(self.values[letter], size * size) for letter in (f, h, x)}
         starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
@@ -187,17 +188,15 @@ class ScalarProofs:
         for equation in ANGLE:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
-    def _at(self, element: Element, square: Ratio) -> Ratio:
-        """A function of x at this x, in lowest terms first."""
-        library = self.ring.polynomials
-        above, below = element.terms.get(0, library.zero), element.denominator
-        common = library.gcd(above, below)
+    def _at(self, element: Element, square: Element) -> Element:
+        """Return a function of x at this x."""
+        element = self.ring.fraction(element.numerator, element.denominator)
         generator = (1 + square / self.ring.root).sqrt() if self.ring.root else square
 
         def value(polynomial: Polynomial) -> Any:
-            return sum(c * generator**power for (power,), c in library.coefficients(polynomial).items())
+            return sum(c * generator ** powers[-1] for powers, c in self.ring.library.terms(polynomial).items())
 
-        quotient: Ratio = value(library.quotient(above, common)) / value(library.quotient(below, common))
+        quotient: Element = value(element.numerator) / value(element.denominator)
         return quotient
 
 

@@ -20,8 +20,9 @@ from typing import Any
 import sympy
 
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
+from ..algebra.exact import Element
 from . import marks
-from .differential_ring import DifferentialRing, Quotient
+from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
 from .statement import Equation, Premise
 
@@ -105,13 +106,13 @@ class Setting(Evaluation):
         self.definitions[shifted] = value
         term, variable, place = shifted.args
         if term in self.ring.letters and place == 0 and not variable.is_integer:
-            self.ring.origin[self.ring.letters[term]] = _polynomial(self.value(value), value)
+            self.ring.origin[term] = self.value(value)
 
-    def _derive(self, derivation: dict[Any, Quotient], term: sympy.Expr, value: sympy.Expr) -> None:
+    def _derive(self, derivation: dict[Any, Element], term: sympy.Expr, value: sympy.Expr) -> None:
         letter = self._roots[term.base][0] if term.is_Pow else term
         pairs = zip(flat(self.value(letter)), flat(self.value(value)), strict=True)
-        derivation.update((_polynomial(generator, term), rate) for generator, rate in pairs)
-        if not derivation.keys() <= set(self.ring.letters.values()):
+        derivation.update((self.ring.place(generator), rate) for generator, rate in pairs)
+        if None in derivation:
             raise NoValueError(f"{marks.text(term)} is no letter, whose rate or slope may be given")
 
     def has_rate(self, letter: sympy.Expr) -> bool:
@@ -120,11 +121,11 @@ class Setting(Evaluation):
 
     # --- values ---------------------------------------------------------------------------------------------------
 
-    def number(self, value: Fraction) -> Quotient:
+    def number(self, value: Fraction) -> Element:
         return self.ring.constant(value)
 
     def differentiated(self, mark: Any, value: Any) -> Any:
-        rates = self.rates if mark is marks.rate else self._slopes | {self.ring.letters[marks.x]: 1}
+        rates = self.rates if mark is marks.rate else self._slopes | {self.ring.letters[marks.x]: self.ring.constant(1)}
         derive = partial(_derivative, rates)
         return mapped(derive, value)
 
@@ -149,40 +150,34 @@ class Setting(Evaluation):
         speed = self._rates[self.ring.letters[marks.x]]
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
 
-    def relation_rates(self) -> list[Quotient]:
+    def relation_rates(self) -> list[Element]:
         """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
 
         Vectors have no slope: what is said of their components is not asked for one.
         """
-        zeros = [Quotient(self.ring, relation, ()) for relation in self.ring.relations]
+        zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
             slopes = {**self._slopes, self.ring.letters[marks.x]: self.ring.constant(1)}
-            found += [zero.derivative(slopes) for zero in zeros if not self.ring.letters_of(zero) & self._components]
+            scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
+            found += [zero.derivative(slopes) for zero in scalar]
         speed = self._rates.get(self.ring.letters.get(marks.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
         return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
 
-    def differences(self, equation: Equation) -> list[Quotient]:
+    def differences(self, equation: Equation) -> list[Element]:
         """Left minus right, by components, real parts before dual parts."""
         pairs = self.sides(equation)
         found = [real_part(a) - real_part(b) for a, b in pairs]
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
             found += [dual_part(a) - dual_part(b) for a, b in pairs]
-        return [part if isinstance(part, Quotient) else self.ring.constant(part) for part in found]
-
-
-def _polynomial(value: Quotient, expression: sympy.Expr) -> Any:
-    """A value that is a polynomial."""
-    if any(value.powers):
-        raise NoValueError(f"{marks.text(expression)} is no polynomial")
-    return value.numerator
+        return [part if isinstance(part, Element) else self.ring.constant(part) for part in found]
 
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
     if isinstance(value, Dual):
         return Dual(_derivative(rates, value.re), _derivative(rates, value.du))
-    return value.derivative(rates) if isinstance(value, Quotient) else 0
+    return value.derivative(rates) if isinstance(value, Element) else 0
 
 
 def _is_power(term: sympy.Expr) -> bool:

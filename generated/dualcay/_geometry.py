@@ -28,9 +28,11 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     return s, v1 * w, v2 * w, v3 * w, sy * y, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo
 
 
-def rotation_at(f: Any, g: Any, v: Components) -> Result:
-    """Q = I + f skew(v) + g skew(v)², CP23 (57), at the real part of v; its diagonal is 1 − g (x − v_i²)."""
-    v1, v2, v3, _, _, _ = v
+def tensor_at(f: Any, g: Any, h: Any, v: Components) -> Result:
+    """R = Q of f and g, CP23 (57).
+    Its dual part is skew(ρ) Q, ρ of f, g and h.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
@@ -42,44 +44,29 @@ def rotation_at(f: Any, g: Any, v: Components) -> Result:
     fv3 = v3 * f
     gv1 = v1 * g
     gv2 = v2 * g
+    gv3 = v3 * g
     gvv1 = gv1 * v2
     gvv2 = gv1 * v3
     gvv3 = gv2 * v3
-    return 1 - g * x23, gvv1 - fv3, gvv2 + fv2, gvv1 + fv3, 1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12
-
-
-def translation_at(f: Any, g: Any, h: Any, v: Components) -> Result:
-    """ρ = Re(T) v° = f v° + g v × v° + h (v·v°) v: the dual part of R is skew(ρ) Q."""
-    v1, v2, v3, v1o, v2o, v3o = v
-    gv1 = v1 * g
-    gv2 = v2 * g
-    gv3 = v3 * g
+    Q11 = 1 - g * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - g * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - g * x12
     y = v1 * v1o + v2 * v2o + v3 * v3o
     along = h * y
+    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
     return (
-        v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along, v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along,
-        v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along,
+        Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33, Q31 * rho2 - Q21 * rho3, Q32 * rho2 - Q22 * rho3,
+        Q33 * rho2 - Q23 * rho3, Q11 * rho3 - Q31 * rho1, Q12 * rho3 - Q32 * rho1, Q13 * rho3 - Q33 * rho1,
+        Q21 * rho1 - Q11 * rho2, Q22 * rho1 - Q12 * rho2, Q23 * rho1 - Q13 * rho2,
     )
-
-
-def skew_product(a: Components, B: Components) -> Result:
-    """skew(a) B."""
-    a1, a2, a3 = a
-    B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
-    return (
-        B31 * a2 - B21 * a3, B32 * a2 - B22 * a3, B33 * a2 - B23 * a3, B11 * a3 - B31 * a1, B12 * a3 - B32 * a1,
-        B13 * a3 - B33 * a1, B21 * a1 - B11 * a2, B22 * a1 - B12 * a2, B23 * a1 - B13 * a2,
-    )
-
-
-def tensor_at(f: Any, g: Any, h: Any, v: Components) -> Result:
-    """R = Q of f and g, CP23 (57).
-    Its dual part is skew(ρ) Q, ρ of f, g and h.
-    """
-    Q = rotation_at(f, g, v)
-    rho = translation_at(f, g, h, v)
-    D = skew_product(rho, Q)
-    return *Q, *D
 
 
 def tensor(m: Any, c: Any, v: Components) -> Result:
@@ -94,14 +81,58 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
 
 def pose(m: Any, c: Any, v: Components) -> Result:
     """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = rotation_at(f, g, v)
-    rho1, rho2, rho3 = translation_at(f, g, h, v)
-    return Q11, Q12, Q13, rho1, Q21, Q22, Q23, rho2, Q31, Q32, Q33, rho3, 0, 0, 0, 1
+    x23 = v22 + v33
+    x13 = v11 + v33
+    x12 = v11 + v22
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    return (
+        1 - g * x23, gvv1 - fv3, gvv2 + fv2, v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along, gvv1 + fv3, 1 - g * x13,
+        gvv3 - fv1, v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
+        v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along, 0, 0, 0, 1,
+    )
+
+
+def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """Q r of a point r.
+    It moves by ρ besides.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, h = c.pose(m, v11, v22, v33)
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    return (
+        r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along),
+        r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along),
+        r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along),
+    )
 
 
 def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
@@ -120,23 +151,9 @@ def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
     )
 
 
-def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """Q r of a point r.
-    It moves by ρ besides.
-    """
-    v1, v2, v3, _, _, _ = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
-    Qr1, Qr2, Qr3 = rotate_at(f, g, v, r)
-    rho1, rho2, rho3 = translation_at(f, g, h, v)
-    return Qr1 + rho1, Qr2 + rho2, Qr3 + rho3
-
-
 def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
     """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
     v22 = v2 * v2
@@ -145,7 +162,14 @@ def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
     Ql = rotate_at(f, g, v, (l1, l2, l3))
     Ql1, Ql2, Ql3 = Ql
     Qm1, Qm2, Qm3 = rotate_at(f, g, v, (m1, m2, m3))
-    rho1, rho2, rho3 = translation_at(f, g, h, v)
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    rho1 = v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along
+    rho2 = v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along
+    rho3 = v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along
     return *Ql, Qm1 + (rho2 * Ql3 - rho3 * Ql2), Qm2 + (rho3 * Ql1 - rho1 * Ql3), Qm3 + (rho1 * Ql2 - rho2 * Ql1)
 
 
@@ -213,23 +237,23 @@ def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> R
     half2o = v2o / 2
     half3 = v3 / 2
     half3o = v3o / 2
-    hv1 = half1 * hi
-    hv1o = half1 * hio + half1o * hi
-    hv2 = half2 * hi
-    hv2o = half2 * hio + half2o * hi
-    hv3 = half3 * hi
-    hv3o = half3 * hio + half3o * hi
-    d12 = hv1 * v2
-    d12o = hv1 * v2o + hv1o * v2
-    d13 = hv1 * v3
-    d13o = hv1 * v3o + hv1o * v3
-    d23 = hv2 * v3
-    d23o = hv2 * v3o + hv2o * v3
+    hv1 = v1 * hi
+    hv1o = v1 * hio + v1o * hi
+    hv2 = v2 * hi
+    hv2o = v2 * hio + v2o * hi
+    hv3 = v3 * hi
+    hv3o = v3 * hio + v3o * hi
+    d12 = hv1 * half2
+    d12o = hv1 * half2o + hv1o * half2
+    d13 = hv1 * half3
+    d13o = hv1 * half3o + hv1o * half3
+    d23 = hv2 * half3
+    d23o = hv2 * half3o + hv2o * half3
     return (
-        (fi + 2 * (hv1 * v1)) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + 2 * (hv2 * v2)) / 2, d23 + half1,
-        d13 + half2, d23 - half1, (fi + 2 * (hv3 * v3)) / 2, (fio + 2 * (hv1 * v1o + hv1o * v1)) / 2, d12o + half3o,
-        d13o - half2o, d12o - half3o, (fio + 2 * (hv2 * v2o + hv2o * v2)) / 2, d23o + half1o, d13o + half2o,
-        d23o - half1o, (fio + 2 * (hv3 * v3o + hv3o * v3)) / 2,
+        (fi + hv1 * v1) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + hv2 * v2) / 2, d23 + half1, d13 + half2,
+        d23 - half1, (fi + hv3 * v3) / 2, (fio + (hv1 * v1o + hv1o * v1)) / 2, d12o + half3o, d13o - half2o,
+        d12o - half3o, (fio + (hv2 * v2o + hv2o * v2)) / 2, d23o + half1o, d13o + half2o, d23o - half1o,
+        (fio + (hv3 * v3o + hv3o * v3)) / 2,
     )
 
 
@@ -635,22 +659,12 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     )
 
 
-def dual_part_at(fi: Any, hi: Any, v: Components, rho: Components) -> Result:
-    """v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2, from the real part of v."""
-    v1, v2, v3 = v
-    rho1, rho2, rho3 = rho
-    along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
-    return (
-        (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * along) / 2, (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * along) / 2,
-        (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * along) / 2,
-    )
-
-
 def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Result:
     """v = gain vec e of a quaternion e.
     Its dual part is v° = T⁻¹ ρ.
     """
     e0, e1, e2, e3 = e
+    rho1, rho2, rho3 = rho
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
@@ -660,8 +674,11 @@ def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Resu
     x = v11 + v22 + v33
     fe = gain * e0
     fi, hi = c.inverse(m, x, fe)
-    v = dual_part_at(fi, hi, (v1, v2, v3), rho)
-    return v1, v2, v3, *v
+    along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
+    return (
+        v1, v2, v3, (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * along) / 2,
+        (rho2 * fi - (v3 * rho1 - v1 * rho3) + v2 * along) / 2, (rho3 * fi - (v1 * rho2 - v2 * rho1) + v3 * along) / 2,
+    )
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
@@ -849,7 +866,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
-    rk, slope = c.turned(m, r, cos, sin)
+    rk, slope, _ = c.turned(m, r, cos, sin)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
@@ -866,7 +883,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
+    rk, slope, _ = c.turned(m, r, cos, sn)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
@@ -894,36 +911,41 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
-    rko = ro * slope
-    across = rk / r
-    acrosso = (rko - across * ro) / r
-    xk = rk * rk
-    rate, ratey = c.rate(m, x)
-    ratek, rateyk = c.rate(m, xk)
-    yk = rk * rko
-    spread = slope - across
-    spreado = slope * (y * (ratey / rate) - yk * (rateyk / ratek)) - acrosso
-    su1 = u1 * spread
-    su1o = u1 * spreado + u1o * spread
-    su2 = u2 * spread
-    su2o = u2 * spreado + u2o * spread
-    su3 = u3 * spread
-    su3o = u3 * spreado + u3o * spread
-    J12 = su1 * u2
-    J13 = su1 * u3
-    J21 = su2 * u1
-    J23 = su2 * u3
-    J31 = su3 * u1
-    J32 = su3 * u2
-    J11 = su1 * u1 + across
-    J22 = su2 * u2 + across
-    J33 = su3 * u3 + across
+    rk, slope, bend = c.turned(m, r, cos, sn)
+    ratio = rk / r
+    spread = slope - ratio
+    change = spread * ro
+    along = bend * ro
+    uu11 = u1 * u1
+    p11 = 1 - uu11
+    u1_u1o = u1 * u1o
+    J11o = change * (p11 / r) + along * uu11 + spread * (u1_u1o + u1_u1o)
+    J11 = ratio * p11 + slope * uu11
+    uu12 = u1 * u2
+    p12 = -uu12
+    J12o = change * (p12 / r) + along * uu12 + spread * (u1 * u2o + u1o * u2)
+    J12 = ratio * p12 + slope * uu12
+    uu13 = u1 * u3
+    p13 = -uu13
+    J13o = change * (p13 / r) + along * uu13 + spread * (u1 * u3o + u1o * u3)
+    J13 = ratio * p13 + slope * uu13
+    uu22 = u2 * u2
+    p22 = 1 - uu22
+    u2_u2o = u2 * u2o
+    J22o = change * (p22 / r) + along * uu22 + spread * (u2_u2o + u2_u2o)
+    J22 = ratio * p22 + slope * uu22
+    uu23 = u2 * u3
+    p23 = -uu23
+    J23o = change * (p23 / r) + along * uu23 + spread * (u2 * u3o + u2o * u3)
+    J23 = ratio * p23 + slope * uu23
+    uu33 = u3 * u3
+    p33 = 1 - uu33
+    u3_u3o = u3 * u3o
+    J33o = change * (p33 / r) + along * uu33 + spread * (u3_u3o + u3_u3o)
+    J33 = ratio * p33 + slope * uu33
     return (
-        J11, J12, J13, 0, 0, 0, J21, J22, J23, 0, 0, 0, J31, J32, J33, 0, 0, 0, su1 * u1o + su1o * u1 + acrosso,
-        su1 * u2o + su1o * u2, su1 * u3o + su1o * u3, J11, J12, J13, su2 * u1o + su2o * u1,
-        su2 * u2o + su2o * u2 + acrosso, su2 * u3o + su2o * u3, J21, J22, J23, su3 * u1o + su3o * u1,
-        su3 * u2o + su3o * u2, su3 * u3o + su3o * u3 + acrosso, J31, J32, J33,
+        J11, J12, J13, 0, 0, 0, J12, J22, J23, 0, 0, 0, J13, J23, J33, 0, 0, 0, J11o, J12o, J13o, J11, J12, J13, J12o,
+        J22o, J23o, J12, J22, J23, J13o, J23o, J33o, J13, J23, J33,
     )
 
 
@@ -946,7 +968,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     uo1 = (v1o - ru1) / r
     uo2 = (v2o - ru2) / r
     uo3 = (v3o - ru3) / r
-    rk, slope = c.turned(m, r, cosine, sine)
+    rk, slope, _ = c.turned(m, r, cosine, sine)
     rko = ro * slope
     return (
         m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3),
@@ -959,14 +981,21 @@ def displacement(m: Any, c: Any, v: Components) -> Result:
     """A positive multiple e of the quaternion of v, its size, and f and g.
     ρ = Re(T) v°, the translation.
     """
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
     a, b, size, f, g, h = c.ray(m, x)
-    rho = translation_at(f, g, h, v)
-    return a, v1 * b, v2 * b, v3 * b, size, f, g, *rho
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    return (
+        a, v1 * b, v2 * b, v3 * b, size, f, g, v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along,
+        v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along, v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along,
+    )
 
 
 def composed(e2: Components, f: Any, g: Any, v2: Components, rho2: Components, e1: Components, rho1: Components) -> Result:
@@ -974,12 +1003,21 @@ def composed(e2: Components, f: Any, g: Any, v2: Components, rho2: Components, e
     ρ = ρ2 + Q2 ρ1, Q2 of f and g at v2.
     """
     p0, p1, p2, p3 = e2
+    b1, b2, b3, _, _, _ = v2
     s1, s2, s3 = rho2
     q0, q1, q2, q3 = e1
-    Qr1, Qr2, Qr3 = rotate_at(f, g, v2, rho1)
+    r1, r2, r3 = rho1
+    vr1 = b2 * r3 - b3 * r2
+    vr2 = b3 * r1 - b1 * r3
+    vr3 = b1 * r2 - b2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
     return (
         p0 * q0 - (p1 * q1 + p2 * q2 + p3 * q3), q1 * p0 + p1 * q0 + (p2 * q3 - p3 * q2),
-        q2 * p0 + p2 * q0 + (p3 * q1 - p1 * q3), q3 * p0 + p3 * q0 + (p1 * q2 - p2 * q1), s1 + Qr1, s2 + Qr2, s3 + Qr3,
+        q2 * p0 + p2 * q0 + (p3 * q1 - p1 * q3), q3 * p0 + p3 * q0 + (p1 * q2 - p2 * q1),
+        s1 + (r1 + (vr1 * f + (b2 * gvr3 - b3 * gvr2))), s2 + (r2 + (vr2 * f + (b3 * gvr1 - b1 * gvr3))),
+        s3 + (r3 + (vr3 * f + (b1 * gvr2 - b2 * gvr1))),
     )
 
 
@@ -1035,15 +1073,15 @@ def matrix6(D: Components) -> Result:
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
     v = compose(m, c, v2, v1)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, v2)
-    T = tangent(m, c, v1)
-    R = tensor(m, c, v2)
-    RT = dual_product(R, T)
-    P = dual_product(I, S)
-    N = dual_product(I, RT)
-    by_v2 = matrix6(P)
-    by_v1 = matrix6(N)
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, v2)
+    T1 = tangent(m, c, v1)
+    R2 = tensor(m, c, v2)
+    R2T1 = dual_product(R2, T1)
+    D2 = dual_product(back, T2)
+    D1 = dual_product(back, R2T1)
+    by_v2 = matrix6(D2)
+    by_v1 = matrix6(D1)
     return *by_v2, *by_v1
 
 
@@ -1057,26 +1095,27 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     minus_a2o = -a2o
     minus_a3o = -a3o
     v = compose(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o), v2)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
-    T = tangent(m, c, v2)
-    R = tensor(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
-    RT = dual_product(R, T)
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    T1 = tangent(m, c, v2)
+    R2 = tensor(m, c, (minus_a1, minus_a2, minus_a3, minus_a1o, minus_a2o, minus_a3o))
+    R2T1 = dual_product(R2, T1)
     (
-        P11, P12, P13, P21, P22, P23, P31, P32, P33, P11o, P12o, P13o, P21o, P22o, P23o, P31o, P32o, P33o,
-    ) = dual_product(I, S)
-    N = dual_product(I, RT)
-    by_v2 = matrix6(N)
+        D211, D212, D213, D221, D222, D223, D231, D232, D233, D211o, D212o, D213o, D221o, D222o, D223o, D231o, D232o,
+        D233o,
+    ) = dual_product(back, T2)
+    D1 = dual_product(back, R2T1)
+    by_v2 = matrix6(D1)
     by_v1 = (
-        matrix6((-P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33, -P11o, -P12o, -P13o, -P21o, -P22o, -P23o, -P31o,
-        -P32o, -P33o))
+        matrix6((-D211, -D212, -D213, -D221, -D222, -D223, -D231, -D232, -D233, -D211o, -D212o, -D213o, -D221o, -D222o,
+        -D223o, -D231o, -D232o, -D233o))
     )
     return *by_v2, *by_v1
 
 
 def exponential_scalars(m: Any, delta: Components) -> Result:
     """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
-    d1, d2, d3, _, _, _ = delta
+    d1, d2, d3 = delta
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
@@ -1130,7 +1169,7 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
 
 def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3 = v
     e0, e1, e2, e3 = e
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -1155,60 +1194,99 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     return e1 * factor, e2 * factor, e3 * factor, factor * e0, alpha
 
 
-def retracted(m: Any, c: Any, s: Any, w: Any, f: Any, g: Any, h: Any, delta: Components, v: Components) -> Result:
-    """The vector of e = exp(δ) e(v) nearest v, its factor times e0, and its angle.
-    ρ is that of R = exp(δ) R(v).
-    """
-    d1, d2, d3, _, _, _ = delta
-    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
-    rho = translation_at(f, g, h, delta)
-    e0, e1, e2, e3, rho1_, rho2_, rho3_ = (
-        composed((s, d1 * w, d2 * w, d3 * w), f, g, delta, rho, (e0_1, e1_1, e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
-    )
-    found_ = nearest(m, c, v, (e0, e1, e2, e3))
-    return *found_, rho1_, rho2_, rho3_
-
-
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """v of exp(δ) R(v), of its branches the one nearest v."""
-    s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
-    w1, w2, w3, fe, angle, rho1, rho2, rho3 = retracted(m, c, s, w, f, g, h, delta, v)
+    v1, v2, v3, _, _, _ = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((s, d1 * w, d2 * w, d3 * w), f, g, delta, (d1o * f + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f
+        + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
+        e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
+    )
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
     v11 = w1 * w1
     v22 = w2 * w2
     v33 = w3 * w3
     x = v11 + v22 + v33
     hi, = c.inverse_at(m, x, fe, angle)
-    w_ = dual_part_at(fe, hi, (w1, w2, w3), (rho1, rho2, rho3))
-    return w1, w2, w3, *w_
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    return (
+        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
+        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
+    )
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of R(v) exp(δ), of its branches the one nearest v: its inverse is exp(−δ) R(−v)."""
-    v1, v2, v3, v1o, v2o, v3o = v
+    """v of R(v) exp(δ), of its branches the one nearest v."""
+    v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
-    w1, w2, w3, w1o, w2o, w3o = retract(m, c, (-v1, -v2, -v3, -v1o, -v2o, -v3o), (-d1, -d2, -d3, -d1o, -d2o, -d3o))
-    return -w1, -w2, -w3, -w1o, -w2o, -w3o
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, f_1, g_1, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((e0_1, e1_1, e2_1, e3_1), f_1, g_1, v, (rho1_1, rho2_1, rho3_1), (s, d1 * w, d2 * w, d3 * w), (d1o * f
+        + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1
+        * d2o - gvd2 * d1o) + d3 * alongd))
+    )
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
+    v11 = w1 * w1
+    v22 = w2 * w2
+    v33 = w3 * w3
+    x = v11 + v22 + v33
+    hi, = c.inverse_at(m, x, fe, angle)
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    return (
+        w1, w2, w3, (rho1 * fe - (w2 * rho3 - w3 * rho2) + w1 * along) / 2,
+        (rho2 * fe - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fe - (w1 * rho2 - w2 * rho1) + w3 * along) / 2,
+    )
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
-    s, w, f, g, h, fy, gy, hy = exponential_scalars(m, delta)
-    w1, w2, w3, fe, angle, rho1, rho2, rho3 = retracted(m, c, s, w, f, g, h, delta, v)
+    v1, v2, v3, _, _, _ = v
+    d1, d2, d3, d1o, d2o, d3o = delta
+    s, w, f, g, h, fy, gy, hy = exponential_scalars(m, (d1, d2, d3))
+    e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v)
+    gvd1 = d1 * g
+    gvd2 = d2 * g
+    gvd3 = d3 * g
+    yd = d1 * d1o + d2 * d2o + d3 * d3o
+    alongd = h * yd
+    e0, e1, e2, e3, rho1, rho2, rho3 = (
+        composed((s, d1 * w, d2 * w, d3 * w), f, g, delta, (d1o * f + (gvd2 * d3o - gvd3 * d2o) + d1 * alongd, d2o * f
+        + (gvd3 * d1o - gvd1 * d3o) + d2 * alongd, d3o * f + (gvd1 * d2o - gvd2 * d1o) + d3 * alongd), (e0_1, e1_1,
+        e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
+    )
+    w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
     v11 = w1 * w1
     v22 = w2 * w2
     v33 = w3 * w3
     x = v11 + v22 + v33
     fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
-    w1o, w2o, w3o = dual_part_at(fi, hi, (w1, w2, w3), (rho1, rho2, rho3))
-    I = tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, w1o, w2o, w3o))
+    along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
+    back = (
+        tangent_inverse_at(fi, hi, fiy, hiy, (w1, w2, w3, (rho1 * fi - (w2 * rho3 - w3 * rho2) + w1 * along) / 2, (rho2
+        * fi - (w3 * rho1 - w1 * rho3) + w2 * along) / 2, (rho3 * fi - (w1 * rho2 - w2 * rho1) + w3 * along) / 2))
+    )
     R = tensor_at(f, g, h, delta)
     T = tangent(m, c, v)
     RT = dual_product(R, T)
-    D = tangent_at(f, g, h, fy, gy, hy, delta)
-    P = dual_product(I, RT)
-    N = dual_product(I, D)
-    by_v = matrix6(P)
-    by_delta = matrix6(N)
+    dexp = tangent_at(f, g, h, fy, gy, hy, delta)
+    D1 = dual_product(back, RT)
+    D2 = dual_product(back, dexp)
+    by_v = matrix6(D1)
+    by_delta = matrix6(D2)
     return *by_v, *by_delta
 
 
@@ -1224,6 +1302,7 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
     Its dual part is T⁻¹ ρ.
     """
     e0, e1, e2, e3 = e
+    rho1, rho2, rho3 = rho
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -1278,8 +1357,11 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
-    d = dual_part_at(fe, hi, (d1, d2, d3), rho)
-    return d1, d2, d3, *d
+    along = hi * (d1 * rho1 + d2 * rho2 + d3 * rho3)
+    return (
+        d1, d2, d3, (rho1 * fe - (d2 * rho3 - d3 * rho2) + d1 * along) / 2,
+        (rho2 * fe - (d3 * rho1 - d1 * rho3) + d2 * along) / 2, (rho3 * fe - (d1 * rho2 - d2 * rho1) + d3 * along) / 2,
+    )
 
 
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -1312,15 +1394,20 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     td1o = t * d1o
     td2o = t * d2o
     td3o = t * d3o
-    s, w, f, g, h, _, _, _ = exponential_scalars(m, (td1, td2, td3, td1o, td2o, td3o))
+    s, w, f, g, h, _, _, _ = exponential_scalars(m, (td1, td2, td3))
     e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v1)
     wd1 = td1 * w
     wd2 = td2 * w
     wd3 = td3 * w
-    rhod = translation_at(f, g, h, (td1, td2, td3, td1o, td2o, td3o))
+    gvt1 = td1 * g
+    gvt2 = td2 * g
+    gvt3 = td3 * g
+    yt = td1 * td1o + td2 * td2o + td3 * td3o
+    alongt = h * yt
     e0, e1, e2, e3, rho1, rho2, rho3 = (
-        composed((s, wd1, wd2, wd3), f, g, (td1, td2, td3, td1o, td2o, td3o), rhod, (e0_1, e1_1, e2_1, e3_1), (rho1_1,
-        rho2_1, rho3_1))
+        composed((s, wd1, wd2, wd3), f, g, (td1, td2, td3, td1o, td2o, td3o), (td1o * f + (gvt2 * td3o - gvt3 * td2o)
+        + td1 * alongt, td2o * f + (gvt3 * td1o - gvt1 * td3o) + td2 * alongt, td3o * f + (gvt1 * td2o - gvt2 * td1o)
+        + td3 * alongt), (e0_1, e1_1, e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
     v11a = a1 * a1
     v22a = a2 * a2
@@ -1373,13 +1460,22 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     v33w = v_3 * v_3
     xw = v11w + v22w + v33w
     hi, = c.inverse_at(m, xw, fe, angle)
-    v = dual_part_at(fe, hi, (v_1, v_2, v_3), (rho1, rho2, rho3))
-    return v_1, v_2, v_3, *v
+    along = hi * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
+    return (
+        v_1, v_2, v_3, (rho1 * fe - (v_2 * rho3 - v_3 * rho2) + v_1 * along) / 2,
+        (rho2 * fe - (v_3 * rho1 - v_1 * rho3) + v_2 * along) / 2,
+        (rho3 * fe - (v_1 * rho2 - v_2 * rho1) + v_3 * along) / 2,
+    )
 
 
 def adjoint(m: Any, c: Any, v: Components) -> Result:
     """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
-    R = tensor(m, c, v)
+    v1, v2, v3, _, _, _ = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, h = c.pose(m, v11, v22, v33)
+    R = tensor_at(f, g, h, v)
     return matrix6(R)
 
 
@@ -1387,23 +1483,45 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     """−skew(Q r) T and Q: the derivatives of a moved point by v and by r.
     By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
     """
-    v1, v2, v3, _, _, _ = v
+    v1, v2, v3, v1o, v2o, v3o = v
+    r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
-    Q = rotation_at(f, g, v)
-    rho1, rho2, rho3 = translation_at(f, g, h, v)
+    x23 = v22 + v33
+    x13 = v11 + v33
+    x12 = v11 + v22
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gv3 = v3 * g
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
     (
         T11, T12, T13, T21, T22, T23, T31, T32, T33, T11o, T12o, T13o, T21o, T22o, T23o, T31o, T32o, T33o,
     ) = tangent_at(f, g, h, fy, gy, hy, v)
-    Qr1, Qr2, Qr3 = rotate_at(f, g, v, r)
-    M11, M12, M13, M21, M22, M23, M31, M32, M33 = (
-        skew_product((Qr1 + rho1, Qr2 + rho2, Qr3 + rho3), (T11, T12, T13, T21, T22, T23, T31, T32, T33))
-    )
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    y = v1 * v1o + v2 * v2o + v3 * v3o
+    along = h * y
+    moved1 = r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)) + (v1o * f + (gv2 * v3o - gv3 * v2o) + v1 * along)
+    moved2 = r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)) + (v2o * f + (gv3 * v1o - gv1 * v3o) + v2 * along)
+    moved3 = r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)) + (v3o * f + (gv1 * v2o - gv2 * v1o) + v3 * along)
     return (
-        T11o - M11, T12o - M12, T13o - M13, T11, T12, T13, T21o - M21, T22o - M22, T23o - M23, T21, T22, T23,
-        T31o - M31, T32o - M32, T33o - M33, T31, T32, T33, *Q,
+        T11o - (T31 * moved2 - T21 * moved3), T12o - (T32 * moved2 - T22 * moved3),
+        T13o - (T33 * moved2 - T23 * moved3), T11, T12, T13, T21o - (T11 * moved3 - T31 * moved1),
+        T22o - (T12 * moved3 - T32 * moved1), T23o - (T13 * moved3 - T33 * moved1), T21, T22, T23,
+        T31o - (T21 * moved1 - T11 * moved2), T32o - (T22 * moved1 - T12 * moved2),
+        T33o - (T23 * moved1 - T13 * moved2), T31, T32, T33, 1 - g * x23, gvv1 - fv3, gvv2 + fv2, gvv1 + fv3,
+        1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
     )
 
 
@@ -1420,292 +1538,76 @@ def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) ->
     (
         T11, T12, T13, T21, T22, T23, T31, T32, T33, T11o, T12o, T13o, T21o, T22o, T23o, T31o, T32o, T33o,
     ) = tangent_at(f, g, h, fy, gy, hy, v)
-    Rl1 = R11 * l1 + R12 * l2 + R13 * l3
-    Rm1 = R11 * m1 + R11o * l1 + (R12 * m2 + R12o * l2) + (R13 * m3 + R13o * l3)
-    Rl2 = R21 * l1 + R22 * l2 + R23 * l3
-    Rm2 = R21 * m1 + R21o * l1 + (R22 * m2 + R22o * l2) + (R23 * m3 + R23o * l3)
-    Rl3 = R31 * l1 + R32 * l2 + R33 * l3
-    Rm3 = R31 * m1 + R31o * l1 + (R32 * m2 + R32o * l2) + (R33 * m3 + R33o * l3)
-    K11, K12, K13, K21, K22, K23, K31, K32, K33 = (
-        skew_product((Rl1, Rl2, Rl3), (T11, T12, T13, T21, T22, T23, T31, T32, T33))
-    )
-    L11, L12, L13, L21, L22, L23, L31, L32, L33 = (
-        skew_product((Rl1, Rl2, Rl3), (T11o, T12o, T13o, T21o, T22o, T23o, T31o, T32o, T33o))
-    )
-    M11, M12, M13, M21, M22, M23, M31, M32, M33 = (
-        skew_product((Rm1, Rm2, Rm3), (T11, T12, T13, T21, T22, T23, T31, T32, T33))
-    )
+    back1 = -(R11 * l1 + R12 * l2 + R13 * l3)
+    back1o = -(R11 * m1 + R11o * l1 + (R12 * m2 + R12o * l2) + (R13 * m3 + R13o * l3))
+    back2 = -(R21 * l1 + R22 * l2 + R23 * l3)
+    back2o = -(R21 * m1 + R21o * l1 + (R22 * m2 + R22o * l2) + (R23 * m3 + R23o * l3))
+    back3 = -(R31 * l1 + R32 * l2 + R33 * l3)
+    back3o = -(R31 * m1 + R31o * l1 + (R32 * m2 + R32o * l2) + (R33 * m3 + R33o * l3))
+    minus_back3 = -back3
+    minus_back3o = -back3o
+    minus_back1 = -back1
+    minus_back1o = -back1o
+    minus_back2 = -back2
+    minus_back2o = -back2o
     by_line = matrix6(R)
     by_v = (
-        matrix6((-K11, -K12, -K13, -K21, -K22, -K23, -K31, -K32, -K33, -(L11 + M11), -(L12 + M12), -(L13 + M13), -(L21
-        + M21), -(L22 + M22), -(L23 + M23), -(L31 + M31), -(L32 + M32), -(L33 + M33)))
+        matrix6((minus_back3 * T21 + back2 * T31, minus_back3 * T22 + back2 * T32, minus_back3 * T23 + back2 * T33,
+        back3 * T11 + minus_back1 * T31, back3 * T12 + minus_back1 * T32, back3 * T13 + minus_back1 * T33, minus_back2
+        * T11 + back1 * T21, minus_back2 * T12 + back1 * T22, minus_back2 * T13 + back1 * T23, minus_back3 * T21o
+        + minus_back3o * T21 + (back2 * T31o + back2o * T31), minus_back3 * T22o + minus_back3o * T22 + (back2 * T32o
+        + back2o * T32), minus_back3 * T23o + minus_back3o * T23 + (back2 * T33o + back2o * T33), back3 * T11o + back3o
+        * T11 + (minus_back1 * T31o + minus_back1o * T31), back3 * T12o + back3o * T12 + (minus_back1 * T32o
+        + minus_back1o * T32), back3 * T13o + back3o * T13 + (minus_back1 * T33o + minus_back1o * T33), minus_back2
+        * T11o + minus_back2o * T11 + (back1 * T21o + back1o * T21), minus_back2 * T12o + minus_back2o * T12 + (back1
+        * T22o + back1o * T22), minus_back2 * T13o + minus_back2o * T13 + (back1 * T23o + back1o * T23)))
     )
     return *by_v, *by_line
 
 
 KERNELS: Mapping[str, Kernel] = {
-    "quaternion": Kernel(
-        quaternion,
-        (("v", (6,)),),
-        (8,),
-        real=False,
-    ),
-    "tensor": Kernel(
-        tensor,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "pose": Kernel(
-        pose,
-        (("v", (6,)),),
-        (4, 4),
-        real=False,
-    ),
-    "transform_point": Kernel(
-        transform_point,
-        (("v", (6,)), ("r", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "transform_line": Kernel(
-        transform_line,
-        (("v", (6,)), ("line", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "inverse": Kernel(
-        inverse,
-        (("v", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "tangent": Kernel(
-        tangent,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "tangent_inv": Kernel(
-        tangent_inv,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "body_tangent": Kernel(
-        body_tangent,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "body_tangent_inv": Kernel(
-        body_tangent_inv,
-        (("v", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "twist": Kernel(
-        twist,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "rate": Kernel(
-        rate,
-        (("v", (6,)), ("omega", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "tangent_dot": Kernel(
-        tangent_dot,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (2, 3, 3),
-        real=False,
-    ),
-    "twist_dot": Kernel(
-        twist_dot,
-        (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "rate_dot": Kernel(
-        rate_dot,
-        (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),),
-        (6,),
-        real=False,
-    ),
-    "twist_jacobian": Kernel(
-        twist_jacobian,
-        (("v", (6,)), ("v_dot", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "rate_jacobian": Kernel(
-        rate_jacobian,
-        (("v", (6,)), ("omega", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "from_quaternion": Kernel(
-        from_quaternion,
-        (("q", (8,)),),
-        (6,),
-        real=True,
-    ),
-    "from_tensor": Kernel(
-        from_tensor,
-        (("R", (2, 3, 3)),),
-        (6,),
-        real=True,
-    ),
-    "from_pose": Kernel(
-        from_pose,
-        (("T", (4, 4)),),
-        (6,),
-        real=True,
-    ),
-    "from_screw": Kernel(
-        from_screw,
-        (("angle", (2,)), ("line", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "to_screw": Kernel(
-        to_screw,
-        (("v", (6,)),),
-        (8,),
-        real=True,
-    ),
-    "angle": Kernel(
-        angle,
-        (("v", (6,)),),
-        (2,),
-        real=True,
-    ),
-    "to_exponential": Kernel(
-        to_exponential,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "from_exponential": Kernel(
-        from_exponential,
-        (("w", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "turn": Kernel(
-        turn,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "shadow": Kernel(
-        shadow,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "identity_jacobian": Kernel(
-        identity_jacobian,
-        (("v", (6,)),),
-        (6, 6),
-        real=True,
-    ),
-    "shadow_jacobian": Kernel(
-        shadow_jacobian,
-        (("v", (6,)),),
-        (6, 6),
-        real=True,
-    ),
-    "principal": Kernel(
-        principal,
-        (("v", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "compose": Kernel(
-        compose,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "between": Kernel(
-        between,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "compose_jacobians": Kernel(
-        compose_jacobians,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "between_jacobians": Kernel(
-        between_jacobians,
-        (("v2", (6,)), ("v1", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "retract": Kernel(
-        retract,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "body_retract": Kernel(
-        body_retract,
-        (("v", (6,)), ("delta", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "retract_jacobians": Kernel(
-        retract_jacobians,
-        (("v", (6,)), ("delta", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "body_retract_jacobians": Kernel(
-        body_retract_jacobians,
-        (("v", (6,)), ("delta", (6,)),),
-        (72,),
-        real=True,
-    ),
-    "local": Kernel(
-        local,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "body_local": Kernel(
-        body_local,
-        (("v2", (6,)), ("v1", (6,)),),
-        (6,),
-        real=True,
-    ),
-    "interpolate": Kernel(
-        interpolate,
-        (("v1", (6,)), ("v2", (6,)), ("t", ()),),
-        (6,),
-        real=True,
-    ),
-    "adjoint": Kernel(
-        adjoint,
-        (("v", (6,)),),
-        (6, 6),
-        real=False,
-    ),
-    "transform_point_jacobians": Kernel(
-        transform_point_jacobians,
-        (("v", (6,)), ("r", (3,)),),
-        (27,),
-        real=False,
-    ),
-    "transform_line_jacobians": Kernel(
-        transform_line_jacobians,
-        (("v", (6,)), ("line", (6,)),),
-        (72,),
-        real=False,
-    ),
+    "quaternion": Kernel(quaternion, (("v", (6,)),), (8,), real=False),
+    "tensor": Kernel(tensor, (("v", (6,)),), (2, 3, 3), real=False),
+    "pose": Kernel(pose, (("v", (6,)),), (4, 4), real=False),
+    "transform_point": Kernel(transform_point, (("v", (6,)), ("r", (3,)),), (3,), real=False),
+    "transform_line": Kernel(transform_line, (("v", (6,)), ("line", (6,)),), (6,), real=False),
+    "inverse": Kernel(inverse, (("v", (6,)),), (6,), real=False),
+    "tangent": Kernel(tangent, (("v", (6,)),), (2, 3, 3), real=False),
+    "tangent_inv": Kernel(tangent_inv, (("v", (6,)),), (2, 3, 3), real=False),
+    "body_tangent": Kernel(body_tangent, (("v", (6,)),), (2, 3, 3), real=False),
+    "body_tangent_inv": Kernel(body_tangent_inv, (("v", (6,)),), (2, 3, 3), real=False),
+    "twist": Kernel(twist, (("v", (6,)), ("v_dot", (6,)),), (6,), real=False),
+    "rate": Kernel(rate, (("v", (6,)), ("omega", (6,)),), (6,), real=False),
+    "tangent_dot": Kernel(tangent_dot, (("v", (6,)), ("v_dot", (6,)),), (2, 3, 3), real=False),
+    "twist_dot": Kernel(twist_dot, (("v", (6,)), ("v_dot", (6,)), ("v_ddot", (6,)),), (6,), real=False),
+    "rate_dot": Kernel(rate_dot, (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),), (6,), real=False),
+    "twist_jacobian": Kernel(twist_jacobian, (("v", (6,)), ("v_dot", (6,)),), (6, 6), real=False),
+    "rate_jacobian": Kernel(rate_jacobian, (("v", (6,)), ("omega", (6,)),), (6, 6), real=False),
+    "from_quaternion": Kernel(from_quaternion, (("q", (8,)),), (6,), real=True),
+    "from_tensor": Kernel(from_tensor, (("R", (2, 3, 3)),), (6,), real=True),
+    "from_pose": Kernel(from_pose, (("T", (4, 4)),), (6,), real=True),
+    "from_screw": Kernel(from_screw, (("angle", (2,)), ("line", (6,)),), (6,), real=True),
+    "to_screw": Kernel(to_screw, (("v", (6,)),), (8,), real=True),
+    "angle": Kernel(angle, (("v", (6,)),), (2,), real=True),
+    "to_exponential": Kernel(to_exponential, (("v", (6,)),), (6,), real=True),
+    "from_exponential": Kernel(from_exponential, (("w", (6,)),), (6,), real=True),
+    "turn": Kernel(turn, (("v", (6,)),), (6,), real=True),
+    "shadow": Kernel(shadow, (("v", (6,)),), (6,), real=True),
+    "identity_jacobian": Kernel(identity_jacobian, (("v", (6,)),), (6, 6), real=True),
+    "shadow_jacobian": Kernel(shadow_jacobian, (("v", (6,)),), (6, 6), real=True),
+    "principal": Kernel(principal, (("v", (6,)),), (6,), real=True),
+    "compose": Kernel(compose, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "between": Kernel(between, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "compose_jacobians": Kernel(compose_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "between_jacobians": Kernel(between_jacobians, (("v2", (6,)), ("v1", (6,)),), (72,), real=True),
+    "retract": Kernel(retract, (("v", (6,)), ("delta", (6,)),), (6,), real=True),
+    "body_retract": Kernel(body_retract, (("v", (6,)), ("delta", (6,)),), (6,), real=True),
+    "retract_jacobians": Kernel(retract_jacobians, (("v", (6,)), ("delta", (6,)),), (72,), real=True),
+    "body_retract_jacobians": Kernel(body_retract_jacobians, (("v", (6,)), ("delta", (6,)),), (72,), real=True),
+    "local": Kernel(local, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "body_local": Kernel(body_local, (("v2", (6,)), ("v1", (6,)),), (6,), real=True),
+    "interpolate": Kernel(interpolate, (("v1", (6,)), ("v2", (6,)), ("t", ()),), (6,), real=True),
+    "adjoint": Kernel(adjoint, (("v", (6,)),), (6, 6), real=False),
+    "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (6,)), ("r", (3,)),), (27,), real=False),
+    "transform_line_jacobians": Kernel(transform_line_jacobians, (("v", (6,)), ("line", (6,)),), (72,), real=False),
 }

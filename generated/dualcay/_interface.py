@@ -696,7 +696,7 @@ class PoseKernels:
         >>> np.allclose(cayley2.tensor(cayley2.shadow(v)), cayley2.tensor(v))
         True
         """
-        return shifted(self._chart, branch, v, axis, out)
+        return shifted(self._chart, branch, axis, out, v)
 
     def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``.
@@ -726,7 +726,7 @@ class PoseKernels:
         >>> np.allclose(rate, cayley2.rate(cayley2.shadow(v), omega))
         True
         """
-        return shifted_jacobian(self._chart, branch, v, axis, out)
+        return shifted_jacobian(self._chart, branch, axis, out, v)
 
     def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the shadow of smallest rotation angle, in [0, π]; v itself at a tie.
@@ -751,7 +751,7 @@ class PoseKernels:
         >>> np.allclose(cayley2.principal(cayley2.shadow(v)), v)
         True
         """
-        return returned(self._chart, v, axis, out)
+        return returned(self._chart, axis, out, v)
 
     def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the angle α of ``v = φ(α) u`` on the branch of v, not folded to [0, π].

@@ -39,7 +39,7 @@ ORDER = 1
 # --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
-# operations 8: 2 +, 1 *, 3 /, 1 neg, 1 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -49,7 +49,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     return c, 1, sy, wy
 
 
-# operations 6: 3 +, 1 *, 1 /, 1 sqrt
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -59,7 +59,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h
 
 
-# operations 11: 5 +, 3 *, 2 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -72,7 +72,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy
 
 
-# operations 23: 9 +, 10 *, 3 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -88,7 +88,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 4: 1 +, 2 /, 1 sqrt
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -97,12 +97,12 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-# operations 0
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, 0
 
 
-# operations 11: 3 +, 2 *, 4 /, 1 abs, 1 tan
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 4)
     tt = t * t
@@ -113,7 +113,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 25: 7 +, 8 *, 7 /, 1 neg, 1 abs, 1 tan
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 4)
     tt = t * t
@@ -130,7 +130,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 6: 2 +, 2 /, 1 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -140,7 +140,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return c, zero, fiy, 0
 
 
-# operations 14: 4 +, 3 *, 4 /, 2 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -154,7 +154,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return c, zero, fiy, 0, fiyy, 0
 
 
-# operations 6: 3 +, 1 *, 1 /, 1 sqrt
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -165,21 +165,21 @@ def _ray(m: Any, x: Any) -> Result:
     return c, 1, one, f, 2, h
 
 
-# operations 2: 1 lt, 1 where
+# v = gain vec q, for a unit quaternion q
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     gain = m.where(negative, -1, 1)
     return gain,
 
 
-# operations 9: 3 +, 4 *, 1 /, 1 sqrt
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     gain = 1 / size
     return gain,
 
 
-# operations 4: 1 *, 1 /, 1 lt, 1 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -187,7 +187,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -199,14 +199,14 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-# operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 2 * m.atan2(r, c)
     return own,
 
 
-# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -217,7 +217,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -230,7 +230,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -276,7 +276,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="d4c4b5ca0d9f7944",
+    programs="37bc9ef36c8d9d24",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="2052892c351b8894"
+    BASE, __name__, 8, 1, constant=(), programs="cbb79ab73b6e91aa"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -112,7 +112,9 @@ def matrix6(trace: Geometry) -> Program:
 
 def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
     """Return the entries of that matrix."""
-    re = [trace.name(f"J{place}", entry) for place, entry in zip(NINE, tensor.re, strict=True)]
+    re = list(tensor.re)
+    if not trace.real:  # each stands there twice
+        re = [trace.name(f"J{place}", entry) for place, entry in zip(NINE, re, strict=True)]
     du = list(tensor.du)
     for i in (0, 3, 6):
         yield from (*re[i : i + 3], 0, 0, 0)

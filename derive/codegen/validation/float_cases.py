@@ -19,8 +19,7 @@ import mpmath
 
 from ...algebra import Vector
 from ...maps.chart import Chart
-from ...maps.inverse import polar
-from ...maps.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...maps.pose import Screw, polar, pose_from_tensor, quaternion_from_screw, tensor_from_screw
 from ..lowered import geometry
 from ..rows import Function, Table
 from ..signatures import POSES
@@ -31,7 +30,7 @@ from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
 
 SEED = 88
-POINTS = 5
+POINTS = 3
 STEP = mpmath.mpf(2) ** -80
 
 COMPONENT_MAX = 3

@@ -11,11 +11,10 @@ import mpmath
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
-from ...maps.inverse import polar
-from ...maps.pose import Pose, Screw, tensor_from_pose
+from ...maps.pose import Pose, Screw, polar, tensor_from_pose
 from ...maps.sign_tests import orientation
 from ..rows import Function
-from .formulas import ALGEBRAIC, Formulas, Numbers, evaluated, matrix6
+from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, dual, flat
 
 
@@ -201,5 +200,5 @@ def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence
     """Return the value of any kernel function at given numbers."""
     zero = mpmath.mpf(0)
     if row.source in ALGEBRAIC:
-        return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
+        return evaluated(row, Formulas(chart.chart, chart), arguments, zero)
     return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

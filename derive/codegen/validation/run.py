@@ -48,7 +48,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     ValidationFailed
         Naming the function and the first component that differs.
     """
-    with loaded(folder) as package, mpmath.workdps(DIGITS):
+    with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
 
 

@@ -19,8 +19,7 @@ from ...maps.any_phi.edges import angle_of
 from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha, by_square
-from ...maps.inverse import polar
-from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
+from ...maps.pose import Screw, natural_invariants, polar, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
 
 Flat = tuple[Any, ...]
@@ -122,7 +121,7 @@ class Vectors:
         """Return the largest component of seeded vectors: ``most``, or less where they would come near an angle."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
 
-    def derivatives(self, expression: sympy.Expr, square: Any, order: int) -> Sequence[Any]:
+    def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
         """Return an even function of α and its derivatives by x, with more digits, for terms may cancel near 0."""
         return tuple(+value for value in self._once(self._derivatives, expression, square, order))
 

@@ -16,6 +16,7 @@ import sympy
 from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
 from .. import branches
+from ..branches import Derivatives
 from ..families import alpha
 from ..parameterized import QuaternionChart
 from .lowering import number
@@ -48,11 +49,11 @@ class AngleChart(QuaternionChart):
         """α of a length r, from the scalars at its square."""
 
     @abstractmethod
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
-        """φ and φ′ of an angle, NaN beyond the edge; a mark tells several apart."""
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        """Return φ, φ′ and φ″ of an angle, NaN beyond the edge; a mark tells names apart."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        r, slope = self.sized(angle, m)
+        r, slope, _ = self.sized(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
@@ -63,7 +64,7 @@ class AngleChart(QuaternionChart):
         still = m.name("still", m.equal(square, 0))
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
-        r, _ = self.sized(m.name("angle", 2 * m.atan2(sine, cosine)), m)
+        r, _, _ = self.sized(m.name("angle", 2 * m.atan2(sine, cosine)), m)
         at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
         gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
         return m.name("gain", m.where(negative, -1, 1) * gain)
@@ -73,13 +74,11 @@ class AngleChart(QuaternionChart):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.own_angle(self.scalars(x, m), r)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
         _, further = turn
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))
-        _, before = self.sized(angle, m)
-        after, slope = self.sized(m.name("alphak", angle + further), m, "k")
-        return m.name("rk", after), m.name("slope", m.div(slope, before))
+        return branches.by_length(self.sized(angle, m), self.sized(m.name("alphak", angle + further), m, "k"), m)
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

@@ -66,7 +66,7 @@ class Closed(Guess):
         """Beyond the edge some other angle: logarithms and roots end there."""
         if mpmath.isfinite(self.size):
             r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
-        return Lowering(r, m, "first_").at(self.inverse)
+        return Lowering(r, m).at(self.inverse)
 
 
 class Variable(Protocol):
@@ -169,12 +169,12 @@ class Guarded(Guess):
         for step in range(self.count):
             outside = m.either(m.less(better, low), m.less(high, better))
             angle = m.name(f"guarded{step}", m.where(outside, m.div(low + high, 2), better))
-            at = Lowering(m.corrected(angle), m, f"guard{step}_")
-            miss = m.name(f"miss{step}", at.at(self.phi) - r)
+            at = Lowering(m.corrected(angle), m)
+            miss = m.name(f"miss{step}", at.derivative(self.phi, 0) - r)
             above = m.name(f"above{step}", m.less(0, miss))
             low = m.name(f"low{step}", m.where(above, low, angle))
             high = m.name(f"high{step}", m.where(above, angle, high))
-            better = m.name(f"better{step}", angle - m.div(miss, at.at(self.phi.diff(alpha))))
+            better = m.name(f"better{step}", angle - m.div(miss, at.derivative(self.phi, 1)))
         return better
 
 

@@ -19,6 +19,7 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..branches import Derivatives
 from ..dependent import DependentScalars
 from ..families import alpha
 from ..order_charts import double_angle
@@ -35,7 +36,6 @@ class GeneralScalars(DependentScalars):
 
     def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
-        m.name_rest("e")
         self.chart = chart
         limit = chart.near.limit
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
@@ -145,10 +145,10 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _slopes(self) -> Lowering:
-        return Lowering(self.far_angle, self.m, "slope_")
+        return Lowering(self.far_angle, self.m)
 
     def _derivative(self, count: int) -> Coefficient:
-        return self._slopes.at(self.chart.phi.diff(alpha, count))
+        return self._slopes.derivative(self.chart.phi, count)
 
     @cached_property
     def _rate_far(self) -> Coefficient:
@@ -272,17 +272,16 @@ class General(AngleChart):
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """By Newton's method from the first guess."""
         angle = m.name("guess", self.far.lowered(x, r, m))
-        slope = self.phi.diff(alpha)
         for step in range(self.far.steps):
-            at = Lowering(m.corrected(angle), m, f"newton{step}_")
-            angle = m.name(f"alpha{step}", angle - m.div(at.at(self.phi) - r, at.at(slope)))
+            at = Lowering(m.corrected(angle), m)
+            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
         return angle
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """NaN beyond the edge, where the root is none."""
         with mpmath.workdps(DIGITS):
             square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
         left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
         one = m.name(f"inside{mark}", m.div(left, left))
-        at = Lowering(angle, m, f"phi{mark}_")
-        return at.at(self.phi) * one, at.at(self.phi.diff(alpha)) * one
+        at = Lowering(angle, m)
+        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

@@ -28,4 +28,4 @@ PAPER = Paper(
         "s07c_parameterizations", "s07d_families", "s07e_references", "s08a_kinematics", "s08b_tangent_operators",
         "s09a_orders_1_to_3", "s09b_orders_4_and_5", "s09c_components", "s10_conclusions",
     ),
-)  # fmt: skip
+)

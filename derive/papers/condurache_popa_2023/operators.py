@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.proof.ratio import Ratio
+from derive.algebra.exact import Element
 
 from ..language import values
 from ..language.evaluation import Env
@@ -24,7 +24,7 @@ def _positive(env: Env, a: Any) -> bool:
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
 no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
-                 lambda env, a, b: isinstance(a, Ratio) or a >= b)  # fmt: skip
+                 lambda env, a, b: isinstance(a, Element) or a >= b)
 """``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
 
 
@@ -43,13 +43,12 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     return second
 
 
-limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True,
-               traits=Trait.EVENTUAL)  # fmt: skip
+limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: values.equal(env.field, a, b))  # fmt: skip
+               lambda env, a, b: values.equal(env.field, a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
-                        lambda env, f, target: f.reaches(env.field, target))  # fmt: skip
+                        lambda env, f, target: f.reaches(env.field, target))
 
 
 def _components(a: Any) -> int:
@@ -58,7 +57,7 @@ def _components(a: Any) -> int:
 
 
 equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
-                      lambda env, a: _components(a))  # fmt: skip
+                      lambda env, a: _components(a))
 """How many real numbers a dual quantity is, hence how many real equations its rate."""
 
 

@@ -27,4 +27,4 @@ PAPER = Paper(
         "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s3c_steps",
         "s4_conclusion",
     ),
-)  # fmt: skip
+)

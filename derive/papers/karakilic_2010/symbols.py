@@ -17,7 +17,7 @@ _LATEX = (
     (r"\\(mathbf|vec)\{([^{}]*)\}", r"\2"),
     (r"\\times", "×"), (r"\\cdot", "·"), (r"\\sum", "Σ"), (r"\\infty", "∞"), (r"\\neq", "≠"),
     (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|\W)|[$&\s]", ""),
-)  # fmt: skip
+)
 
 
 def shown(latex: str) -> str:
@@ -44,7 +44,7 @@ def arrow(name: str, star: bool = False, seen_as: str | None = None) -> Symbol:
     plain = f"{name}*" if star else name
     suffix = "" if seen_as is None else f" seen as {seen_as}"
     return Symbol(f"vector {plain}{suffix}", "real vector", rf"\vec{{{name}}}" + ("^{*}" if star else ""),
-                  seen_as or plain)  # fmt: skip
+                  seen_as or plain)
 
 
 e = Symbol("epsilon", "dual unit", "e", "e")

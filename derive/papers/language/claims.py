@@ -13,7 +13,6 @@ from derive.maps.pose import Pose
 
 from ..numbers.fields import innermost
 from . import values
-from .changes import NEGATED
 from .evaluation import Env
 from .notation import define
 from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
@@ -33,7 +32,7 @@ def _defined(env: Env, statement: Term) -> bool:
 
 
 defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True,
-                 traits=Trait.DELICATE, changes=(NEGATED,))  # fmt: skip
+                 traits=Trait.DELICATE)
 
 
 def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
@@ -46,7 +45,7 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
 
 
 unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
-                 lazy=True, traits=Trait.DELICATE, changes=(NEGATED,))  # fmt: skip
+                 lazy=True, traits=Trait.DELICATE)
 """``unequal(Re(alpha), 2 * k * pi, k)``: for no integer k equal."""
 
 
@@ -62,10 +61,8 @@ def is_unit(env: Env, a: Any) -> bool:
     return isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1)
 
 
-orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), is_orthogonal,
-                    changes=(NEGATED,))  # fmt: skip
-unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,), is_unit,
-                         changes=(NEGATED,))  # fmt: skip
+orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), is_orthogonal)
+unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,), is_unit)
 
 
 def homogeneous(env: Env, rotation: Tensor, displacement: Vector) -> Pose:
@@ -74,7 +71,7 @@ def homogeneous(env: Env, rotation: Tensor, displacement: Vector) -> Pose:
 
 
 pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "({0},{1},0,1)", ATOM, (LIST, LIST),
-              homogeneous)  # fmt: skip
+              homogeneous)
 
 
 def fixes_a_point(env: Env, motion: Pose) -> bool:

@@ -42,30 +42,10 @@ class Trait(Flag):
     """It is the root of a square, so that its own square needs no root."""
     JOINS = auto()
     """It joins statements: what its parts state is stated."""
-    EVENTUAL = auto()
-    """It is what its last argument is from some order on."""
     OVER_COSINE = auto()
     """It divides by the cosine of its argument."""
     OVER_SINE = auto()
     """It divides by the sine of its argument."""
-    ASCENDS = auto()
-    """It says that each argument is less than the next."""
-
-
-@dataclass(frozen=True)
-class Change:
-    """One way to spoil a term, for mutants.
-
-    Attributes
-    ----------
-    what : str
-        In words, with ``{}`` for the name of the mark.
-    made : callable
-        From the term to what it becomes.
-    """
-
-    what: str
-    made: Callable[[Apply], Term]
 
 
 @dataclass(frozen=True)
@@ -84,8 +64,6 @@ class Operator:
     value : callable
         ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
     traits : Trait
-    changes : tuple of Change
-        What mutants make of its terms, besides changing their arguments.
     """
 
     name: str
@@ -96,7 +74,6 @@ class Operator:
     value: Callable[..., Any]
     lazy: bool = False
     traits: Trait = Trait.NONE
-    changes: tuple[Change, ...] = ()
 
     def __call__(self, *arguments: Any) -> Apply:
         return Apply(self.name, *arguments)

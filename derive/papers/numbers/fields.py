@@ -16,8 +16,9 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
+from derive.algebra.angles import AngleField
+from derive.algebra.exact import Element, NotExactError
 from derive.maps.polynomials import pair
-from derive.proof.ratio import NotExactError, Ratio, RationalFunctions
 
 DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above the rounding of 60 digits, far below any difference that matters
@@ -217,9 +218,9 @@ class Exact(Field):
     name = "exact"
 
     def __init__(self, names: Sequence[str] = (), angles: Mapping[str, int] | None = None) -> None:
-        self.functions = RationalFunctions(names, angles)
+        self.functions = AngleField(names, angles)
 
-    def symbol(self, name: str) -> Ratio:
+    def symbol(self, name: str) -> Element:
         """A generator."""
         return self.functions.symbol(name)
 
@@ -227,23 +228,23 @@ class Exact(Field):
         return bool(a == b)
 
     def _sin(self, a: Any) -> Any:
-        return self._ratio(a).sin()
+        return self.functions.sin(self._element(a))
 
     def _cos(self, a: Any) -> Any:
-        return self._ratio(a).cos()
+        return self.functions.cos(self._element(a))
 
     def _sqrt(self, a: Any) -> Any:
-        return self._ratio(a).sqrt()
+        return self._element(a).sqrt()
 
     def _atan2(self, y: Any, x: Any) -> Any:
-        return self._ratio(y).angle(self._ratio(x))
+        return self.functions.atan2(self._element(y), self._element(x))
 
     @property
     def pi(self) -> Any:
         return self.symbol("pi")
 
-    def _ratio(self, a: Any) -> Ratio:
-        return a if isinstance(a, Ratio) else self.functions.constant(Fraction(a))
+    def _element(self, a: Any) -> Element:
+        return a if isinstance(a, Element) else self.functions.constant(Fraction(a))
 
 
 def innermost(a: Any) -> Any:

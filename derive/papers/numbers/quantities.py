@@ -150,7 +150,7 @@ _REAL = (
     ),
     Quantity("real tensor", apart=True),
     Quantity("real quaternion", apart=True),
-)  # fmt: skip
+)
 
 _NUMBERS = (
     Quantity(
@@ -191,7 +191,7 @@ _NUMBERS = (
         },
         size=1, exact=lambda g, name: g.angle(name), role=Role.ANGLE,
     ),
-)  # fmt: skip
+)
 
 _STRUCTURES = (
     Quantity(
@@ -241,7 +241,7 @@ _STRUCTURES = (
     ),
     Quantity("line", apart=True),
     Quantity("pose"),
-)  # fmt: skip
+)
 
 _DEFINED = (
     Quantity("number"),

@@ -55,7 +55,7 @@ def differing_sides(result: Result) -> tuple[str, str]:
 
 
 PAGE = {"extent": extent, "place": place, "readings": readings, "why": why, "command": command, "example": example,
-        "differing": differing_sides}  # fmt: skip
+        "differing": differing_sides}
 """Further functions of the pages in Markdown and HTML."""
 
 
@@ -110,7 +110,7 @@ _SPECIAL = {
     **dict(zip("αβθΘφψωρστλεπ", (rf"$\{name}$" for name in (
         "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
         "pi")), strict=True)),
-}  # fmt: skip
+}
 LAST_LETTER = "\u017f"  # what the T1 fonts of LaTeX have
 _ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
 _ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from .._geometry import exponential_scalars, nearest
 from .._kernel import Components, Kernel, Result
 
 
@@ -26,8 +27,8 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     return s, v1 * w, v2 * w, v3 * w
 
 
-def rotation_at(f: Any, g: Any, v: Components) -> Result:
-    """Q = I + f skew(v) + g skew(v)², CP23 (57), at the real part of v; its diagonal is 1 − g (x − v_i²)."""
+def tensor_at(f: Any, g: Any, v: Components) -> Result:
+    """R = Q of f and g, CP23 (57)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -43,12 +44,16 @@ def rotation_at(f: Any, g: Any, v: Components) -> Result:
     gvv1 = gv1 * v2
     gvv2 = gv1 * v3
     gvv3 = gv2 * v3
-    return 1 - g * x23, gvv1 - fv3, gvv2 + fv2, gvv1 + fv3, 1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12
-
-
-def tensor_at(f: Any, g: Any, v: Components) -> Result:
-    """R = Q of f and g, CP23 (57)."""
-    return rotation_at(f, g, v)
+    Q11 = 1 - g * x23
+    Q12 = gvv1 - fv3
+    Q13 = gvv2 + fv2
+    Q21 = gvv1 + fv3
+    Q22 = 1 - g * x13
+    Q23 = gvv3 - fv1
+    Q31 = gvv2 - fv2
+    Q32 = gvv3 + fv1
+    Q33 = 1 - g * x12
+    return Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33
 
 
 def tensor(m: Any, c: Any, v: Components) -> Result:
@@ -61,10 +66,14 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
     return tensor_at(f, g, v)
 
 
-def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
-    """Q r = r + f v × r + v × (g v × r), at the real part of v."""
+def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
+    """Q r of a point r."""
     v1, v2, v3 = v
     r1, r2, r3 = r
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, _ = c.pose(m, v11, v22, v33)
     vr1 = v2 * r3 - v3 * r2
     vr2 = v3 * r1 - v1 * r3
     vr3 = v1 * r2 - v2 * r1
@@ -75,16 +84,6 @@ def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
         r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2)), r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3)),
         r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1)),
     )
-
-
-def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """Q r of a point r."""
-    v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    f, g, _ = c.pose(m, v11, v22, v33)
-    return rotate_at(f, g, v, r)
 
 
 def inverse(m: Any, c: Any, v: Components) -> Result:
@@ -124,15 +123,15 @@ def tangent_inverse_at(fi: Any, hi: Any, v: Components) -> Result:
     half1 = v1 / 2
     half2 = v2 / 2
     half3 = v3 / 2
-    hv1 = half1 * hi
-    hv2 = half2 * hi
-    hv3 = half3 * hi
-    d12 = hv1 * v2
-    d13 = hv1 * v3
-    d23 = hv2 * v3
+    hv1 = v1 * hi
+    hv2 = v2 * hi
+    hv3 = v3 * hi
+    d12 = hv1 * half2
+    d13 = hv1 * half3
+    d23 = hv2 * half3
     return (
-        (fi + 2 * (hv1 * v1)) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + 2 * (hv2 * v2)) / 2, d23 + half1,
-        d13 + half2, d23 - half1, (fi + 2 * (hv3 * v3)) / 2,
+        (fi + hv1 * v1) / 2, d12 + half3, d13 - half2, d12 - half3, (fi + hv2 * v2) / 2, d23 + half1, d13 + half2,
+        d23 - half1, (fi + hv3 * v3) / 2,
     )
 
 
@@ -328,16 +327,10 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     s2 = w2 * gs + t2 * h
     s3 = w3 * gs + t3 * h
     ha = h * vw
-    J11 = b1 * v1 + ha
-    J12 = b1 * v2 + s3
-    J13 = b1 * v3 - s2
-    J21 = b2 * v1 - s3
-    J22 = b2 * v2 + ha
-    J23 = b2 * v3 + s1
-    J31 = b3 * v1 + s2
-    J32 = b3 * v2 - s1
-    J33 = b3 * v3 + ha
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    return (
+        b1 * v1 + ha, b1 * v2 + s3, b1 * v3 - s2, b2 * v1 - s3, b2 * v2 + ha, b2 * v3 + s1, b3 * v1 + s2, b3 * v2 - s1,
+        b3 * v3 + ha,
+    )
 
 
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
@@ -366,16 +359,10 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     s3 = w3 * hs - t3 * gt
     hih = hi / 2
     ha = hih * vw
-    J11 = v1 * b1 + ha
-    J12 = v1 * b2 - s3
-    J13 = v1 * b3 + s2
-    J21 = v2 * b1 + s3
-    J22 = v2 * b2 + ha
-    J23 = v2 * b3 - s1
-    J31 = v3 * b1 - s2
-    J32 = v3 * b2 + s1
-    J33 = v3 * b3 + ha
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    return (
+        v1 * b1 + ha, v1 * b2 - s3, v1 * b3 + s2, v2 * b1 + s3, v2 * b2 + ha, v2 * b3 - s1, v3 * b1 - s2, v3 * b2 + s1,
+        v3 * b3 + ha,
+    )
 
 
 def vector_of(gain: Any, e: Components) -> Result:
@@ -526,7 +513,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
-    rk, _ = c.turned(m, r, cos, sin)
+    rk, _, _ = c.turned(m, r, cos, sin)
     return u1 * rk, u2 * rk, u3 * rk
 
 
@@ -541,7 +528,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     x = v11 + v22 + v33
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
-    rk, _ = c.turned(m, r, cos, sn)
+    rk, _, _ = c.turned(m, r, cos, sn)
     return u1 * rk, u2 * rk, u3 * rk
 
 
@@ -564,22 +551,27 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     x = v11 + v22 + v33
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
-    across = rk / r
-    spread = slope - across
-    su1 = u1 * spread
-    su2 = u2 * spread
-    su3 = u3 * spread
-    J12 = su1 * u2
-    J13 = su1 * u3
-    J21 = su2 * u1
-    J23 = su2 * u3
-    J31 = su3 * u1
-    J32 = su3 * u2
-    J11 = su1 * u1 + across
-    J22 = su2 * u2 + across
-    J33 = su3 * u3 + across
-    return J11, J12, J13, J21, J22, J23, J31, J32, J33
+    rk, slope, _ = c.turned(m, r, cos, sn)
+    ratio = rk / r
+    uu11 = u1 * u1
+    p11 = 1 - uu11
+    J11 = ratio * p11 + slope * uu11
+    uu12 = u1 * u2
+    p12 = -uu12
+    J12 = ratio * p12 + slope * uu12
+    uu13 = u1 * u3
+    p13 = -uu13
+    J13 = ratio * p13 + slope * uu13
+    uu22 = u2 * u2
+    p22 = 1 - uu22
+    J22 = ratio * p22 + slope * uu22
+    uu23 = u2 * u3
+    p23 = -uu23
+    J23 = ratio * p23 + slope * uu23
+    uu33 = u3 * u3
+    p33 = 1 - uu33
+    J33 = ratio * p33 + slope * uu33
+    return J11, J12, J13, J12, J22, J23, J13, J23, J33
 
 
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -594,7 +586,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
-    rk, _ = c.turned(m, r, cosine, sine)
+    rk, _, _ = c.turned(m, r, cosine, sine)
     return m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3)
 
 
@@ -649,14 +641,14 @@ def matrix_product(A: Components, B: Components) -> Result:
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
     v = compose(m, c, v2, v1)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, v2)
-    T = tangent(m, c, v1)
-    R = tensor(m, c, v2)
-    RT = matrix_product(R, T)
-    P = matrix_product(I, S)
-    N = matrix_product(I, RT)
-    return *P, *N
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, v2)
+    T1 = tangent(m, c, v1)
+    R2 = tensor(m, c, v2)
+    R2T1 = matrix_product(R2, T1)
+    D2 = matrix_product(back, T2)
+    D1 = matrix_product(back, R2T1)
+    return *D2, *D1
 
 
 def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -666,137 +658,56 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     minus_a2 = -a2
     minus_a3 = -a3
     v = compose(m, c, (minus_a1, minus_a2, minus_a3), v2)
-    I = tangent_inv(m, c, v)
-    S = tangent(m, c, (minus_a1, minus_a2, minus_a3))
-    T = tangent(m, c, v2)
-    R = tensor(m, c, (minus_a1, minus_a2, minus_a3))
-    RT = matrix_product(R, T)
-    P11, P12, P13, P21, P22, P23, P31, P32, P33 = matrix_product(I, S)
-    N = matrix_product(I, RT)
-    return *N, -P11, -P12, -P13, -P21, -P22, -P23, -P31, -P32, -P33
-
-
-def exponential_scalars(m: Any, delta: Components) -> Result:
-    """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
-    d1, d2, d3 = delta
-    v11 = d1 * d1
-    v22 = d2 * d2
-    v33 = d3 * d3
-    part = v11 + v22
-    x = part + v33
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
-    fy = h - g
-    gy = f * h - g * g
-    CC3 = C3 * C3
-    C4 = (4 * C3 - C2 - 2 * (z * CC3)) / (2 * C01)
-    c5 = (C5 + C4 + C2 * C3) / 16
-    c4 = C3 * (1 + C1) / 8
-    hy = m.where(near, 3 * c5 - c4, (g - 3 * h) / xx)
-    return s, w, f, g, h, fy, gy, hy
-
-
-def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
-    """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
-    v1, v2, v3 = v
-    e0, e1, e2, e3 = e
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
-    resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
-    r = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, r)
-    along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
-    sine = m.where(still, ss, length)
-    falling = e0 < 0
-    cosine = m.where(falling, -e0, e0)
-    folded = m.where(falling, -2, 2) * m.atan2(sine, cosine)
-    turns = along - folded + 2 * m.atan2(m.tan((folded - along) / 2), 1)
-    alpha = folded + m.where(m.abs(turns) < 1, 0, turns)
-    rn, slopen = c.coefficient_of(m, alpha, sine, e0)
-    z0s = m.where(still, e0, length)
-    factor = m.where(still, 2 * slopen / z0s, rn / length)
-    return e1 * factor, e2 * factor, e3 * factor, factor * e0, alpha
-
-
-def retracted(m: Any, c: Any, s: Any, w: Any, delta: Components, v: Components) -> Result:
-    """The vector of e = exp(δ) e(v) nearest v, its factor times e0, and its angle."""
-    d1, d2, d3 = delta
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
-    found = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
-    return nearest(m, c, v, found)
+    back = tangent_inv(m, c, v)
+    T2 = tangent(m, c, (minus_a1, minus_a2, minus_a3))
+    T1 = tangent(m, c, v2)
+    R2 = tensor(m, c, (minus_a1, minus_a2, minus_a3))
+    R2T1 = matrix_product(R2, T1)
+    D211, D212, D213, D221, D222, D223, D231, D232, D233 = matrix_product(back, T2)
+    D1 = matrix_product(back, R2T1)
+    return *D1, -D211, -D212, -D213, -D221, -D222, -D223, -D231, -D232, -D233
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """v of exp(δ) R(v), of its branches the one nearest v."""
+    d1, d2, d3 = delta
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
-    w1, w2, w3, _, _ = retracted(m, c, s, w, delta, v)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
+    w1, w2, w3, _, _ = nearest(m, c, v, found_)
     return w1, w2, w3
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of R(v) exp(δ), of its branches the one nearest v: its inverse is exp(−δ) R(−v)."""
-    v1, v2, v3 = v
+    """v of R(v) exp(δ), of its branches the one nearest v."""
     d1, d2, d3 = delta
-    w1, w2, w3 = retract(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
-    return -w1, -w2, -w3
+    s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((e0_1, e1_1, e2_1, e3_1), (s, d1 * w, d2 * w, d3 * w))
+    w1, w2, w3, _, _ = nearest(m, c, v, found_)
+    return w1, w2, w3
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
     """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    d1, d2, d3 = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
-    w1, w2, w3, fe, angle = retracted(m, c, s, w, delta, v)
+    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
+    found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
+    w1, w2, w3, fe, angle = nearest(m, c, v, found_)
     v11 = w1 * w1
     v22 = w2 * w2
     v33 = w3 * w3
     x = v11 + v22 + v33
     fi, hi, _, _ = c.tangent_inv_at(m, x, fe, angle)
-    I = tangent_inverse_at(fi, hi, (w1, w2, w3))
+    back = tangent_inverse_at(fi, hi, (w1, w2, w3))
     R = tensor_at(f, g, delta)
     T = tangent(m, c, v)
     RT = matrix_product(R, T)
-    D = tangent_at(f, g, h, delta)
-    P = matrix_product(I, RT)
-    N = matrix_product(I, D)
-    return *P, *N
+    dexp = tangent_at(f, g, h, delta)
+    D1 = matrix_product(back, RT)
+    D2 = matrix_product(back, dexp)
+    return *D1, *D2
 
 
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
@@ -902,272 +813,90 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
 
 def adjoint(m: Any, c: Any, v: Components) -> Result:
     """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
-    return tensor(m, c, v)
-
-
-def skew_product(a: Components, B: Components) -> Result:
-    """skew(a) B."""
-    a1, a2, a3 = a
-    B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
-    return (
-        B31 * a2 - B21 * a3, B32 * a2 - B22 * a3, B33 * a2 - B23 * a3, B11 * a3 - B31 * a1, B12 * a3 - B32 * a1,
-        B13 * a3 - B33 * a1, B21 * a1 - B11 * a2, B22 * a1 - B12 * a2, B23 * a1 - B13 * a2,
-    )
+    v1, v2, v3 = v
+    v11 = v1 * v1
+    v22 = v2 * v2
+    v33 = v3 * v3
+    f, g, _ = c.pose(m, v11, v22, v33)
+    return tensor_at(f, g, v)
 
 
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
     """−skew(Q r) T and Q: the derivatives of a moved point by v and by r."""
     v1, v2, v3 = v
+    r1, r2, r3 = r
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, g, h = c.pose(m, v11, v22, v33)
-    Q = rotation_at(f, g, v)
-    T = tangent_at(f, g, h, v)
-    Qr = rotate_at(f, g, v, r)
-    M11, M12, M13, M21, M22, M23, M31, M32, M33 = skew_product(Qr, T)
-    return -M11, -M12, -M13, -M21, -M22, -M23, -M31, -M32, -M33, *Q
+    x23 = v22 + v33
+    x13 = v11 + v33
+    x12 = v11 + v22
+    fv1 = v1 * f
+    fv2 = v2 * f
+    fv3 = v3 * f
+    gv1 = v1 * g
+    gv2 = v2 * g
+    gvv1 = gv1 * v2
+    gvv2 = gv1 * v3
+    gvv3 = gv2 * v3
+    T11, T12, T13, T21, T22, T23, T31, T32, T33 = tangent_at(f, g, h, v)
+    vr1 = v2 * r3 - v3 * r2
+    vr2 = v3 * r1 - v1 * r3
+    vr3 = v1 * r2 - v2 * r1
+    gvr1 = vr1 * g
+    gvr2 = vr2 * g
+    gvr3 = vr3 * g
+    moved1 = r1 + (vr1 * f + (v2 * gvr3 - v3 * gvr2))
+    moved2 = r2 + (vr2 * f + (v3 * gvr1 - v1 * gvr3))
+    moved3 = r3 + (vr3 * f + (v1 * gvr2 - v2 * gvr1))
+    return (
+        -(T31 * moved2 - T21 * moved3), -(T32 * moved2 - T22 * moved3), -(T33 * moved2 - T23 * moved3),
+        -(T11 * moved3 - T31 * moved1), -(T12 * moved3 - T32 * moved1), -(T13 * moved3 - T33 * moved1),
+        -(T21 * moved1 - T11 * moved2), -(T22 * moved1 - T12 * moved2), -(T23 * moved1 - T13 * moved2), 1 - g * x23,
+        gvv1 - fv3, gvv2 + fv2, gvv1 + fv3, 1 - g * x13, gvv3 - fv1, gvv2 - fv2, gvv3 + fv1, 1 - g * x12,
+    )
 
 
 KERNELS: Mapping[str, Kernel] = {
-    "quaternion": Kernel(
-        quaternion,
-        (("v", (3,)),),
-        (4,),
-        real=False,
-    ),
-    "tensor": Kernel(
-        tensor,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "transform_point": Kernel(
-        transform_point,
-        (("v", (3,)), ("r", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "inverse": Kernel(
-        inverse,
-        (("v", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "tangent": Kernel(
-        tangent,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "tangent_inv": Kernel(
-        tangent_inv,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "body_tangent": Kernel(
-        body_tangent,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "body_tangent_inv": Kernel(
-        body_tangent_inv,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "twist": Kernel(
-        twist,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "rate": Kernel(
-        rate,
-        (("v", (3,)), ("omega", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "tangent_dot": Kernel(
-        tangent_dot,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "twist_dot": Kernel(
-        twist_dot,
-        (("v", (3,)), ("v_dot", (3,)), ("v_ddot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "rate_dot": Kernel(
-        rate_dot,
-        (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),),
-        (3,),
-        real=False,
-    ),
-    "twist_jacobian": Kernel(
-        twist_jacobian,
-        (("v", (3,)), ("v_dot", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "rate_jacobian": Kernel(
-        rate_jacobian,
-        (("v", (3,)), ("omega", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "from_quaternion": Kernel(
-        from_quaternion,
-        (("q", (4,)),),
-        (3,),
-        real=True,
-    ),
-    "from_tensor": Kernel(
-        from_tensor,
-        (("R", (3, 3)),),
-        (3,),
-        real=True,
-    ),
-    "from_angle_axis": Kernel(
-        from_angle_axis,
-        (("angle", ()), ("u", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "to_angle_axis": Kernel(
-        to_angle_axis,
-        (("v", (3,)),),
-        (4,),
-        real=True,
-    ),
-    "angle": Kernel(
-        angle,
-        (("v", (3,)),),
-        (),
-        real=True,
-    ),
-    "to_exponential": Kernel(
-        to_exponential,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "from_exponential": Kernel(
-        from_exponential,
-        (("w", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "turn": Kernel(
-        turn,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "shadow": Kernel(
-        shadow,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "identity_jacobian": Kernel(
-        identity_jacobian,
-        (("v", (3,)),),
-        (3, 3),
-        real=True,
-    ),
-    "shadow_jacobian": Kernel(
-        shadow_jacobian,
-        (("v", (3,)),),
-        (3, 3),
-        real=True,
-    ),
-    "principal": Kernel(
-        principal,
-        (("v", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "compose": Kernel(
-        compose,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "between": Kernel(
-        between,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "compose_jacobians": Kernel(
-        compose_jacobians,
-        (("v2", (3,)), ("v1", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "between_jacobians": Kernel(
-        between_jacobians,
-        (("v2", (3,)), ("v1", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "retract": Kernel(
-        retract,
-        (("v", (3,)), ("delta", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "body_retract": Kernel(
-        body_retract,
-        (("v", (3,)), ("delta", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "retract_jacobians": Kernel(
-        retract_jacobians,
-        (("v", (3,)), ("delta", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "body_retract_jacobians": Kernel(
-        body_retract_jacobians,
-        (("v", (3,)), ("delta", (3,)),),
-        (18,),
-        real=True,
-    ),
-    "local": Kernel(
-        local,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "body_local": Kernel(
-        body_local,
-        (("v2", (3,)), ("v1", (3,)),),
-        (3,),
-        real=True,
-    ),
-    "interpolate": Kernel(
-        interpolate,
-        (("v1", (3,)), ("v2", (3,)), ("t", ()),),
-        (3,),
-        real=True,
-    ),
-    "adjoint": Kernel(
-        adjoint,
-        (("v", (3,)),),
-        (3, 3),
-        real=False,
-    ),
-    "transform_point_jacobians": Kernel(
-        transform_point_jacobians,
-        (("v", (3,)), ("r", (3,)),),
-        (18,),
-        real=False,
-    ),
+    "quaternion": Kernel(quaternion, (("v", (3,)),), (4,), real=False),
+    "tensor": Kernel(tensor, (("v", (3,)),), (3, 3), real=False),
+    "transform_point": Kernel(transform_point, (("v", (3,)), ("r", (3,)),), (3,), real=False),
+    "inverse": Kernel(inverse, (("v", (3,)),), (3,), real=False),
+    "tangent": Kernel(tangent, (("v", (3,)),), (3, 3), real=False),
+    "tangent_inv": Kernel(tangent_inv, (("v", (3,)),), (3, 3), real=False),
+    "body_tangent": Kernel(body_tangent, (("v", (3,)),), (3, 3), real=False),
+    "body_tangent_inv": Kernel(body_tangent_inv, (("v", (3,)),), (3, 3), real=False),
+    "twist": Kernel(twist, (("v", (3,)), ("v_dot", (3,)),), (3,), real=False),
+    "rate": Kernel(rate, (("v", (3,)), ("omega", (3,)),), (3,), real=False),
+    "tangent_dot": Kernel(tangent_dot, (("v", (3,)), ("v_dot", (3,)),), (3, 3), real=False),
+    "twist_dot": Kernel(twist_dot, (("v", (3,)), ("v_dot", (3,)), ("v_ddot", (3,)),), (3,), real=False),
+    "rate_dot": Kernel(rate_dot, (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),), (3,), real=False),
+    "twist_jacobian": Kernel(twist_jacobian, (("v", (3,)), ("v_dot", (3,)),), (3, 3), real=False),
+    "rate_jacobian": Kernel(rate_jacobian, (("v", (3,)), ("omega", (3,)),), (3, 3), real=False),
+    "from_quaternion": Kernel(from_quaternion, (("q", (4,)),), (3,), real=True),
+    "from_tensor": Kernel(from_tensor, (("R", (3, 3)),), (3,), real=True),
+    "from_angle_axis": Kernel(from_angle_axis, (("angle", ()), ("u", (3,)),), (3,), real=True),
+    "to_angle_axis": Kernel(to_angle_axis, (("v", (3,)),), (4,), real=True),
+    "angle": Kernel(angle, (("v", (3,)),), (), real=True),
+    "to_exponential": Kernel(to_exponential, (("v", (3,)),), (3,), real=True),
+    "from_exponential": Kernel(from_exponential, (("w", (3,)),), (3,), real=True),
+    "turn": Kernel(turn, (("v", (3,)),), (3,), real=True),
+    "shadow": Kernel(shadow, (("v", (3,)),), (3,), real=True),
+    "identity_jacobian": Kernel(identity_jacobian, (("v", (3,)),), (3, 3), real=True),
+    "shadow_jacobian": Kernel(shadow_jacobian, (("v", (3,)),), (3, 3), real=True),
+    "principal": Kernel(principal, (("v", (3,)),), (3,), real=True),
+    "compose": Kernel(compose, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "between": Kernel(between, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "compose_jacobians": Kernel(compose_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "between_jacobians": Kernel(between_jacobians, (("v2", (3,)), ("v1", (3,)),), (18,), real=True),
+    "retract": Kernel(retract, (("v", (3,)), ("delta", (3,)),), (3,), real=True),
+    "body_retract": Kernel(body_retract, (("v", (3,)), ("delta", (3,)),), (3,), real=True),
+    "retract_jacobians": Kernel(retract_jacobians, (("v", (3,)), ("delta", (3,)),), (18,), real=True),
+    "body_retract_jacobians": Kernel(body_retract_jacobians, (("v", (3,)), ("delta", (3,)),), (18,), real=True),
+    "local": Kernel(local, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "body_local": Kernel(body_local, (("v2", (3,)), ("v1", (3,)),), (3,), real=True),
+    "interpolate": Kernel(interpolate, (("v1", (3,)), ("v2", (3,)), ("t", ()),), (3,), real=True),
+    "adjoint": Kernel(adjoint, (("v", (3,)),), (3, 3), real=False),
+    "transform_point_jacobians": Kernel(transform_point_jacobians, (("v", (3,)), ("r", (3,)),), (18,), real=False),
 }

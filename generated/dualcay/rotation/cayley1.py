@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley1 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 1
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="d6a03c87408a807c",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="442665a10544c45e",
 )
 
 KERNELS = RotationKernels(CHART)

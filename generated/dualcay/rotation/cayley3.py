@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley3 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 3
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="343845aac014edd3",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="009bf761ed334479",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley4 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 4
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="e2474b4c83dea327",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="ab943322d0716ba9",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..cayley5 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 5
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="d61fadfddbe33b17",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="bd26e74ec4a6a6d8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING
 
 from .._chart import Chart
 from ..scaled1 import CHART as POSES
-from ._geometry import KERNELS as SHARED
+from . import _geometry
 from ._interface import RotationKernels, exports
 
 ORDER = 1
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="8c26c2d66f7243bb",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="5a6d24645c876a80",
 )
 
 KERNELS = RotationKernels(CHART)

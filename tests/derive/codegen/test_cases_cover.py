@@ -37,7 +37,7 @@ class Watched:
     def __init__(self, chart: Cayley) -> None:
         self.chart = chart
         self.lowered: Lowered = lower_chart(chart)
-        self.programs = {**geometry(), **self.lowered.own}
+        self.programs = geometry()
         self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
 
     def call(self, case: Expectation) -> None:

@@ -110,7 +110,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 def test_functions_are_right_to_the_last_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
     """On floats, near 0 and on either side of it, in eps."""
     for a in arguments:
-        got = Lowering(a, PLAIN, "f").at(function)
+        got = Lowering(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):
             exact = evaluate(function, alpha, mpmath.mpf(a))
             assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)

@@ -36,7 +36,6 @@ WRONG = {
     "two results split at 3": (
         "_interface.py", r"screw\[:2, \.{3}\], screw\[2:, \.{3}\]", "screw[:3, ...], screw[3:, ...]",
     ),
-    "scalar first is ignored": ("_runtime.py", r"SCALAR_LAST = .*", "SCALAR_LAST = [0, 1, 2, 3, 4, 5, 6, 7]"),
 }  # fmt: skip
 
 

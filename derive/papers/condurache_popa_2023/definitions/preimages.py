@@ -29,15 +29,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
-from derive.proof.ratio import Ratio, RationalFunctions
+from derive.algebra.exact import Element, RationalFunctions
 
 from ...language.evaluation import Env
 
-Step = Callable[..., tuple[Ratio, Ratio]]
+Step = Callable[..., tuple[Element, Element]]
 """From ``F``, ``G`` and t to the next of both."""
 
 
-def next_parts(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
+def next_parts(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
     """Imaginary and real part of ``(G + iF)(1 + it)``."""
     return F + t * G, G - t * F
 
@@ -67,7 +67,7 @@ def _identities(step: Step) -> Mapping[str, bool]:
     }
 
 
-def _degrees_rise(c: Ratio, s: Ratio, t: Ratio, step: Step) -> bool:
+def _degrees_rise(c: Element, s: Element, t: Element, step: Step) -> bool:
     """Whether the coefficients of tⁿ in F and G repeat after four orders, in F ±s for even orders and ±c for odd."""
     a, b = -s, c
     for last in (s, c, s, c):

@@ -6,23 +6,7 @@ from derive.algebra import Vector
 
 from ...equation import equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    bracket,
-    cases,
-    cross,
-    dot,
-    epsilon,
-    equal,
-    nonzero,
-    norm,
-    pm,
-    remark,
-    triple,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import dual_algebra, quaternion_maps
 from ..symbols import dual, real_vector, vector
@@ -95,4 +79,4 @@ ENTRIES = (
                     words(r"\mathbf{v} \in V_3,\ \lambda \in \mathbb{R}", "vV3λR")),
              extract="r = v + λ a 0 a 0 , v V 3 , λ R", where=(let(r, dual_algebra.on_free_line, a0, w),),
              condition=nonzero(a0), remark="a = 0 has no line."),
-)  # fmt: skip
+)

@@ -5,34 +5,7 @@ from __future__ import annotations
 from ...equation import Reading, equation
 from ...language.claims import dual_of, orthogonal, real_of, scalar_part, unit_quaternion, vector_part
 from ...language.evaluation import let
-from ...language.notation import (
-    both,
-    branches,
-    conjugate,
-    cos,
-    couple,
-    cross,
-    define,
-    dot,
-    dyad,
-    epsilon,
-    equal,
-    exp,
-    half,
-    identity,
-    iff,
-    nonzero,
-    norm,
-    pm,
-    reaches,
-    root,
-    sin,
-    skew,
-    trace,
-    transpose,
-    vect,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import PRODUCT, Symbol
 from ..definitions import motions, quaternion_maps
 from ..symbols import alpha, quaternion, tensor, u, vector
@@ -47,7 +20,7 @@ w, w1, w2 = (
     Symbol(f"vector{i}", "dual vector", rf"\underline{{\mathbf{{q}}}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2")
 )
 q_re, q_du = (Symbol(name, "real quaternion", latex, text) for name, latex, text in (
-    ("q real", r"\hat{\mathbf{q}}", "q^"), ("q0", r"\hat{\mathbf{q}}^0", "q^0")))  # fmt: skip
+    ("q real", r"\hat{\mathbf{q}}", "q^"), ("q0", r"\hat{\mathbf{q}}^0", "q^0")))
 unit = quaternion("q")
 units = tuple(
     Symbol(f"unit{i}", "unit quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2)
@@ -65,7 +38,7 @@ scalar = define("scalar part", r"\operatorname{{scal}} {0}", "{0}", PRODUCT, (PR
 PARTS = (let(s, scalar_part, any_q), let(w, vector_part, any_q))
 INDEXED = (
     let(s1, scalar_part, q1), let(w1, vector_part, q1), let(s2, scalar_part, q2), let(w2, vector_part, q2),
-)  # fmt: skip
+)
 HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit), let(rho, quaternion_maps.displacement, unit))
 ACTION = (let(Delta, motions.tensor_of_quaternion), let(Delta_map, quaternion_maps.covering))
 UNIT_PARTS = (let(s, scalar_part, unit), let(w, vector_part, unit))
@@ -99,7 +72,7 @@ ALGEBRA = (
              extract="q ^ _ = q _ + q _", where=PARTS),
     equation("quaternion-parts", "real and dual part of a dual quaternion", 125, equal(any_q, q_re + epsilon * q_du),
              extract="q ^ _ = q ^ + ε q ^ 0", where=(let(q_re, real_of, any_q), let(q_du, dual_of, any_q))),
-)  # fmt: skip
+)
 
 UNITS = (
     equation("22", "unit dual quaternion by rotation and displacement", 129,
@@ -145,6 +118,6 @@ UNITS = (
                           equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I,
                                 4 * dyad(w, w))),
              remark="The supporting identity: the tensor determines all products of two components of q."),
-)  # fmt: skip
+)
 
 ENTRIES = (*ALGEBRA, *UNITS)

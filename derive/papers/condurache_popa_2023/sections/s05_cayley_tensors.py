@@ -3,43 +3,9 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
-from ...language.changes import SWAPPED
 from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    arctan,
-    both,
-    bracket,
-    cos,
-    define,
-    det,
-    dot,
-    epsilon,
-    equal,
-    exp,
-    factorial,
-    identity,
-    iff,
-    implies,
-    infinity,
-    nonzero,
-    norm,
-    pi,
-    power_of_e,
-    reaches,
-    remark,
-    sin,
-    skew,
-    summation,
-    tan,
-    tan2,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import ATOM, LIST, Symbol
 from ..definitions import low_orders, motions, quaternion_maps
 from ..symbols import alpha, tensor, u, v, vector
@@ -59,7 +25,7 @@ cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
 exp_map = Symbol("exp map", "map", r"\exp", "exp")
 recovered = Symbol("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
 slope = Symbol("slope", "tensor",
-               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")  # fmt: skip
+               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")
 start = Symbol("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
 angle = Symbol("angle of v", "dual number", r"\underline{\alpha}", "α")
 axis = Symbol("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
@@ -73,7 +39,7 @@ translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
-                    lambda env, s, t: s @ t - t @ s, changes=(SWAPPED,))  # fmt: skip
+                    lambda env, s, t: s @ t - t @ s)
 
 EULER = (let(a, quaternion_maps.multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
@@ -81,7 +47,7 @@ CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_ma
 TYPES = low_orders.displacement_types(rotates, translates, general)
 EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
 OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in TYPES), let(Q, motions.rotation_of, R),
-        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))  # fmt: skip
+        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
 AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
 
 
@@ -123,7 +89,7 @@ ALGEBRA = (
              where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
                     let(below, low_orders.is_below_half_turn, alpha)), claimed=below,
              stated=(157, "if α < π")),
-)  # fmt: skip
+)
 
 CAYLEY = (
     equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
@@ -162,7 +128,7 @@ CAYLEY = (
              extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
     equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
              where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
-)  # fmt: skip
+)
 
 projector = Q + transpose(Q) + (1 - trace(Q)) * I
 COROLLARY = (
@@ -184,6 +150,6 @@ COROLLARY = (
                   "R e α _ k π ,   k Z .",
              corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
-)  # fmt: skip
+)
 
 ENTRIES = (*ALGEBRA, *CAYLEY, *COROLLARY)

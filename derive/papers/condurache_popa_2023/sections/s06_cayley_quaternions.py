@@ -5,32 +5,7 @@ from __future__ import annotations
 from ...equation import Equation, Reading, equation
 from ...language.claims import defined, dual_of, proposition, real_of, scalar_part, unequal, unit_quaternion
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    both,
-    cos,
-    cross,
-    dot,
-    equal,
-    half,
-    identity,
-    iff,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    tan,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
 from ..definitions import low_orders, motions, quaternion_maps
 from ..symbols import alpha, quaternion, u, v, vector
@@ -76,7 +51,7 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
     types = low_orders.displacement_types(rotates, translates, general)
     where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in types),
              let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
-             let(v_du, dual_of, v))  # fmt: skip
+             let(v_du, dual_of, v))
     return (
         equation(f"corollary-{number}-rotation", "when the transform is a pure rotation", line,
                  iff(rotates, zero(Du(norm(v)))), where=where, also=low_orders.real_magnitude(v),
@@ -86,7 +61,7 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
                  implies(zero(Re(norm(v))), translates), where=where, also=low_orders.unit_magnitude(v)),
         equation(f"corollary-{number}-general", "in all other cases it is neither", line,
                  implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
-    )  # fmt: skip
+    )
 
 
 size = 1 + norm(v_re) ** 2
@@ -140,7 +115,7 @@ WHOLE = (
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
              where=COMPOSED, condition=nonzero(Re(q + 1)), also=low_orders.back_to_back(sigma2, sigma1)),
-)  # fmt: skip
+)
 
 HALVES = (
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
@@ -175,6 +150,6 @@ HALVES = (
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
              where=(let(q, low_orders.composed(1), b2, b1), let(b, low_orders.preimage(1), q)),
              condition=nonzero(Re(1 - dot(b1, b2))), also=low_orders.to_a_half_turn(b1, b2)),
-)  # fmt: skip
+)
 
 ENTRIES = (*WHOLE, *HALVES)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dyad, identity, nonzero, norm, skew
+from ...language.notation import *
 from ...language.terms import Symbol, Term
 from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders

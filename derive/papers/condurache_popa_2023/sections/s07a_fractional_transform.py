@@ -5,35 +5,7 @@ from __future__ import annotations
 from ...equation import Reading, equation
 from ...language.claims import proposition
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    binomial,
-    both,
-    branches,
-    cases,
-    conjugate,
-    cos,
-    cot,
-    dot,
-    equal,
-    floor_over,
-    iff,
-    implies,
-    negated,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Number, Symbol
 from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders, preimages
@@ -67,13 +39,13 @@ is_rotation, is_translation, is_screw = (
 )
 
 STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
-        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))  # fmt: skip
+        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))
 step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
 ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
         let(scalar, cayley_maps.scalar, target),
-        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))  # fmt: skip
+        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
 turned = (alpha + 2 * k * pi) / (2 * n)
 turn = k * pi / n
@@ -88,7 +60,7 @@ COEFFICIENTS = (
 TYPES = (
     let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
     let(is_translation, cayley_maps.translation, q_hat), let(is_screw, cayley_maps.screw, q_hat), *POLYNOMIALS,
-)  # fmt: skip
+)
 
 
 def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
@@ -163,7 +135,7 @@ FRACTIONAL = (
     equation("shadow-avoids-singularity", "where v is infinite, a shadow is finite", 251,
              nonzero(sin(pi / n)), where=(), condition=no_less(n, 2),
              remark="At Re α = nπ the shadow k = 1 is −cot(π/n) u; order 1 has no shadow."),
-)  # fmt: skip
+)
 
 BY_INDUCTION = (*CAYLEY, let(by_induction, cayley_maps.proved(51, 52, 53)))
 POLYNOMIAL = (
@@ -215,7 +187,7 @@ POLYNOMIAL = (
     equation("57", "orthogonal dual tensor of order n", 279,
              equal(R, I + 2 * p(norm(v)) * q(norm(v)) / (1 + x)**n * V + 2 * (q**2)(norm(v)) / (1 + x)**n * V**2),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),
-)  # fmt: skip
+)
 
 quotient_2, quotient_1 = ((1 + a) / (1 - a) for a in (v_2, v_1))
 product = (quotient_2 ** (n / 2) * quotient_1 ** (n / 2)) ** (2 / n)
@@ -227,6 +199,6 @@ COMPOSITION = (
              condition=nonzero(Re(product + 1)), also=opposite_axes,
              remark="Executed with principal roots; the other roots give shadows. Roots of products of two general "
              "quaternions leave every exact field at hand."),
-)  # fmt: skip
+)
 
 ENTRIES = (*FRACTIONAL, *POLYNOMIAL, *COMPOSITION)

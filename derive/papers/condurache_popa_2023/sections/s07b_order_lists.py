@@ -8,7 +8,7 @@ import mpmath
 
 from ...equation import Equation, equation
 from ...language.evaluation import let
-from ...language.notation import both, equal, norm, pm, root, skew, tan
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
 from ..definitions.motions import screw_tensor
@@ -39,7 +39,7 @@ def quaternion(i: int, line: int, value: Any, extract: str) -> Equation:
     """An entry for the unit dual quaternion of one order."""
     where = (let(q_hat, orders.at_order(i, orders.cayley), v),)
     return equation(f"list-{i}-quaternion", f"unit dual quaternion, n = {i}", line, equal(pm(q_hat), value),
-                    extract=extract, where=where)  # fmt: skip
+                    extract=extract, where=where)
 
 
 def parameter(slug: str, i: int, line: int) -> Equation:
@@ -47,14 +47,14 @@ def parameter(slug: str, i: int, line: int) -> Equation:
     where = (let(v, orders.at_order(i, orders.preimage), alpha, u),)
     return equation(f"{slug}-{i}-vector", f"vector, n = {i}", line, equal(v, tan(alpha / (2 * i)) * u),
                     extract=f"v _ = t a n α _ {2 * i} u _", where=where, condition=finite(alpha / (2 * i)),
-                    also=lambda draw: {f"Re α = {i}π": {alpha: draw.number(i * mpmath.pi)}})  # fmt: skip
+                    also=lambda draw: {f"Re α = {i}π": {alpha: draw.number(i * mpmath.pi)}})
 
 
 def tensor(i: int, line: int, value: Any, extract: str) -> Equation:
     """An entry for the orthogonal dual tensor of one order."""
     where = (let(R, orders.at_order(i, orders.rotation), v),)
     return equation(f"tensor-{i}", f"orthogonal dual tensor, n = {i}", line, equal(R, value), extract=extract,
-                    where=where)  # fmt: skip
+                    where=where)
 
 
 QUATERNIONS = (
@@ -73,7 +73,7 @@ QUATERNIONS = (
     quaternion(5, 275, 1 / root((1 + x)**5) * (p5 + q5 * v),
                "± q ^ _ = 1 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 + 5 10 v _ 2 + v _ 4 v _"),
     *(parameter("list", i, 270 + i) for i in range(1, 6)),
-)  # fmt: skip
+)
 
 SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
@@ -87,7 +87,7 @@ SHADOWS = (
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
                     let(R, screw_tensor, alpha, u)),
              condition=finite(turned)),
-)  # fmt: skip
+)
 
 TENSORS = (
     tensor(1, 281, identity + 2 / (1 + x) * (V + V**2), "R _ = I _ + 2 1 + v _ 2 v ~ _ + v ~ _ 2"),
@@ -100,6 +100,6 @@ TENSORS = (
     tensor(5, 285, identity + 2 * q5 / (1 + x)**5 * (p5 * V + q5 * V**2),
            "R _ = I _ + 2 5 10 v _ 2 + v _ 4 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 v ~ _ + 5 10 v _ 2 + v _ 4 v ~ _ 2"),
     *(parameter("tensor", i, 280 + i) for i in range(1, 6)),
-)  # fmt: skip
+)
 
 ENTRIES = (*QUATERNIONS, *SHADOWS, *TENSORS)

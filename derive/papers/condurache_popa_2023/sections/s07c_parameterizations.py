@@ -4,28 +4,7 @@ from __future__ import annotations
 
 from ...equation import equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    binomial,
-    both,
-    conjugate,
-    cot,
-    equal,
-    floor_over,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    remark,
-    root,
-    sin,
-    skew,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Number, Symbol
 from ..definitions import cayley_maps, orders
 from ..operators import positive, preimage_count
@@ -49,7 +28,7 @@ MODIFIED = (
     let(caym, cayley_maps.function_of(cayley_maps.modified_root), n, a_value, v),
     let(q_of, cayley_maps.function_of(cayley_maps.modified), n, a_value, v),
     let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.proved(51, 52, 53)),
-)  # fmt: skip
+)
 
 THEOREM_15 = (
     equation("59", "modified fractional Cayley transform", 293,
@@ -80,7 +59,7 @@ THEOREM_15 = (
              corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
-)  # fmt: skip
+)
 
 THEOREM_16 = (
     equation("61", "unit dual quaternion of a vectorial parameterization", 301,
@@ -104,7 +83,7 @@ THEOREM_16 = (
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
              condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="It follows from (60), not from (61)."),
-)  # fmt: skip
+)
 
 THEOREM_17 = (
     equation("62", "unit dual quaternion by p_n and q_n", 307,
@@ -130,6 +109,6 @@ THEOREM_17 = (
              corrected=equal(R, I + 2 * p(norm(w)) * q(norm(w)) / (1 + xw)**n * W
                              + 2 * (q**2)(norm(w)) / (1 + xw)**n * W**2),
              remark="With w = v/a(v)."),
-)  # fmt: skip
+)
 
 ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

@@ -4,26 +4,7 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cos,
-    cot,
-    cross,
-    ddt,
-    det,
-    dot,
-    epsilon,
-    equal,
-    half,
-    identity,
-    nonzero,
-    rate,
-    sin,
-    skew,
-    transpose,
-    vect,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import orders, velocities
 from ..definitions.motions import screw_tensor
@@ -58,12 +39,12 @@ MOTION = (
     let(line_0, velocities.at_rest, free_line), let(line, velocities.carried, R, line_0),
     let(zero_tensor, velocities.zero_tensor), let(Theta, velocities.axis_operator, alpha, u),
     let(half_sine, velocities.half_sine, alpha),
-)  # fmt: skip
+)
 PARTS = (
     let(R, screw_tensor, alpha, u), let(omega, velocities.twist, R), let(Q, velocities.rotation_part, R),
     let(rho, velocities.displacement_part, R), let(w_real, velocities.rotation_rate, Q),
     let(v_real, velocities.velocity_at_origin, Q, rho),
-)  # fmt: skip
+)
 
 VELOCITY = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
@@ -87,7 +68,7 @@ VELOCITY = (
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
              equal(v_real, rate(rho) - cross(w_real, rho)), extract="v = ρ ˙ ω × ρ", where=PARTS, moving=True),
-)  # fmt: skip
+)
 
 TENSOR = (
     equation("70", "Poisson-Darboux problem, spatial twist", 359, equal(rate(R), skew(omega) * R),
@@ -122,7 +103,7 @@ TENSOR = (
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),
              extract="R ˙ _ = R _ ω ~ _ B", where=MOTION, moving=True),
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
-)  # fmt: skip
+)
 
 Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
 QUATERNION = (
@@ -151,6 +132,6 @@ QUATERNION = (
     equation("80", "body twist by the natural invariants", 387,
              equal(omega_B, rate(alpha) * u + sin(alpha) * rate(u) - (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
-)  # fmt: skip
+)
 
 ENTRIES = (*VELOCITY, *TENSOR, *QUATERNION)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...equation import Equation, equation
 from ...language.claims import dual_of, orthogonal, real_of, unit_quaternion
 from ...language.evaluation import let
-from ...language.notation import both, bracket, equal, half, tan
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import low_orders
 from ..symbols import alpha, u
@@ -21,7 +21,7 @@ u_re, u_du = (Symbol(f"u real{i}", "real vector", rf"\mathbf{{u}}{i}", f"u{i}") 
 PARTS = (
     let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(b_re, real_of, b_), let(b_du, dual_of, b_), let(u_re, real_of, u), let(u_du, dual_of, u),
-)  # fmt: skip
+)
 """The symbols; a half turn has no b."""
 
 
@@ -41,7 +41,7 @@ def _components(i: int) -> tuple[Equation, Equation]:
                  components=True,
                  remark="Contradicts (92): the dual part of tan(α/2) u has a term along u and a factor 1/2.",
                  corrected=equal(b0_i, half * shift * bracket(square) * u_i + tan(angle / 2) * u0_i)),
-    )  # fmt: skip
+    )
 
 
 pairs = tuple(_components(i) for i in (1, 2, 3))
@@ -60,4 +60,4 @@ ENTRIES = (
              said="Equations (95)–(98) present, respectively, the dual orthogonal tensor, dual quaternion",
              corrected=both(unit_quaternion(q_hat), orthogonal(R)),
              remark="Named in the order tensor, quaternion; (95) is the quaternion and (96) the tensor."),
-)  # fmt: skip
+)

@@ -16,7 +16,7 @@ every = proposition("all maps", "no transcendental function in any display of se
 MAPS: tuple[Equation, ...] = (
     *s07a_fractional_transform.ENTRIES, *s07c_parameterizations.ENTRIES, *s07d_families.ENTRIES,
     *s08b_tangent_operators.ENTRIES,
-)  # fmt: skip
+)
 
 
 def _direct(env: Env) -> bool:
@@ -33,4 +33,4 @@ ENTRIES = (
               Reading(every, "all expressions, the inverse maps and the exponential among them")),
              where=(let(direct, _direct), let(every, _every)),
              remark="(49), (60), (61) and the families need tan, cot or sin of the angle; (82) and (84) sinc and cot."),
-)  # fmt: skip
+)

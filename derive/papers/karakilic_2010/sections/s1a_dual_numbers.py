@@ -7,7 +7,7 @@ from typing import Any
 
 from ...equation import equation
 from ...language.evaluation import Env, let
-from ...language.notation import both, equal, negated, nonzero, summation
+from ...language.notation import *
 from ...language.terms import Symbol
 from .. import definitions
 from ..operators import Cos, Sin, coefficient, group, natural
@@ -39,7 +39,7 @@ NUMBERS = (
     equation("no-field", "the dual numbers are not a field", 28,
              both(nonzero(e), negated(equal(e * a_hat, 1))), because=equal((e * a_hat) * e, 0),
              remark="If e had the inverse â then e would be (e â) e = 0."),
-)  # fmt: skip
+)
 
 # ---- functions ------------------------------------------------------------------------------------------------
 
@@ -73,7 +73,7 @@ def _derivative(env: Env, centre: Any, *numbers: Any) -> Callable[[Any], Any]:
 
 
 SERIES = (let(a_k, _coefficients, *series), let(f, _function, x_0, *series), let(f_prime, _derivative, x_0, *series),
-          let(top, lambda env: DEGREE))  # fmt: skip
+          let(top, lambda env: DEGREE))
 power = x - x_0
 
 FUNCTIONS = (
@@ -99,6 +99,6 @@ FUNCTIONS = (
     equation("exponential", "exponential of a dual number", 41,
              equal(natural(x_hat), natural(x) + e * x_ * natural(x)),
              extract=shown(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, definitions.dual_number, x, x_),)),
-)  # fmt: skip
+)
 
 ENTRIES = (*NUMBERS, *FUNCTIONS)

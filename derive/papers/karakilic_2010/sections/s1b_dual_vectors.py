@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...equation import equation
 from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import both, cos, cross, dot, equal, iff, nonzero, zero
+from ...language.notation import *
 from ...language.terms import Number, Symbol
 from .. import definitions
 from ..operators import at_least, column, group, length, parts, square_root
@@ -61,7 +61,7 @@ VECTORS = (
     equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=shown("1 = (1,0)")),
     equation("unit-vector", "dual unit vectors", 49, both(equal(length(v), 1), zero(dot(v, v_))),
              extract=shown(r"\|v\| = 1 v \cdot v^* = 0"), where=UNIT),
-)  # fmt: skip
+)
 
 # ---- lines ----------------------------------------------------------------------------------------------------
 
@@ -78,7 +78,7 @@ LINES = (
     let(ONE, lambda env: 1), let(f_hat, definitions.dual_number, f, f_), let(normal, definitions.axis_of, frame),
     let(l_a, definitions.across, ONE, frame), let(l_b, definitions.turned, l_a, f_hat, normal),
     let(distance, definitions.distance, l_a, l_b), let(angle, definitions.angle_between, l_a, l_b),
-)  # fmt: skip
+)
 
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
@@ -92,6 +92,6 @@ STUDY = (
              remark="The angle of two directions is at most π."),
     equation("study-distance", "f* is the distance of the lines", 23, equal(f_, distance), where=LINES,
              condition=at_least(f_, 0), remark="A distance has no sign: it is |f*|."),
-)  # fmt: skip
+)
 
 ENTRIES = (*VECTORS, *STUDY)

@@ -5,40 +5,12 @@ from __future__ import annotations
 from ...equation import Reading, equation
 from ...language.claims import dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cross,
-    det,
-    dot,
-    equal,
-    half,
-    identity,
-    nonzero,
-    norm,
-    reaches,
-    transpose,
-    zero,
-)
+from ...language.notation import *
 from ...language.terms import Symbol
 from ...numbers.draw import Draw
 from ...numbers.quantities import QUANTITIES
 from .. import definitions
-from ..operators import (
-    column,
-    component,
-    entry,
-    everywhere,
-    group,
-    inner,
-    length,
-    matrix,
-    parts,
-    quadratic,
-    sum_above,
-    sum_all,
-    sum_upper,
-)
+from ..operators import *
 from ..symbols import e, hat, i, j, real, shown
 
 I = identity
@@ -72,7 +44,7 @@ MOTION = (
              where=MOVED, condition=no_half_turn, also=reflections),
     equation("b-orthogonal", "B̂(X̂ + x̂) is orthogonal to X̂ + x̂", 70, zero(dot(B * (X + x), X + x)), where=FROM_A,
              condition=no_half_turn),
-)  # fmt: skip
+)
 
 z_i, z_j = component(z, i), component(z, j)
 symmetric_part = group(entry(b_ij, i, j) + entry(b_ij, j, i)) * z_i * z_j
@@ -99,7 +71,7 @@ SKEW = (
              where=FROM_A, condition=no_half_turn),
     equation("not-singular", "I − B̂ is not singular", 76, nonzero(Re(det(I - B))),
              where=(let(B, definitions.explicit_skew, b),), because=equal(det(I - B), 1 + norm(b)**2)),
-)  # fmt: skip
+)
 
 FORMULA = (
     equation("b-matrix", "B̂ from Â", 78, equal(B_bare, (A - I) * (A + I) ** (-1)),
@@ -112,7 +84,7 @@ FORMULA = (
              extract=shown(r"(I + \hat{B})(I - \hat{B})^{-1} = \hat{A}"), where=INVARIANT, condition=no_half_turn),
     equation("cayley-formula", "Cayley formula", 85, equal(A, (I + B) * (I - B) ** (-1)),
              extract=shown(r"\hat{A} = (I + \hat{B})(I - \hat{B})^{-1}"), where=INVARIANT, condition=no_half_turn),
-)  # fmt: skip
+)
 
 ANY_B = (let(B, definitions.explicit_skew, b), let(A, definitions.cayley_formula, b))
 cay = Symbol("cay", "map", r"\mathrm{cay}")
@@ -129,7 +101,7 @@ ORTHOGONAL = (
              where=(let(cay, definitions.cayley_map),), condition=no_half_turn, also=reflections,
              remark="Where Â = (I + B̂)(I − B̂)⁻¹ the inverse of Â + I is (I − B̂)/2. So half turns and "
              "reflections have no B̂."),
-)  # fmt: skip
+)
 
 b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
 b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
@@ -138,7 +110,7 @@ PARTS = (
     let(b_re, real_of, b), let(b_du, dual_of, b),
     *(let(symbol, definitions.real_component(n), b) for n, symbol in enumerate(numbers[False], 1)),
     *(let(symbol, definitions.dual_component(n), b) for n, symbol in enumerate(numbers[True], 1)),
-)  # fmt: skip
+)
 VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
              extract=shown(r"\hat{B} = \begin{bmatrix} 0 & -\hat{b}_3 & \hat{b}_2 \\ \hat{b}_3 & 0 & -\hat{b}_1 \\ "
@@ -152,6 +124,6 @@ VECTOR = (
     equation("product", "B̂ as a vector product", 105, equal(B * y, cross(b, y)),
              extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."),
              where=(let(B, definitions.explicit_skew, b),)),
-)  # fmt: skip
+)
 
 ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)

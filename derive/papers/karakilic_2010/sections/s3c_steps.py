@@ -9,7 +9,7 @@ from typing import Any
 
 from ...equation import Equation, equation
 from ...language.evaluation import Definition, Env, let
-from ...language.notation import cos, equal, nonzero
+from ...language.notation import *
 from ...language.terms import Symbol, Term, symbols
 from .. import definitions
 from .s3b_components import b1_, b2_, b3_, equations, f, general, ss, ss_
@@ -18,7 +18,7 @@ unit = Symbol("s^", "unit vector", r"\hat{s}")
 COMPONENTS = (
     *(let(symbol, definitions.real_component(n), unit) for n, symbol in enumerate(ss, 1)),
     *(let(symbol, definitions.dual_component(n), unit) for n, symbol in enumerate(ss_, 1)),
-)  # fmt: skip
+)
 
 
 def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
@@ -36,7 +36,7 @@ def step(number: str, line: int, given: Definition, conclusion: str) -> Equation
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
                     stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
-                    where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)  # fmt: skip
+                    where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)
 
 
 (_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (
