@@ -13,6 +13,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .evaluation import HORNER_LIMIT, Jet, chain, horner
+from .scalar import scalar
 
 
 class CayleyPolynomials:
@@ -32,9 +33,7 @@ class CayleyPolynomials:
     def _chain(self) -> dict[int, tuple[Jet, Jet]]:
         return chain(self.order, self.x, self._shrinking, self.m)
 
-    @cached_property
-    def _beyond_one(self) -> Coefficient:
-        return self.m.name("x1", 1 + self.x)
+    _beyond_one = scalar(lambda at: 1 + at.x, "x1")
 
     @cached_property
     def _shrinking(self) -> Coefficient:
