@@ -137,8 +137,10 @@ class RationalFunctions:
     def cofactors(self, a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
         """Return ``b/g`` and ``a/g``, g the greatest common divisor: the factors that make a and b equal."""
         one = self.library.one
-        if a == b or a == one or b == one:
-            return (one, one) if a == b else (b, a)
+        if a == b:
+            return one, one
+        if one in (a, b):
+            return b, a
         common = self.library.gcd(a, b)
         return b / common, a / common
 
@@ -196,7 +198,7 @@ class Element:
     def _partner(self, other: object) -> Element | None:
         if isinstance(other, Element) and other.ring is self.ring:
             return other
-        return self.ring.element(other) if isinstance(other, Element | Number) else None  # type: ignore[no-any-return]
+        return self.ring.element(other) if isinstance(other, Element | Number) else None
 
     def __neg__(self) -> Element:
         return Element(self.ring, -self.numerator, self.denominator)
@@ -242,7 +244,8 @@ class Element:
         divisor = self.ring.normal_form(partner.numerator)
         if not divisor:
             raise ZeroDivisionError("division by the zero of the exact ring")
-        mine, theirs = self.ring.cofactors(partner.denominator, self.denominator)  # a/D : b/E = a E/(D b), without what D, E share
+        # a/D : b/E = a E/(D b), without the factors that D and E share
+        mine, theirs = self.ring.cofactors(partner.denominator, self.denominator)
         numerator = self.ring.reduced(self.numerator * theirs)
         return self.ring.fraction(numerator, divisor * mine)  # type: ignore[no-any-return]
 

@@ -24,12 +24,10 @@ from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import sympy
-from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
-from ..algebra import Coefficient, Tensor, Vector, functions, real_part
+from ..algebra import Coefficient, Vector, functions
 from .any_phi.elementary import evaluate
 from .polynomials import require_order, x
-from .sign_tests import is_zero
 
 alpha = sympy.Symbol("alpha")
 """The dual angle α: rotation angle + ε translation along the screw axis."""
@@ -77,45 +75,6 @@ class Family:
         along = self.phi / 2 * sympy.cot(alpha / 2)
         return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
 
-    @property
-    def determinant(self) -> sympy.Expr:
-        """``det T``."""
-        return 2 * (1 - sympy.cos(alpha)) / (self.slope * self.phi**2)
-
-    def taylor(self, terms: int) -> tuple[sympy.Rational, ...]:
-        """The coefficients c₁, c₃, c₅, … of φ."""
-        cut = sympy.series(self.phi, alpha, 0, 2 * terms + 1).removeO()
-        return tuple(cut.coeff(alpha, 2 * k + 1) for k in range(terms))
-
-    def series(self, terms: int = 3) -> tuple[tuple[tuple[sympy.Rational, ...], ...], ...]:
-        """The coefficients of T and of T⁻¹ as power series in α² around 0.
-
-        Returns
-        -------
-        tuple
-            ``(tangent, tangent_inv)``, each three tuples of `terms` rational numbers.
-        """
-        ring, t = sympy.ring("t", sympy.QQ)
-        cut = 2 * terms + 4
-        phi = sum((c * t ** (2 * k + 1) for k, c in enumerate(self.taylor(terms + 2))), ring.zero)
-        slope, sine, cosine = phi.diff(t), rs_sin(t, t, cut), rs_cos(t, t, cut)
-
-        def quotient(above: Any, below: Any, power: int) -> Any:
-            """above/below, both divisible by the power of t."""
-            of_below = rs_series_inversion(below.quo(t**power), t, cut)
-            return rs_mul(above.quo(t**power), of_below, t, cut)
-
-        along = quotient(sine, phi, 1)
-        across = quotient(phi * cosine + phi, 2 * sine, 1)  # cot(α/2) = (1 + cos α)/sin α
-        square = rs_trunc(phi**2, t, cut)
-        forward = along, quotient(1 - cosine, square, 2), quotient(quotient(ring.one, slope, 0) - along, square, 2)
-        backward = across, -ring.one / 2, quotient(slope - across, square, 2)
-
-        def even(a: Any) -> tuple[sympy.Rational, ...]:
-            return tuple(sympy.Rational(a.coeff(t ** (2 * k) if k else 1)) for k in range(terms))
-
-        return tuple(map(even, forward)), tuple(map(even, backward))
-
     def at(self, angle: Coefficient, library: Any = functions) -> Coefficient:
         """Return φ of a number; `library` has its ``sin``, ``cos`` and ``sqrt``.
 
@@ -126,32 +85,10 @@ class Family:
         """
         return evaluate(self.phi, alpha, angle, library)
 
-    def scale_at(self, square: Coefficient, library: Any = functions) -> Coefficient:
-        """Return a(v) from ``v · v``."""
-        return evaluate(self.scale, x, square, library)
-
     def vector(self, angle: Coefficient, axis: Vector, library: Any = functions) -> Vector:
         """Return ``v = φ(α) u`` of a screw."""
         v: Vector = axis * self.at(angle, library)
         return v
-
-    def operator(self, angle: Coefficient, axis: Vector, library: Any = functions, inverse: bool = False) -> Tensor:
-        """Return T (or T⁻¹) at the v of a screw; where Re α = 0 from the first terms of its series.
-
-        Raises
-        ------
-        ZeroDivisionError
-            For T where Re φ = 0 or Re φ′ = 0, for T⁻¹ at Re α = 2πk, k ≠ 0.
-        """
-        v = self.vector(angle, axis, library)
-        if is_zero(real_part(angle)):  # then α² = 0
-            a, b, c = (coefficient[0] for coefficient in self.series(1)[inverse])
-        else:
-            triple = self.tangent_inv if inverse else self.tangent
-            a, b, c = (evaluate(coefficient, alpha, angle, library) for coefficient in triple)
-        T: Tensor = Tensor.identity() * a + Tensor.skew(v) * b + Tensor.dyad(v, v) * c
-        return T
-
 
 def rodrigues(n: int) -> Family:
     """Higher-order Rodrigues vector, ``tan(α/2n) u``, CP23 (49) at k = 0."""

@@ -159,7 +159,8 @@ class Setting(Evaluation):
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
             slopes = {**self._slopes, self.ring.letters[marks.x]: self.ring.constant(1)}
-            found += [zero.derivative(slopes) for zero in zeros if not self.ring.occurring(zero.numerator) & self._components]
+            scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
+            found += [zero.derivative(slopes) for zero in scalar]
         speed = self._rates.get(self.ring.letters.get(marks.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
         return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]

@@ -18,8 +18,7 @@ import mpmath
 
 from ...algebra import Vector
 from ...maps.chart import Chart
-from ...maps.inverse import polar
-from ...maps.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...maps.pose import Screw, polar, pose_from_tensor, quaternion_from_screw, tensor_from_screw
 from ..lowered import geometry
 from ..rows import Function, Table
 from ..signatures import POSES

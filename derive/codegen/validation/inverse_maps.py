@@ -11,8 +11,7 @@ import mpmath
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
-from ...maps.inverse import polar
-from ...maps.pose import Pose, Screw, tensor_from_pose
+from ...maps.pose import Pose, Screw, polar, tensor_from_pose
 from ...maps.sign_tests import orientation
 from ..rows import Function
 from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6

@@ -19,8 +19,7 @@ from ...maps.any_phi.edges import angle_of
 from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha, by_square
-from ...maps.inverse import polar
-from ...maps.pose import Screw, natural_invariants, quaternion_from_screw
+from ...maps.pose import Screw, natural_invariants, polar, quaternion_from_screw
 from ...maps.sign_tests import is_zero, orientation
 
 Flat = tuple[Any, ...]

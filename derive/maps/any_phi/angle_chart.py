@@ -16,6 +16,7 @@ import sympy
 from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
 from .. import branches
+from ..branches import Derivatives
 from ..families import alpha
 from ..parameterized import QuaternionChart
 from .lowering import number
@@ -48,7 +49,7 @@ class AngleChart(QuaternionChart):
         """α of a length r, from the scalars at its square."""
 
     @abstractmethod
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′ and φ″ of an angle, NaN beyond the edge; a mark tells names apart."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
@@ -73,7 +74,7 @@ class AngleChart(QuaternionChart):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.own_angle(self.scalars(x, m), r)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
         _, further = turn
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))

@@ -45,5 +45,4 @@ def test_there_are_forty_of_them() -> None:
 )
 def test_every_phi_generates_in_every_target(tmp_path: Path, phi: str, target: str) -> None:
     package = generate(target=target, output=tmp_path / "kernels", phi=phi, name="mine")
-    (module,) = package.modules
-    assert module.validated > 100
+    assert all(module.counts.validated > 100 for module in package.modules)
