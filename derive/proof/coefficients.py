@@ -24,7 +24,7 @@ import sympy
 from sympy.polys.rings import ring
 
 from .identity import Check, Multiplier
-from .marks import Shifted, j, n, text, x
+from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
 from .theorem import Task
 

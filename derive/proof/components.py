@@ -21,7 +21,7 @@ from ..algebra.exact import Element
 from .at_order import CayleyFormulas
 from .at_point import AtPoint
 from .identity import Check, Claim, Multiplier, Proof, decide
-from .marks import (
+from .notation import (
     I,
     R,
     below,

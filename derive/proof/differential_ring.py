@@ -22,7 +22,7 @@ import sympy
 from ..algebra.exact import Element, RationalFunctions
 from ..algebra.polynomial_backend import Polynomial
 from .identity import Multiplier
-from .marks import n
+from .notation import n
 
 
 class DifferentialRing(RationalFunctions):

@@ -31,7 +31,7 @@ from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
 from .identity import Check, Claim, Proof, decide
-from .marks import Shifted, prime
+from .notation import Shifted, prime
 from .statement import Equation
 from .vector_ring import Ring
 
