@@ -125,10 +125,7 @@ class Setting(Evaluation):
         return self.ring.constant(value)
 
     def differentiated(self, mark: Any, value: Any) -> Any:
-        by_x = {self.ring.letters[notation.x]: self.ring.constant(1)}
-        rates = self.rates if mark is notation.rate else self._slopes | by_x
-        derive = partial(_derivative, rates)
-        return mapped(derive, value)
+        return mapped(partial(_derivative, self.rates if mark is notation.rate else self.slopes), value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         multiple = exponent.coeff(notation.n)
@@ -151,6 +148,11 @@ class Setting(Evaluation):
         speed = self._rates[self.ring.letters[notation.x]]
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
 
+    @property
+    def slopes(self) -> dict[Any, Any]:
+        """The derivation by x."""
+        return self._slopes | {self.ring.letters[notation.x]: self.ring.constant(1)}
+
     def relation_rates(self) -> list[Element]:
         """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
 
@@ -159,9 +161,8 @@ class Setting(Evaluation):
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
-            slopes = {**self._slopes, self.ring.letters[notation.x]: self.ring.constant(1)}
             scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
-            found += [zero.derivative(slopes) for zero in scalar]
+            found += [zero.derivative(self.slopes) for zero in scalar]
         speed = self._rates.get(self.ring.letters.get(notation.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
         return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
