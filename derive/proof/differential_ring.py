@@ -19,7 +19,8 @@ from typing import Any
 
 import sympy
 
-from ..algebra.exact import Element, RationalFunctions
+from ..algebra.element import Element
+from ..algebra.exact import RationalFunctions
 from ..algebra.polynomial_backend import Polynomial
 from .identity import Multiplier
 from .notation import n

@@ -23,7 +23,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
-from ..algebra.exact import Element
+from ..algebra.element import Element
 from ..algebra.polynomial_backend import Polynomial
 from ..maps.chart import Chart
 from ..maps.elementary import evaluate

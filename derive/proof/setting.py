@@ -20,7 +20,7 @@ from typing import Any
 import sympy
 
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
-from ..algebra.exact import Element
+from ..algebra.element import Element
 from . import notation
 from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
