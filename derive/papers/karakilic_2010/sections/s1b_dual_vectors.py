@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...equation import equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Number, Symbol
