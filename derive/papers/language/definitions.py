@@ -27,7 +27,7 @@ skew_of, transpose_of, inverse_of = plain(Tensor.skew), plain(lambda T: T.transp
 image = plain(lambda T, a: T @ a)
 
 
-def component(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
+def component_of(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
     """Return the definition of a component of a vector, counted from 1, or of a part of it."""
     return plain(lambda a: part(tuple(a)[index - 1]))
 
