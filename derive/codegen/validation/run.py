@@ -25,6 +25,9 @@ from .samples import Batch, batches
 MAKERS = ("identity", "random")
 """Functions that have no program."""
 
+WIRED = ("quaternion", "shadow", "principal")
+"""Functions that read a scalar program, the turns and the returns of a chart."""
+
 ANGLE_ROUNDING = 2 * sys.float_info.epsilon
 """Relative error of an angle: a multiple of π is one product of rounded numbers, rounded."""
 
@@ -64,17 +67,19 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's scalar programs, and those that return v itself."""
-    lowered, programs, found = lower_chart(chart, table), geometry(table), dict[str, None]()
+    """Return functions that together read every result of a chart's scalar programs, and those that return v itself.
+
+    A module for rotations takes the scalars of that for poses: there functions are called that show that it does.
+    """
+    lowered, programs = lower_chart(chart, table), geometry(table)
+    shown = {} if table is POSES else lower_chart(chart, POSES).scalars
+    found = dict.fromkeys(WIRED if shown else ())
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
         program = programs[row.kernel]
-        results = {
-            (call.function, place)
-            for call in program.calls
-            for place, result in enumerate(call.names)
-            if result in program.operands
-        }
+        called = (call for call in program.calls if call.function not in shown)
+        pairs = ((call.function, place, name) for call in called for place, name in enumerate(call.names))
+        results = {(function, place) for function, place, name in pairs if name in program.operands}
         if row.kernel not in lowered.operations or results - read:
             found[name] = None
             read |= results
