@@ -91,12 +91,7 @@ def replay(
     """Call the functions of a package on floats; return how many calls agree with the formulas of a chart.
 
     With ``geometry`` all functions are called, and some in all ways that are the same for every chart. Otherwise
-    functions are called that read the chart's own scalars.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, how it was called, and the first component that is off.
+    functions are called that read the chart's own scalars. `ValidationFailed` names the first component that is off.
     """
     if not libraries:
         return 0

@@ -18,9 +18,8 @@ from ..rows import Table
 from ..signatures import POSES
 from .decimals import DIGITS
 from .errors import ValidationFailed
-from .formulas import Expectation
 from .loading import loaded, module_of
-from .samples import Batch, batches
+from .samples import Batch, batches, compare
 
 MAKERS = ("identity", "random")
 """Functions that have no program."""
@@ -33,23 +32,10 @@ ANGLE_ROUNDING = 2 * sys.float_info.epsilon
 
 
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Compare the modules of a chart with its formulas; return how many calls agree.
+    """Compare the modules of a chart, one for each table, with its formulas; return how many calls agree.
 
-    Parameters
-    ----------
-    folder : Path
-        The package.
-    chart : Chart
-    geometry : bool
-        Whether to call all functions, which shows the geometry that all charts share. Otherwise only functions are
-        called that together read every result of the chart's own scalar programs.
-    tables : sequence of Table
-        One module for each.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function and the first component that differs.
+    With ``geometry`` all functions are called, which shows the geometry that all charts share. Otherwise functions are
+    called that read the chart's own scalars. `ValidationFailed` names the function and the first wrong component.
     """
     with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
@@ -94,10 +80,10 @@ def _check(module: ModuleType, batch: Batch) -> int:
     where = f"{module.__name__.rpartition('.')[2]}.{batch.function}"
     parts = [part.reshape(len(batch.cases), -1) for part in _call(function, arguments, batch.branch, where)]
     for row, case in zip(np.concatenate(parts, axis=-1), batch.cases, strict=True):
-        _compare(row, case, batch.agree, where)
+        compare(where, row, case.result, batch.agree)
     for pose, case in zip(zip(*arguments, strict=True), batch.cases, strict=True):
         alone = _call(function, pose, batch.branch, where)
-        _compare(np.concatenate([np.ravel(part) for part in alone]), case, batch.agree, where)
+        compare(where, np.concatenate([np.ravel(part) for part in alone]), case.result, batch.agree)
     return 1 + len(batch.cases)
 
 
@@ -107,18 +93,6 @@ def _call(function: Callable[..., Any], arrays: Sequence[Any], branch: Sequence[
     except (ArithmeticError, AttributeError, NameError, TypeError, ValueError) as error:
         raise ValidationFailed(f"{where}, no component: {error}") from error
     return found if isinstance(found, tuple) else (found,)
-
-
-def _compare(row: Any, case: Expectation, agree: Callable[[Any, Any], bool], where: str) -> None:
-    if len(row) != len(case.result):
-        raise ValidationFailed(f"{where}: {len(row)} components, expected {len(case.result)}")
-    for index, (got, expected) in enumerate(zip(row, case.result, strict=True)):
-        try:
-            right = agree(got, expected)
-        except TypeError as error:
-            raise ValidationFailed(f"{where}, component {index}: {error}") from error
-        if not right:
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {expected}")
 
 
 def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
