@@ -72,9 +72,9 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
-        (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "quaternion_of", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
-        (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
+        (GEOMETRY, "composed", r"p0 \* q0 - ", "p0 * q0 + "),
     ],
 )
 def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
