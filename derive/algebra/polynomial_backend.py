@@ -104,10 +104,13 @@ class SympyPolynomials(Polynomials):
         return a.LC
 
     def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the gcd of b and of the coefficients of a as a polynomial in what is not in b: SymPy is slow in many."""
+        """Return the gcd of b and of the coefficients of a, a polynomial in the generators that b lacks.
+
+        SymPy's own gcd takes time for every generator, also for those that do not occur.
+        """
         used = [i for i, degree in enumerate(b.degrees()) if degree > 0]
         if not a or not used:
-            return b.monic()
+            return (b or a).monic() if not (a and b) else self.one
         small = sympy.polys.rings.ring([f"g{i}" for i in used], sympy.QQ)[0]
         parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
         for exponents, coefficient in a.items():

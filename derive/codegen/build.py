@@ -52,12 +52,12 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress | None = N
         for counts in each(check, checks(), processes):
             modules.append(replace(printed[len(modules)], counts=counts))
             report(f"{modules[-1].proved.formulas.name}: checked")
-    return Package.of(shared, [module for module in modules if module.proved.formulas in charts])
+    return Package(shared, tuple(module for module in modules if module.proved.formulas in charts))
 
 
 def print_package(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
     """Prove, lower and print charts, but check nothing: enough to compare a folder with what would be printed."""
-    return Package.of(shared_texts(target), [print_module(chart, target, progress or no_op) for chart in charts])
+    return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
 
 
 def print_module(chart: Chart, target: Target, report: Progress) -> Module:

@@ -72,18 +72,15 @@ class Module:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """All files of a package of kernels by name, and the modules among them."""
+    """Files that all modules of a package share, by name, and the modules."""
 
-    texts: dict[str, str]
+    shared: Mapping[str, str]
     modules: tuple[Module, ...]
 
-    @classmethod
-    def of(cls, shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
-        """Join the files that all modules share with those of each module."""
-        texts = dict(shared)
-        for module in modules:
-            texts |= module.texts
-        return cls(texts, tuple(modules))
+    @property
+    def texts(self) -> dict[str, str]:
+        """All files by name."""
+        return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
         return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
@@ -128,10 +125,8 @@ class Facts:
 
     def definitions(self, indent: str) -> dict[str, str]:
         """Formulas of the maps in LaTeX, broken into lines."""
-        return {
-            f.name: f"\n{indent}".join(textwrap.wrap(f"{f.symbol} = {f.definition}", WIDTH, break_long_words=False))
-            for f in self.maps
-        }
+        texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
+        return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
 
     @property
     def domain(self) -> dict[str, str]:
@@ -253,22 +248,19 @@ Data = Mapping[str, Any]
 
 
 class Printer(Protocol):
-    """The part of a target that makes texts; `name` is its template folder too."""
+    """The part of a target that makes texts."""
 
-    @property
-    def name(self) -> str: ...
+    name: str
+    """Name of its template folder too."""
 
-    @property
-    def extension(self) -> str:
-        """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
+    extension: str
+    """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
 
-    @property
-    def entry(self) -> str:
-        """The shared file that is read before any other."""
+    entry: str
+    """The shared file that is read before any other."""
 
-    @property
-    def comment(self) -> str:
-        """Beginning of a comment line."""
+    comment: str
+    """Beginning of a comment line."""
 
     def shared(self) -> Mapping[str, Data]:
         """Files that every package of the target holds, each from the template of its name."""

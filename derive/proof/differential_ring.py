@@ -1,8 +1,8 @@
 r"""The ring in which identities are decided: polynomials over Q modulo relations, localized, with a derivation.
 
 A theorem for every n has n, x, p_n, q_n and the components of vectors as generators. Nothing is cancelled, so the
-denominator of a difference holds all that was divided by. Each irreducible factor of it must be *certified*: it vanishes
-identically at no n. Otherwise multiplying by it would turn everything into 0 = 0. A factor is certified
+denominator of a difference holds all that was divided by. Each irreducible factor of it must be *certified*: it
+vanishes identically at no n. Otherwise multiplying by it would turn everything into 0 = 0. A factor is certified
 
 * if it is a polynomial in letters that vary freely, such as x, or a power of one. At most one relation, which is
   irreducible, may hold between these letters, since two may have zero divisors together;
@@ -19,10 +19,11 @@ from typing import Any
 
 import sympy
 
-from ..algebra.exact import Element, RationalFunctions
+from ..algebra.element import Element
+from ..algebra.exact import RationalFunctions
 from ..algebra.polynomial_backend import Polynomial
 from .identity import Multiplier
-from .marks import n
+from .notation import n
 
 
 class DifferentialRing(RationalFunctions):

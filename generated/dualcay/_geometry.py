@@ -866,7 +866,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
-    rk, slope = c.turned(m, r, cos, sin)
+    rk, slope, _ = c.turned(m, r, cos, sin)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
@@ -883,7 +883,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
+    rk, slope, _ = c.turned(m, r, cos, sn)
     rko = ro * slope
     return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
@@ -911,36 +911,41 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
-    rko = ro * slope
-    across = rk / r
-    acrosso = (rko - across * ro) / r
-    xk = rk * rk
-    rate, ratey = c.rate(m, x)
-    ratek, rateyk = c.rate(m, xk)
-    yk = rk * rko
-    spread = slope - across
-    spreado = slope * (y * (ratey / rate) - yk * (rateyk / ratek)) - acrosso
-    su1 = u1 * spread
-    su1o = u1 * spreado + u1o * spread
-    su2 = u2 * spread
-    su2o = u2 * spreado + u2o * spread
-    su3 = u3 * spread
-    su3o = u3 * spreado + u3o * spread
-    J12 = su1 * u2
-    J13 = su1 * u3
-    J21 = su2 * u1
-    J23 = su2 * u3
-    J31 = su3 * u1
-    J32 = su3 * u2
-    J11 = su1 * u1 + across
-    J22 = su2 * u2 + across
-    J33 = su3 * u3 + across
+    rk, slope, bend = c.turned(m, r, cos, sn)
+    ratio = rk / r
+    spread = slope - ratio
+    change = spread * ro
+    along = bend * ro
+    uu11 = u1 * u1
+    p11 = 1 - uu11
+    u1_u1o = u1 * u1o
+    J11o = change * (p11 / r) + along * uu11 + spread * (u1_u1o + u1_u1o)
+    J11 = ratio * p11 + slope * uu11
+    uu12 = u1 * u2
+    p12 = -uu12
+    J12o = change * (p12 / r) + along * uu12 + spread * (u1 * u2o + u1o * u2)
+    J12 = ratio * p12 + slope * uu12
+    uu13 = u1 * u3
+    p13 = -uu13
+    J13o = change * (p13 / r) + along * uu13 + spread * (u1 * u3o + u1o * u3)
+    J13 = ratio * p13 + slope * uu13
+    uu22 = u2 * u2
+    p22 = 1 - uu22
+    u2_u2o = u2 * u2o
+    J22o = change * (p22 / r) + along * uu22 + spread * (u2_u2o + u2_u2o)
+    J22 = ratio * p22 + slope * uu22
+    uu23 = u2 * u3
+    p23 = -uu23
+    J23o = change * (p23 / r) + along * uu23 + spread * (u2 * u3o + u2o * u3)
+    J23 = ratio * p23 + slope * uu23
+    uu33 = u3 * u3
+    p33 = 1 - uu33
+    u3_u3o = u3 * u3o
+    J33o = change * (p33 / r) + along * uu33 + spread * (u3_u3o + u3_u3o)
+    J33 = ratio * p33 + slope * uu33
     return (
-        J11, J12, J13, 0, 0, 0, J21, J22, J23, 0, 0, 0, J31, J32, J33, 0, 0, 0, su1 * u1o + su1o * u1 + acrosso,
-        su1 * u2o + su1o * u2, su1 * u3o + su1o * u3, J11, J12, J13, su2 * u1o + su2o * u1,
-        su2 * u2o + su2o * u2 + acrosso, su2 * u3o + su2o * u3, J21, J22, J23, su3 * u1o + su3o * u1,
-        su3 * u2o + su3o * u2, su3 * u3o + su3o * u3 + acrosso, J31, J32, J33,
+        J11, J12, J13, 0, 0, 0, J12, J22, J23, 0, 0, 0, J13, J23, J33, 0, 0, 0, J11o, J12o, J13o, J11, J12, J13, J12o,
+        J22o, J23o, J12, J22, J23, J13o, J23o, J33o, J13, J23, J33,
     )
 
 
@@ -963,7 +968,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     uo1 = (v1o - ru1) / r
     uo2 = (v2o - ru2) / r
     uo3 = (v3o - ru3) / r
-    rk, slope = c.turned(m, r, cosine, sine)
+    rk, slope, _ = c.turned(m, r, cosine, sine)
     rko = ro * slope
     return (
         m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3),

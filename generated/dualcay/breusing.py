@@ -350,7 +350,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, and drk/dr
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     below = rr + m.sqrt(rr * rr + 4)
@@ -359,13 +359,18 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     s = r * sigma
     further = c * cos - s * sin
     side = m.where(further < 0, -1, 1)
-    iroot = 1 / sigma
     sk = side * (s * cos + c * sin)
     ck = side * further
+    square = c * c
+    iroot = 1 / sigma
+    before = (1 + square) / c * iroot / 2
+    squarek = ck * ck
     irootk = 1 / m.sqrt(ck)
     rk = sk * irootk
-    slope = (1 + ck * ck) / ck * irootk / 2 / ((1 + c * c) / c * iroot / 2)
-    return rk, slope
+    slope = (1 + squarek) / ck * irootk / 2 / before
+    slopeo = ((3 - squarek) * sk / squarek * irootk / 4 - slope * ((3 - square) * s / square * iroot / 4)) / before
+    bend = slopeo / before
+    return rk, slope, bend
 
 
 # truth of x > limit, beyond the principal branch, and the turn back
@@ -383,9 +388,10 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     side = m.where(further < 0, -1, 1)
     sin = side * (2 * t / below)
     cos = side * further
+    square = cos * cos
     iroot = 1 / m.sqrt(cos)
     r = sin * iroot
-    slope = (1 + cos * cos) / cos * iroot / 2 / 4
+    slope = (1 + square) / cos * iroot / 2 / 4
     return r, slope
 
 
@@ -405,9 +411,10 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     side = m.where(further < 0, -1, 1)
     sin = side * (sideof * m.where(nextto, crest, srest))
     cos = side * further
+    square = cos * cos
     iroot = 1 / m.sqrt(cos)
     r = sin * iroot
-    slope = (1 + cos * cos) / cos * iroot / 2 / 4
+    slope = (1 + square) / cos * iroot / 2 / 4
     return r, slope
 
 
@@ -451,7 +458,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="21f29d510fd57dc8",
+    programs="d1c75d1542c9d818",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -236,7 +236,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="24691421aa39d08d",
+    programs="f5eeb5642d9916d1",
 )
 
 KERNELS = PoseKernels(CHART)

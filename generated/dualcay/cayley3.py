@@ -298,12 +298,13 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, and drk/dr
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
-    rk = (r * cos + sin) * iden
     slope = iden * iden
-    return rk, slope
+    rk = (r * cos + sin) * iden
+    bend = 2 * (sin * iden) * slope
+    return rk, slope, bend
 
 
 # truth of x > limit, beyond the principal branch, and the turn back
@@ -373,7 +374,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="c9d56f744fc00f2a",
+    programs="3a6bd83b60c5c46c",
 )
 
 KERNELS = PoseKernels(CHART)

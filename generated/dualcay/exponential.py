@@ -213,9 +213,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 # T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
-    zero = x - x
-    one = zero + 1
-    return one, zero
+    return 1, 0
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -570,10 +568,10 @@ def _reached(m: Any, alpha: Any) -> Result:
     return alpha,
 
 
-# coefficient rk of the vector v_k = rk u from r, and drk/dr
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     alphak = r + sin
-    return alphak, 1
+    return alphak, 1, 0
 
 
 # truth of x > limit, beyond the principal branch, and the turn back
@@ -654,7 +652,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="583f0f68dd96fa9a",
+    programs="80e0bcb3eaacdaa9",
 )
 
 KERNELS = PoseKernels(CHART)

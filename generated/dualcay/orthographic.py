@@ -276,7 +276,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="e5d8b2b7f159ae2f",
+    programs="37bc9ef36c8d9d24",
 )
 
 KERNELS = PoseKernels(CHART)

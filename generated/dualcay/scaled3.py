@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="d51e66983b48499e"
+    BASE, __name__, 6, 1, constant=('ray',), programs="187bb132defa4075"
 )
 
 KERNELS = PoseKernels(CHART)

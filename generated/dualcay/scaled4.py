@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="c695528731edd46e"
+    BASE, __name__, 8, 1, constant=(), programs="cbb79ab73b6e91aa"
 )
 
 KERNELS = PoseKernels(CHART)

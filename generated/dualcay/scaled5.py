@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="5ce618ca802ba1b5"
+    BASE, __name__, 10, 1, constant=('ray',), programs="998276979384cba1"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -325,7 +325,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, and drk/dr
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
@@ -334,7 +334,9 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     sk = side * (r * cos + c * sin)
     ck = side * further
     slope = ck / c
-    return sk, slope
+    slopeo = (-sk - slope * -r) / c
+    bend = slopeo / c
+    return sk, slope, bend
 
 
 # truth of x > limit, beyond the principal branch, and the turn back
@@ -410,7 +412,7 @@ CHART = Chart(
         "coefficient_of": _coefficient_of,
     },
     kernels=SHARED,
-    programs="e5b61fedf2c3d264",
+    programs="e5d0ee0036b3dfda",
 )
 
 KERNELS = PoseKernels(CHART)

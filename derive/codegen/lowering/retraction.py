@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
+from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
 from .groups import dual_product

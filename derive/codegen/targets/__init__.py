@@ -4,7 +4,6 @@
 target     protocol of a target
 expression the steps of a program as expressions, in a dialect
 infix      programs as plain Python
-said       phrases of poses and of rotations alone, for the C headers
 python     base class and interface of the Python targets
 numpy      NumPy: plain Python, and calls with ``out``
 array_api  the arrays of any library

@@ -26,7 +26,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.float_cases import Case, cases
 from . import c99
-from .said import SAID
 from .target import require_functions
 
 GEOMETRY = "geometry.h"
@@ -132,7 +131,6 @@ def shared_geometry(table: Table) -> Data:
         "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
         "functions": {name: interface(row, table) for name, row in table.public.items()},
         "poses": table is POSES,
-        "said": SAID[table.name],
     }
 
 

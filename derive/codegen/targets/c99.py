@@ -152,9 +152,15 @@ def _lower_case(program: Program) -> Program:
 
 
 def _loads(lists: Lists, array: str, names: Sequence[str]) -> Iterator[str]:
-    for index, name in enumerate(names):
-        if name in lists.read:
-            yield f"{_INDENT}const {REAL} {name} = {_component(array, index)};"
+    return _declared((name, _component(array, index)) for index, name in enumerate(names) if name in lists.read)
+
+
+def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Yield the declaration of several numbers, over as few lines as hold it."""
+    items = [f"{name} = {value}" for name, value in values]
+    if items:
+        text = filled([f"const {REAL} {items[0]}", *items[1:]], 2 * _INDENT)
+        yield f"{_INDENT}{text};"
 
 
 def _constants(program: Program, table: Mapping[str, str]) -> Iterator[str]:
@@ -190,9 +196,8 @@ def _statements(
         else:
             yield f"{_INDENT}{REAL} {statement.result}[{len(statement.names)}];"
             yield from _call_program(statement, texts, arrays, [f"{statement.result}, 1"])
-            for index, name in enumerate(statement.names):
-                if name in lists.read:
-                    yield f"{_INDENT}const {REAL} {name} = {statement.result}[{index}];"
+            names = enumerate(statement.names)
+            yield from _declared((name, f"{statement.result}[{index}]") for index, name in names if name in lists.read)
     stores = []
     for group, text in zip(lists.outputs, outputs, strict=True):
         stores += [f"{text[1:]}[{i}]" for i in range(len(group))] if isinstance(group, tuple) else [text]
@@ -232,11 +237,11 @@ def _wrap(target: str, text: str) -> Iterator[str]:
         yield from fill(f"{text};", 2 * _INDENT)
 
 
-def filled(items: Iterable[str]) -> str:
-    """A list, in indented lines that break after commas only."""
+def filled(items: Iterable[str], indent: str = _INDENT) -> str:
+    """Return a list, in indented lines that break after commas only."""
     lines = [""]
     for item in items:
-        if lines[-1] and len(f"{_INDENT}{lines[-1]} {item},") > WIDTH:
+        if lines[-1] and len(f"{indent}{lines[-1]} {item},") > WIDTH:
             lines.append("")
         lines[-1] += f"{' ' if lines[-1] else ''}{item},"
-    return f"\n{_INDENT}".join(lines)[:-1]
+    return f"\n{indent}".join(lines)[:-1]

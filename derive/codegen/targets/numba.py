@@ -17,7 +17,7 @@ from ...maps.chart import Chart
 from ...output import RefusedError
 from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
-from ..programs.program import Call, Program, summary
+from ..programs.program import Call, Program
 from ..rows import Function, Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library
@@ -63,9 +63,9 @@ def body(program: Program) -> str:
     return infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=first)
 
 
-def _printed(program: Program) -> python.Printed:
+def _printed(program: Program, formula: str = "") -> python.Printed:
     parameters = tuple(argument for argument, _ in program.inputs)
-    return python.Printed(program.name, parameters, body(program), f"operations {summary(program.operations)}")
+    return python.Printed(program.name, parameters, body(program), formula)
 
 
 def _ask(call: Call, arguments: str) -> str:
@@ -109,7 +109,7 @@ def _wrapped(text: str, indent: str) -> list[str]:
 
 def _lines(names: Sequence[str]) -> str:
     """Return names as lines of a tuple."""
-    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent="    ", subsequent_indent="    "))
+    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8))
 
 
 def _called(texts: Iterable[str]) -> list[str]:
@@ -164,7 +164,8 @@ class Numba(python.PythonTarget):
         return found if table is POSES else {**found, "same": sorted(same)}
 
     def programs(self, facts: Facts) -> Data:
-        scalars = list(map(_printed, facts.lowered.scalars.values()))
+        programs = facts.lowered.scalars.items()
+        scalars = [_printed(program, python.formula_of(name, facts.chart)) for name, program in programs]
         return {"scalars": scalars, "calls": sorted(_called(program.forms for program in scalars))}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:

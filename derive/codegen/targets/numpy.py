@@ -42,6 +42,7 @@ class Numpy(python.PythonTarget):
             "_kernel.py": {},
             "_multiple.py": {},
             "_native.py": {},
+            "_program.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
             "_tools.py": {},

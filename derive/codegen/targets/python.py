@@ -230,18 +230,18 @@ def printed_scalars(facts: Facts) -> list[Printed]:
             name,
             tuple(name for _, names in program.inputs for name in names),
             infix.body(program, alone=True),
-            comment(formula_of(name, facts.chart), "#"),
+            formula_of(name, facts.chart),
         )
         for name, program in facts.lowered.scalars.items()
     ]
 
 
-def formula_of(scalar: str, chart: Chart) -> list[str]:
-    """Return the formula of a scalar program, in the paper's letters: for every chart, then of order n, numbered."""
+def formula_of(scalar: str, chart: Chart) -> str:
+    """Return the formula of a scalar program as a comment: for every chart, then of order n, with equation numbers."""
     general, of_order, maps = FORMULAS[scalar]
     texts = [general, of_order] if of_order and chart.cayley else [general]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
-    return [*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")]
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:

@@ -61,7 +61,7 @@ def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES
             for case, row in zip(batch.cases, kernel.rows(cases), strict=True):
                 for found in (kernel.plain(case.arguments), row):
                     _compare(kernel.name, found, case.result, batch.agree)
-            count += 1 + len(cases) + (_layouts(kernel, chart, _arguments(batch)) if layouts else 0)
+            count += 1 + len(cases) + (_layouts(kernel, chart, _samples(batch)) if layouts else 0)
     return count
 
 
@@ -96,18 +96,20 @@ class Kernel:
         return self._one(given, _consecutive(cells, start, self.sizes))
 
     def rows(self, batch: Sequence[Sequence[Flat]]) -> list[Flat]:
-        """Call the form for several values, in arrays of components whose rows are a stride apart."""
-        count, stride = len(batch), len(batch) + 1
-        given = [_unset(len(argument) * stride) for argument in batch[0]]
+        """Call the form for several values, in arrays of components whose rows are a stride of their own apart."""
+        sizes = [*map(len, batch[0]), *self.sizes]
+        strides = range(len(batch) + 1, len(batch) + 1 + len(sizes))
+        arrays = [_unset(size * stride) for size, stride in zip(sizes, strides, strict=True)]
         for j, arguments in enumerate(batch):
-            for pointer, argument in zip(given, arguments, strict=True):
+            for pointer, stride, argument in zip(arrays, strides, arguments):
                 pointer.cells[j::stride] = argument
-        made = [_unset(size * stride) for size in self.sizes]
-        taken, left = ([item for p in pointers for item in (p, stride)] for pointers in (given, made))
-        self.unit.call(f"{self.name}_rows", count, *taken, *self.branch, *left)
-        if any(value is not UNSET for pointer in made for value in pointer.cells[count::stride]):
-            raise CError(f"{self.name}_rows writes beyond {count} values")
-        return [tuple(p[i * stride + j] for p, n in zip(made, self.sizes) for i in range(n)) for j in range(count)]
+        passed = [item for pair in zip(arrays, strides, strict=True) for item in pair]
+        split = 2 * len(batch[0])
+        self.unit.call(f"{self.name}_rows", len(batch), *passed[:split], *self.branch, *passed[split:])
+        made = [*zip(arrays, strides, sizes, strict=True)][len(batch[0]) :]
+        if any(value is not UNSET for p, stride, _ in made for value in p.cells[len(batch) :: stride]):
+            raise CError(f"{self.name}_rows writes beyond {len(batch)} values")
+        return [tuple(p[i * stride + j] for p, stride, n in made for i in range(n)) for j in range(len(batch))]
 
     def _one(self, given: Sequence[Pointer], results: Sequence[Pointer]) -> Flat:
         self.unit.call(self.name, *given, *self.branch, *results)
@@ -123,27 +125,31 @@ def _consecutive(cells: list[Any], start: int, sizes: Sequence[int]) -> list[Poi
     return [Pointer(cells, start, 0, len(cells)) for start in starts]
 
 
-def _layouts(kernel: Kernel, chart: Chart, arguments: Sequence[Flat]) -> int:
-    """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
-    expected = kernel.plain(arguments)
+def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) -> int:
+    """Call in rows, lay results over arguments, choose branches by other integers: not a bit of a result may change."""
+    expected = [kernel.plain(arguments) for arguments in samples]
     room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):
-        _compare(f"{kernel.name}, overlapping", kernel.overlapping(arguments, start), expected, same)
-    turned = [branch + turns * chart.branches for branch in kernel.branch for turns in (-1, 2)]
-    for branch in turned:
-        other = replace(kernel, branch=(branch,))
-        for row in (other.plain(arguments), *other.rows([arguments])):
-            _compare(f"{kernel.name}, branch {branch}", row, expected, same)
-    return room + 2 * len(turned)
+        _compare(f"{kernel.name}, overlapping", kernel.overlapping(samples[-1], start), expected[-1], same)
+    turned = ((k + turns * chart.branches,) for k in kernel.branch for turns in (-1, 2))
+    branches = [kernel.branch, *turned]
+    for branch in branches:
+        other = replace(kernel, branch=branch)
+        for row, result in zip((other.plain(samples[0]), *other.rows(samples)), (expected[0], *expected), strict=True):
+            _compare(f"{kernel.name}, branch {branch}", row, result, same)
+    return room + 2 * len(branches)
 
 
-def _arguments(batch: Batch) -> Sequence[Flat]:
-    """Return arguments of 50 digits for the layouts of a function: the last of its cases, or seeded ones."""
+def _samples(batch: Batch) -> Sequence[Sequence[Flat]]:
+    """Return three arguments of 50 digits for the layouts of a function: those of its cases, or seeded ones."""
     if not batch.exact:
-        return batch.cases[-1].arguments
+        return [batch.cases[place].arguments for place in (0, len(batch.cases) // 2, -1)]
     draw = random.Random(SEED)
-    sizes = [array.size for array in batch.row.arguments]
-    return [tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size)) for size in sizes]
+
+    def drawn(size: int) -> Flat:
+        return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
+
+    return [[drawn(array.size) for array in batch.row.arguments] for _ in range(3)]
 
 
 def _require_macros(unit: Unit, chart: Chart, tables: Sequence[Table]) -> None:

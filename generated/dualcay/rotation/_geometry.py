@@ -513,7 +513,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
-    rk, _ = c.turned(m, r, cos, sin)
+    rk, _, _ = c.turned(m, r, cos, sin)
     return u1 * rk, u2 * rk, u3 * rk
 
 
@@ -528,7 +528,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     x = v11 + v22 + v33
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
-    rk, _ = c.turned(m, r, cos, sn)
+    rk, _, _ = c.turned(m, r, cos, sn)
     return u1 * rk, u2 * rk, u3 * rk
 
 
@@ -551,16 +551,27 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     x = v11 + v22 + v33
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
-    rk, slope = c.turned(m, r, cos, sn)
-    across = rk / r
-    spread = slope - across
-    su1 = u1 * spread
-    su2 = u2 * spread
-    su3 = u3 * spread
-    return (
-        su1 * u1 + across, su1 * u2, su1 * u3, su2 * u1, su2 * u2 + across, su2 * u3, su3 * u1, su3 * u2,
-        su3 * u3 + across,
-    )
+    rk, slope, _ = c.turned(m, r, cos, sn)
+    ratio = rk / r
+    uu11 = u1 * u1
+    p11 = 1 - uu11
+    J11 = ratio * p11 + slope * uu11
+    uu12 = u1 * u2
+    p12 = -uu12
+    J12 = ratio * p12 + slope * uu12
+    uu13 = u1 * u3
+    p13 = -uu13
+    J13 = ratio * p13 + slope * uu13
+    uu22 = u2 * u2
+    p22 = 1 - uu22
+    J22 = ratio * p22 + slope * uu22
+    uu23 = u2 * u3
+    p23 = -uu23
+    J23 = ratio * p23 + slope * uu23
+    uu33 = u3 * u3
+    p33 = 1 - uu33
+    J33 = ratio * p33 + slope * uu33
+    return J11, J12, J13, J12, J22, J23, J13, J23, J33
 
 
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -575,7 +586,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
-    rk, _ = c.turned(m, r, cosine, sine)
+    rk, _, _ = c.turned(m, r, cosine, sine)
     return m.where(beyond, u1 * rk, v1), m.where(beyond, u2 * rk, v2), m.where(beyond, u3 * rk, v3)
 
 

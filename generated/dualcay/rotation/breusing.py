@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="66eca25a5c3ef041",
+    programs="16f0ff25d1b7bd7e",
 )
 
 KERNELS = RotationKernels(CHART)

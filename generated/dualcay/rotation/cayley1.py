@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="87e6ce04ef73815a",
+    programs="442665a10544c45e",
 )
 
 KERNELS = RotationKernels(CHART)

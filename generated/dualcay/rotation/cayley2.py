@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ab3605692d0fa822",
+    programs="144159ceca191401",
 )
 
 KERNELS = RotationKernels(CHART)

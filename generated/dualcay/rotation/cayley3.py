@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="22aaa6683e8d4fc4",
+    programs="009bf761ed334479",
 )
 
 KERNELS = RotationKernels(CHART)

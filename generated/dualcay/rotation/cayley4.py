@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8a9f0e88616c7303",
+    programs="ab943322d0716ba9",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="abe5d830c03b51f0",
+    programs="bd26e74ec4a6a6d8",
 )
 
 KERNELS = RotationKernels(CHART)

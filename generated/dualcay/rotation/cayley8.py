@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ef8fa347b93da18e",
+    programs="ff9bf8894112482b",
 )
 
 KERNELS = RotationKernels(CHART)

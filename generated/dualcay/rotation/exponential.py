@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="38247a4b9d1b9eb6",
+    programs="964ffe2de913a6d3",
 )
 
 KERNELS = RotationKernels(CHART)

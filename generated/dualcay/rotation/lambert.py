@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0decd58388e9c69d",
+    programs="116c6220b8155bd6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="cd2bfb3114a531ca",
+    programs="70727f047ca24002",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bf3829031856763e",
+    programs="5a6d24645c876a80",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="fb8d5a3351643bf8",
+    programs="e415acad51b14f76",
 )
 
 KERNELS = RotationKernels(CHART)

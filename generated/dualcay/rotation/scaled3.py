@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="69e4fd6540b17802",
+    programs="2cdefe8694b0cd50",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="efc2b28bdfc27df7",
+    programs="947e49c6ad877c9a",
 )
 
 KERNELS = RotationKernels(CHART)

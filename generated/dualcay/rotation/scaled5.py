@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ef496daf2ea07259",
+    programs="ff091b7f116422aa",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27eabcba0e230933",
+    programs="74faa01498256424",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -30,7 +30,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="dea3afb48ba06a26",
+    programs="9efb5f076629be0d",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -7,8 +7,9 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.trace import Trace, UnnamedValueError
+from derive.codegen.signatures import ROTATIONS
 from derive.codegen.targets import infix
 from derive.maps import Cayley
 from derive.maps.named import family, parameterization
@@ -142,7 +143,7 @@ def test_long_statements_are_wrapped_and_mean_the_same():
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 6, 7, 8, 9, 16, 33])
 def test_every_recipe_speaks_in_named_values(order):
     lowered = lower_chart(Cayley(order))
-    for name, program in (*lowered.scalars.items(), *geometry().items()):
+    for name, program in (*lowered.scalars.items(), *printed_geometry().items(), *printed_geometry(ROTATIONS).items()):
         assert program.name == name
         assert not [step.name for step in program.steps if not step.inline and step.name.startswith("t_")]
 

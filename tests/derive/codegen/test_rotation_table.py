@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from derive.codegen.lowering.real import narrowed
 
 from derive.codegen import ValidationFailed, catalogue
 from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalars import SQUARES
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call
@@ -86,16 +86,15 @@ def texts() -> dict[str, str]:
     return shared_texts(target) | module_texts(facts, target)
 
 
-GEOMETRY, INTERFACE, OWN = "rotation/_geometry.py", "rotation/_interface.py", "rotation/cayley1.py"
+GEOMETRY, INTERFACE = "rotation/_geometry.py", "rotation/_interface.py"
 
 
 @pytest.mark.parametrize(
     ("file", "function", "old", "new"),
     [
-        (GEOMETRY, "tensor", "gvv1 - fv3", "gvv1 + fv3"),
-        (GEOMETRY, "from_tensor", "Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "tensor_at", "gvv1 - fv3", "gvv1 + fv3"),
+        (GEOMETRY, "quaternion_of", "Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "to_angle_axis", "x, 0, r", "x, 0, 2 * r"),
-        (OWN, "_own_tangent", "* v3", "* v2"),
         (INTERFACE, "body_tangent_inv", '"body_tangent_inv", axis', '"tangent_inv", axis'),
     ],
 )
@@ -112,14 +111,7 @@ def test_floats_are_replayed_too(texts, tmp_path: Path) -> None:
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.FEW"), (NUMPY,), (ROTATIONS,), geometry=False)
-
-
-def test_programs_are_own_where_those_of_poses_are() -> None:
-    for n in (1, 3):
-        own = lower_chart(Cayley(n), ROTATIONS).own
-        assert {ROTATIONS.functions[name].source for name in own} <= lower_chart(Cayley(n)).own.keys()
-        assert bool(own) == (n == 1)
+        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=False)
 
 
 @pytest.mark.parametrize("name", ["rotation", "rotation_mine"])

@@ -7,14 +7,14 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derive.proof.any_phi import ANY_PHI
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
-from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
 from derive.proof.methods import Identity
+from derive.proof.notation import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
+from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.polynomial_theorems import (
     ADDITION,
     ANGLES,
@@ -158,14 +158,14 @@ def test_premises_that_contradict_each_other_prove_nothing(others: tuple[Premise
 def test_what_nothing_is_known_of_is_not_certified() -> None:
     at = Setting(Letters((p, q, x, n, TURN), (), (x,)), ORIGIN).ring
     one = at.constant(1) / (at.generator(TURN) - at.generator(q))
-    assert [multiplier.nonzero for multiplier in at.multiplier(one.powers)] == [False]
+    assert [multiplier.nonzero for multiplier in at.multipliers(one.denominator)] == [False]
 
 
 @pytest.mark.parametrize(("base", "certified"), [(p - q, False), (1 + x, True)], ids=str)
 def test_a_power_is_certified_as_its_base_is(base: sympy.Expr, certified: bool) -> None:
     at = Setting(Letters((p, q, x, n), (), (x,)), ORIGIN, [Equation(base**n, ONE)])
     one = 1 / at.value(base**n)
-    assert [multiplier.nonzero for multiplier in at.ring.multiplier(one.powers)] == [certified]
+    assert [multiplier.nonzero for multiplier in at.ring.multipliers(one.denominator)] == [certified]
 
 
 def test_an_order_is_no_letter_that_may_be_0() -> None:
