@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import sympy
 
-from .exact import Element, NotExactError, RationalFunctions
+from .element import Element, NotExactError
+from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):

@@ -24,6 +24,7 @@ from . import branches, near_pole
 from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import OrderChart, double_angle
+from .scalar import scalar
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
@@ -44,36 +45,13 @@ class BreusingScalars(DependentScalars):
     def c(self) -> Coefficient:
         return cosine(self.x, self.m)
 
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", self.c * self.c)
-
-    @cached_property
-    def _over(self) -> Coefficient:
-        """``1/(1 + c²)``."""
-        return self.m.name("over", self.m.div(1, 1 + self.cc))
-
-    @cached_property
-    def _weight(self) -> Coefficient:
-        return self.m.name("weight", 3 + 2 * self.cc)
-
-    @cached_property
-    def _above(self) -> Coefficient:
-        """``c − x``."""
-        return self.m.name("above", self.c - self.x)
-
-    @cached_property
-    def _size(self) -> Coefficient:
-        """``c + x = 1/c``."""
-        return self.m.name("size", self.c + self.x)
-
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self._above / self._size)
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", 2 * self._root / self._size)
+    cc = scalar(lambda at: at.c * at.c)
+    _over = scalar(lambda at: at.m.div(1, 1 + at.cc), "over")  # 1/(1 + c²)
+    _weight = scalar(lambda at: 3 + 2 * at.cc, "weight")
+    _above = scalar(lambda at: at.c - at.x, "above")  # c − x
+    _size = scalar(lambda at: at.c + at.x, "size")  # c + x = 1/c
+    s = scalar(lambda at: at._above / at._size)
+    w = scalar(lambda at: 2 * at._root / at._size)
 
     @property
     def _twice(self) -> Coefficient:
@@ -84,28 +62,11 @@ class BreusingScalars(DependentScalars):
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
         return self._above, self.m.name("b", 2 * self._root), self._size
 
-    @cached_property
-    def _root(self) -> Coefficient:
-        return self.m.name("rootc", self.m.sqrt(self.c))
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", 4 * (self.w * self._over))
-
-    @cached_property
-    def h(self) -> Coefficient:
-        """``2 c w (3 + 2 c²)/(1 + c²)``, of fewer operations."""
-        return self.m.name("h", self.c * self._twice * (2 + self._over))
-
-    @cached_property
-    def _decline(self) -> Coefficient:
-        """``−2 c′/c``."""
-        return self.m.name("decline", 2 * (self.c * self._over))
-
-    @cached_property
-    def _share(self) -> Coefficient:
-        """``4 c²/(1 + c²)``."""
-        return self.m.name("share", 4 * (self.cc * self._over))
+    _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
+    rate = scalar(lambda at: 4 * (at.w * at._over), "rho")
+    h = scalar(lambda at: at.c * at._twice * (2 + at._over))  # 2 c w (3 + 2 c²)/(1 + c²), of fewer operations
+    _decline = scalar(lambda at: 2 * (at.c * at._over), "decline")  # −2 c′/c
+    _share = scalar(lambda at: 4 * (at.cc * at._over), "share")  # 4 c²/(1 + c²)
 
     @cached_property
     def _declining(self) -> Coefficient:
@@ -113,61 +74,24 @@ class BreusingScalars(DependentScalars):
         half = self.m.div(self._share, 2)
         return self.m.name("decliney", self._decline * self._decline * (half - 1))
 
-    @cached_property
-    def _sharing(self) -> Coefficient:
-        return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
-
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", self.s * self._twice)
-
-    @cached_property
-    def g(self) -> Coefficient:
-        """``2 w² = 8 c/(c + x)²``, of fewer roundings."""
-        return self.m.name("g", 8 * (self.c / (self._size * self._size)))
-
-    @cached_property
-    def fi(self) -> Coefficient:
-        """``s/w = (c − x)/(2 √c)``."""
-        return self.m.name("fi", self._above / (2 * self._root))
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        """``3/(4 √c)``."""
-        return self.m.name("hi", self.m.div(3, 4 * self._root))
-
-    @cached_property
-    def hiy(self) -> Coefficient:
-        return self.m.name("hiy", self.m.div(self.hi * self._decline, 2))
-
-    @cached_property
-    def hiyy(self) -> Coefficient:
-        return self.m.name("hiyy", self.m.div(self.hiy * self._decline + self.hi * self._declining, 2))
+    _sharing = scalar(lambda at: -2 * (at._share * at._over * at._decline), "sharey")
+    f = scalar(lambda at: at.s * at._twice)
+    g = scalar(lambda at: 8 * (at.c / (at._size * at._size)))  # 2 w² = 8 c/(c + x)², of fewer roundings
+    fi = scalar(lambda at: at._above / (2 * at._root))  # s/w = (c − x)/(2 √c)
+    hi = scalar(lambda at: at.m.div(3, 4 * at._root))  # 3/(4 √c)
+    hiy = scalar(lambda at: at.m.div(at.hi * at._decline, 2))
+    hiyy = scalar(lambda at: at.m.div(at.hiy * at._decline + at.hi * at._declining, 2))
 
     def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
         """The slope of ``value · decline · growth/2``."""
         of_decline = self._declining * growth + self._decline * change
         return self.m.div(slope * self._decline * growth + value * of_decline, 2)
 
-    @cached_property
-    def _rate_growth(self) -> Coefficient:
-        return self.m.name("rhogrowth", self._share - 3)
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.m.div(self.rate * self._decline * self._rate_growth, 2))
-
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        return self.m.name("rhoyy", self._bend(self.ratey, self.rate, self._rate_growth, self._sharing))
-
-    @cached_property
-    def _h_growth(self) -> Coefficient:
-        return self.m.name("hgrowth", self._share - 5 - 8 * (self.cc / self._weight))
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        return self.m.name("hy", self.m.div(self.h * self._decline * self._h_growth, 2))
+    _rate_growth = scalar(lambda at: at._share - 3, "rhogrowth")
+    ratey = scalar(lambda at: at.m.div(at.rate * at._decline * at._rate_growth, 2), "rhoy")
+    rateyy = scalar(lambda at: at._bend(at.ratey, at.rate, at._rate_growth, at._sharing), "rhoyy")
+    _h_growth = scalar(lambda at: at._share - 5 - 8 * (at.cc / at._weight), "hgrowth")
+    hy = scalar(lambda at: at.m.div(at.h * at._decline * at._h_growth, 2))
 
     @cached_property
     def hyy(self) -> Coefficient:

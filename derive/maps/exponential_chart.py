@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import sympy
 
@@ -19,6 +18,7 @@ from .branches import Derivatives
 from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import double_angle
+from .scalar import scalar
 
 
 class ExponentialScalars(DependentScalars):
@@ -28,9 +28,7 @@ class ExponentialScalars(DependentScalars):
     ratey = 0
     rateyy = 0
 
-    @cached_property
-    def _near(self) -> Any:
-        return self.m.name("near", self.m.less(self.x, stumpff.LIMIT))
+    _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "near")
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
@@ -42,15 +40,9 @@ class ExponentialScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    @cached_property
-    def _square(self) -> Coefficient:
-        """α² of what is far; else some number beyond the limit."""
-        return self.m.name("xx", self.m.where(self._near, stumpff.LIMIT + self.x, self.x))
-
-    @cached_property
-    def _angle(self) -> Coefficient:
-        """α of what is far."""
-        return self.m.name("alpha", self.m.sqrt(self._square))
+    # α² of what is far; else some number beyond the limit.
+    _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
+    _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α of what is far.
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
@@ -69,10 +61,8 @@ class ExponentialScalars(DependentScalars):
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    @cached_property
-    def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``, α² the exact sum of the squares that are given."""
-        return self.m.name("lost", self._left / (2 * self._angle))
+    # (α² − root²)/2α, α² the exact sum of the squares that are given
+    _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
 
     @property
     def _left(self) -> Coefficient:
@@ -87,26 +77,16 @@ class ExponentialScalars(DependentScalars):
     def _bounded(self, left: Coefficient) -> Coefficient:
         return self.m.where(self.m.less(self._angle, 8), left, 0)
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self.m.where(self._near, self._half.c0, self._trigonometry[0]))
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", self.m.where(self._near, self.m.div(self._half.c1, 2), self._trigonometry[1]))
-
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", self.m.where(self._near, self._half.c0 * self._half.c1, self._turned[0] / self._angle))
+    s = scalar(lambda at: at.m.where(at._near, at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at.m.where(at._near, at.m.div(at._half.c1, 2), at._trigonometry[1]))
+    f = scalar(lambda at: at.m.where(at._near, at._half.c0 * at._half.c1, at._turned[0] / at._angle))
 
     @cached_property
     def g(self) -> Coefficient:
         near = self.m.div(self._half.square, 2)
         return self.m.name("g", self.m.where(self._near, near, self._turned[1] / self._square))
 
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", self.m.where(self._near, self._whole.c3, (1 - self.f) / self._square))
+    h = scalar(lambda at: at.m.where(at._near, at._whole.c3, (1 - at.f) / at._square))
 
     @cached_property
     def hy(self) -> Coefficient:

@@ -25,6 +25,7 @@ from .evaluation import horner
 from .families import alpha
 from .order_charts import OrderChart, double_angle
 from .polynomials import RING, RING_X, ring_pair
+from .scalar import scalar
 
 
 @lru_cache(maxsize=64)
@@ -51,14 +52,8 @@ class SineScalars(DependentScalars):
         self.odd = order % 2 == 1
         self.S, self.W, self.H, self.B = polynomials_of(order)
 
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", 1 - self.x)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """cos θ."""
-        return self.m.name("c", self.m.sqrt(self.cc))
+    cc = scalar(lambda at: 1 - at.x)
+    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ.
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, self._value(polynomial))
@@ -69,25 +64,11 @@ class SineScalars(DependentScalars):
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self._with_root(self._value(self.S), self.odd))
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", self._with_root(self._value(self.W), not self.odd))
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", self.m.div(2 * self.order, self.c))
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.rate / self.cc)
-
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", self._value(self.H) / self.c)
+    s = scalar(lambda at: at._with_root(at._value(at.S), at.odd))
+    w = scalar(lambda at: at._with_root(at._value(at.W), not at.odd))
+    rate = scalar(lambda at: at.m.div(2 * at.order, at.c), "rho")
+    ratey = scalar(lambda at: at.rate / at.cc, "rhoy")
+    h = scalar(lambda at: at._value(at.H) / at.c)
 
     @cached_property
     def hy(self) -> Coefficient:
@@ -95,9 +76,7 @@ class SineScalars(DependentScalars):
         direct = 2 * self._at("dH", self.H.diff(RING_X)) / self.c
         return self.m.name("hy", direct + self.h / self.cc)
 
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        return self.m.name("rhoyy", 3 * (self.ratey / self.cc))
+    rateyy = scalar(lambda at: 3 * (at.ratey / at.cc), "rhoyy")
 
     @cached_property
     def hyy(self) -> Coefficient:
@@ -107,14 +86,8 @@ class SineScalars(DependentScalars):
         direct = (4 * second - self.m.div(2 * first, self.cc)) / self.c
         return self.m.name("hyy", direct + 3 * self.hy / self.cc)
 
-    @cached_property
-    def _below(self) -> Coefficient:
-        """``n w``."""
-        return self.m.name("below", self.order * self.w)
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        return self.m.name("hi", self.m.div(self._with_root(self._at("B", self.B), self.odd), self._below))
+    _below = scalar(lambda at: at.order * at.w, "below")  # n w
+    hi = scalar(lambda at: at.m.div(at._with_root(at._at("B", at.B), at.odd), at._below))
 
     @cached_property
     def hiy(self) -> Coefficient:

@@ -24,6 +24,7 @@ from math import factorial
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .scalar import scalar
 
 LIMIT = 6
 """The ξ up to which series are summed, an angle of 2.4."""
@@ -58,53 +59,19 @@ class HalfAngle:
         self.zeta = zeta
         self.m = m
 
-    @cached_property
-    def c7(self) -> Coefficient:
-        return self.m.name("C7", self.m.div(series(self.zeta, self.m), 5040))
-
-    @cached_property
-    def c5(self) -> Coefficient:
-        return self.m.name("C5", self.m.div(1 - 120 * (self.zeta * self.c7), 120))
-
-    @cached_property
-    def c3(self) -> Coefficient:
-        return self.m.name("C3", self.m.div(1 - 6 * (self.zeta * self.c5), 6))
-
-    @cached_property
-    def c1(self) -> Coefficient:
-        return self.m.name("C1", 1 - self.zeta * self.c3)
-
-    @cached_property
-    def square(self) -> Coefficient:
-        """``c₁²``."""
-        return self.m.name("CC1", self.c1 * self.c1)
-
-    @cached_property
-    def c0(self) -> Coefficient:
-        return self.m.name("C0", self.m.sqrt(1 - self.zeta * self.square))
-
-    @cached_property
-    def _beside(self) -> Coefficient:
-        return self.m.name("C01", 1 + self.c0)
-
-    @cached_property
-    def c2(self) -> Coefficient:
-        """``c₁²/(1 + c₀)``, by sin² + cos² = 1."""
-        return self.m.name("C2", self.square / self._beside)
-
-    @cached_property
-    def _cube(self) -> Coefficient:
-        return self.m.name("CC3", self.c3 * self.c3)
-
-    @cached_property
-    def c4(self) -> Coefficient:
-        """From the same; it stands beside greater ones only."""
-        return self.m.name("C4", (4 * self.c3 - self.c2 - 2 * (self.zeta * self._cube)) / (2 * self._beside))
-
-    @cached_property
-    def c6(self) -> Coefficient:
-        """And again."""
-        return self.m.name("C6", self.m.div(4 * self.c5 + 2 * self._cube - self.c4 - 2 * (self.c2 * self.c4), 4))
+    c7 = scalar(lambda at: at.m.div(series(at.zeta, at.m), 5040), "C7")
+    c5 = scalar(lambda at: at.m.div(1 - 120 * (at.zeta * at.c7), 120), "C5")
+    c3 = scalar(lambda at: at.m.div(1 - 6 * (at.zeta * at.c5), 6), "C3")
+    c1 = scalar(lambda at: 1 - at.zeta * at.c3, "C1")
+    square = scalar(lambda at: at.c1 * at.c1, "CC1")  # c₁²
+    c0 = scalar(lambda at: at.m.sqrt(1 - at.zeta * at.square), "C0")
+    _beside = scalar(lambda at: 1 + at.c0, "C01")
+    c2 = scalar(lambda at: at.square / at._beside, "C2")  # c₁²/(1 + c₀), by sin² + cos² = 1
+    _cube = scalar(lambda at: at.c3 * at.c3, "CC3")
+    # From the same; it stands beside greater ones only.
+    c4 = scalar(lambda at: (4 * at.c3 - at.c2 - 2 * (at.zeta * at._cube)) / (2 * at._beside), "C4")
+    # And again.
+    c6 = scalar(lambda at: at.m.div(4 * at.c5 + 2 * at._cube - at.c4 - 2 * (at.c2 * at.c4), 4), "C6")
 
 
 class WholeAngle:
@@ -118,17 +85,9 @@ class WholeAngle:
     def c3(self) -> Coefficient:
         return self.m.div(self.half.c3 + self.half.c1 * self.half.c2, 4)
 
-    @cached_property
-    def c4(self) -> Coefficient:
-        return self.m.name("c4", self.m.div(self.half.c3 * (1 + self.half.c1), 8))
-
-    @cached_property
-    def c5(self) -> Coefficient:
-        return self.m.name("c5", self.m.div(self.half.c5 + self.half.c4 + self.half.c2 * self.half.c3, 16))
-
-    @cached_property
-    def c6(self) -> Coefficient:
-        return self.m.name("c6", self.m.div(2 * self.half.c5 + self.half.c3 * self.half.c3, 32))
+    c4 = scalar(lambda at: at.m.div(at.half.c3 * (1 + at.half.c1), 8))
+    c5 = scalar(lambda at: at.m.div(at.half.c5 + at.half.c4 + at.half.c2 * at.half.c3, 16))
+    c6 = scalar(lambda at: at.m.div(2 * at.half.c5 + at.half.c3 * at.half.c3, 32))
 
     @cached_property
     def c7(self) -> Coefficient:

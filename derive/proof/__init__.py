@@ -39,7 +39,7 @@ page                   all of this as Markdown
 
 from __future__ import annotations
 
-from ..algebra.exact import Element
+from ..algebra.element import Element
 from .every_order import citing, theorems
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove

@@ -11,7 +11,6 @@ from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
-from .any_phi import ANY_PHI
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
@@ -19,6 +18,7 @@ from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
 from .limit_theorems import GROWING_ORDER
 from .page import page, title
+from .phi_theorems import ANY_PHI
 from .proved import proofs
 from .theorem import Theorem
 

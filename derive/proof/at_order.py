@@ -12,7 +12,7 @@ from ..maps import polynomials
 from .evaluation import NoValueError
 from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
-from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
+from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
 

@@ -14,7 +14,7 @@ import sympy
 
 from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
 from ..maps import polynomials
-from . import marks
+from . import notation as m
 from .evaluation import Evaluation, NoValueError, mapped
 from .formulas import Formulas
 from .identity import Check
@@ -49,12 +49,12 @@ class AtPoint(Evaluation):
         p, q = (Dual(Fraction(1)) * value for value in polynomials.pair_by_squaring(n, x))
         root = _root(1 + x)
         formulas, rates = Formulas(), v.map(dual_part)
-        tensors = {marks.R: formulas.tensor, marks.dcay: formulas.tangent, marks.dcay_inv: formulas.tangent_inv}
+        tensors = {m.R: formulas.tensor, m.dcay: formulas.tangent, m.dcay_inv: formulas.tangent_inv}
         values = {letter: Isotropic(*formula(n, x, p, q), x).tensor(v) for letter, formula in tensors.items()}
-        omega = values[marks.dcay].map(real_part) @ rates
+        omega = values[m.dcay].map(real_part) @ rates
         z = Quaternion(p, v * q)
-        known = {marks.x: x, marks.p: p, marks.q: q, marks.v: v, marks.v_dot: rates, marks.omega: omega}
-        known |= {marks.point: Vector(*map(Fraction, OTHER)), marks.z: z, marks.q_hat: z * (1 / root**n)}
+        known = {m.x: x, m.p: p, m.q: q, m.v: v, m.v_dot: rates, m.omega: omega}
+        known |= {m.point: Vector(*map(Fraction, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 
     def number(self, value: Fraction) -> Fraction:
@@ -68,6 +68,6 @@ class AtPoint(Evaluation):
 
     def checks(self, equation: Equation) -> Iterator[Check]:
         """Left minus right at the point, component by component."""
-        at_order = equation.replaced({marks.n: sympy.Integer(self.n)})
+        at_order = equation.replaced({m.n: sympy.Integer(self.n)})
         for place, (left, right) in enumerate(self.sides(at_order), 1):
             yield f"{equation.text} at v = {PLACE}, component {place}", real_part(left) - real_part(right)

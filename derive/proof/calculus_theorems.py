@@ -16,45 +16,8 @@ import sympy
 
 from .formulas import Formulas
 from .map_theorems import MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE
-from .marks import (
-    I,
-    R,
-    a,
-    b,
-    body_jacobian,
-    body_rate_jacobian,
-    c,
-    cross,
-    d,
-    dcay,
-    dcay_inv,
-    dot,
-    dyad,
-    f,
-    f_i,
-    f_iy,
-    f_y,
-    g,
-    g_y,
-    h,
-    h_i,
-    h_iy,
-    h_y,
-    n,
-    p,
-    prime,
-    q,
-    rate,
-    rate_jacobian,
-    skew,
-    transpose,
-    twist_jacobian,
-    twist_jacobian_b,
-    v,
-    v_dot,
-    x,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .polynomial_theorems import SLOPES
 from .setting import Letters
 from .statement import Equation, Premise, definition

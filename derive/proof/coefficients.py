@@ -21,14 +21,15 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
-from sympy.polys.rings import ring
 
+from ..algebra.exact import RationalFunctions
 from .identity import Check, Multiplier
-from .marks import Shifted, j, n, text, x
+from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
 from .theorem import Task
 
-POLYNOMIALS, N, J = ring([n, j], sympy.QQ)
+POLYNOMIALS = RationalFunctions(("n", "j"))
+VALUES = {letter: POLYNOMIALS.symbol(letter.name) for letter in (n, j)}
 
 upper, lower = sympy.symbols("N K", integer=True)
 BINOMIAL = definition(
@@ -201,10 +202,10 @@ def residue(e: sympy.Expr, first: int) -> Any:
         term = _term(product)
         groups[term.kind].append(term)
     sums = (_together(terms, first) for terms in groups.values())
-    return next((total for total in sums if total != 0), POLYNOMIALS.zero)
+    return next((total for total in sums if total != 0), POLYNOMIALS.constant(0))
 
 
-_Factorial = tuple[Any, int]
+_Factorial = tuple[sympy.Expr, int]
 """What is under a factorial: a homogeneous polynomial in n and j, and an integer."""
 
 
@@ -224,7 +225,7 @@ class _Term:
 
 
 def _term(product: sympy.Expr) -> _Term:
-    number, alternating = POLYNOMIALS.one, False
+    number, alternating = POLYNOMIALS.constant(1), False
     above: list[_Factorial] = []
     below: list[_Factorial] = []
     for factor in sympy.Mul.make_args(product):
@@ -246,10 +247,9 @@ def _term(product: sympy.Expr) -> _Term:
 
 
 def _polynomial(factor: sympy.Expr) -> Any:
-    try:
-        return POLYNOMIALS.from_expr(factor)
-    except ValueError as error:
-        raise NotDecidedError(f"{text(factor)} is no polynomial in n and j") from error
+    if not factor.is_polynomial(n, j):
+        raise NotDecidedError(f"{text(factor)} is no polynomial in n and j")
+    return POLYNOMIALS.lift(factor, VALUES)
 
 
 def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
@@ -261,14 +261,14 @@ def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
 def _linear(form: sympy.Expr) -> _Factorial:
     """A linear form in n and j in two parts."""
     constant = form.xreplace({n: sympy.Integer(0), j: sympy.Integer(0)})
-    return POLYNOMIALS.from_expr(form - constant), int(constant)
+    return form - constant, int(constant)
 
 
 def _between(form: Any, low: int, high: int) -> Any:
     """``(h + high)!/(h + low)!``."""
-    product = POLYNOMIALS.one
+    product = POLYNOMIALS.constant(1)
     for t in range(low + 1, high + 1):
-        product *= form + t
+        product *= _polynomial(form + t)
     return product
 
 
@@ -277,9 +277,9 @@ def _together(terms: Sequence[_Term], first: int) -> Any:
     least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
     greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
     for (form, _), a in zip(terms[0].above, least, strict=True):
-        if form.evaluate([(N, first), (J, 0)]) + a < 0 or form.diff(J) != 0:
+        if form.has(j) or form.xreplace({n: sympy.Integer(first)}) + a < 0:
             raise NotDecidedError(f"the factorial of {form} + {a} at n = {first}")
-    total = POLYNOMIALS.zero
+    total = POLYNOMIALS.constant(0)
     for term in terms:
         product = term.number
         for (form, a), low in zip(term.above, least, strict=True):

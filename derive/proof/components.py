@@ -17,11 +17,11 @@ from typing import Any
 
 import sympy
 
-from ..algebra.exact import Element
+from ..algebra.element import Element
 from .at_order import CayleyFormulas
 from .at_point import AtPoint
 from .identity import Check, Claim, Multiplier, Proof, decide
-from .marks import (
+from .notation import (
     I,
     R,
     below,

@@ -17,7 +17,7 @@ import sympy
 from ..maps import closed_forms, polynomials
 from .at_order import LETTERS, METHOD, AtOrder, Stated, at_order, same_as_theorem
 from .identity import Check, Claim, Proof, decide
-from .marks import q
+from .notation import q
 from .statement import Equation
 
 Function = Callable[..., Any]

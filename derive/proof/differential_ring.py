@@ -19,10 +19,11 @@ from typing import Any
 
 import sympy
 
-from ..algebra.exact import Element, RationalFunctions
+from ..algebra.element import Element
+from ..algebra.exact import RationalFunctions
 from ..algebra.polynomial_backend import Polynomial
 from .identity import Multiplier
-from .marks import n
+from .notation import n
 
 
 class DifferentialRing(RationalFunctions):

@@ -12,7 +12,7 @@ import sympy
 from ..algebra import Dual, Structure, Tensor, dual_part, mixed, real_part
 from ..maps.composition import compose_first_order, compose_second_order
 from ..maps.first_principles import tensor_by_sandwich
-from . import marks
+from . import notation
 from .statement import Equation
 
 
@@ -21,20 +21,20 @@ class NoValueError(ArithmeticError):
 
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
-    marks.transpose: lambda a: a.transpose,
-    marks.conjugate: lambda a: mixed.quaternion(a).conjugate(),
-    marks.skew: Tensor.skew,
-    marks.vect: lambda a: a.vect(),
-    marks.cross: lambda a, b: a.cross(b),
-    marks.dyad: Tensor.dyad,
-    marks.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
-    marks.first_order: compose_first_order,
-    marks.second_order: compose_second_order,
-    marks.real: lambda a: a.map(real_part),
-    marks.dual: lambda a: a.map(dual_part),
-    marks.det: lambda a: a.det(),
-    marks.dot: lambda a, b: a.dot(b),
-    marks.norm2: lambda a: mixed.quaternion(a).norm2(),
+    notation.transpose: lambda a: a.transpose,
+    notation.conjugate: lambda a: mixed.quaternion(a).conjugate(),
+    notation.skew: Tensor.skew,
+    notation.vect: lambda a: a.vect(),
+    notation.cross: lambda a, b: a.cross(b),
+    notation.dyad: Tensor.dyad,
+    notation.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
+    notation.first_order: compose_first_order,
+    notation.second_order: compose_second_order,
+    notation.real: lambda a: a.map(real_part),
+    notation.dual: lambda a: a.map(dual_part),
+    notation.det: lambda a: a.det(),
+    notation.dot: lambda a, b: a.dot(b),
+    notation.norm2: lambda a: mixed.quaternion(a).norm2(),
 }
 """What a mark does to values of the algebra."""
 
@@ -54,7 +54,7 @@ class Evaluation(ABC):
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
-        self.values: dict[sympy.Expr, Any] = {**values, marks.I: Tensor.identity(), marks.epsilon: Dual(0, 1)}
+        self.values: dict[sympy.Expr, Any] = {**values, notation.I: Tensor.identity(), notation.epsilon: Dual(0, 1)}
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}
 
     @abstractmethod
@@ -67,7 +67,7 @@ class Evaluation(ABC):
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         """A power whose exponent is no integer."""
-        raise NoValueError(f"nothing says what {marks.text(base**exponent)} is")
+        raise NoValueError(f"nothing says what {notation.text(base**exponent)} is")
 
     def value(self, expression: sympy.Expr) -> Any:
         """The value of an expression: a number, or a vector, quaternion or tensor of numbers."""
@@ -96,11 +96,11 @@ class Evaluation(ABC):
             return product if number is None else number if product is None else product * number
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
-        if e.func in (marks.rate, marks.prime):
+        if e.func in (notation.rate, notation.prime):
             return self.differentiated(e.func, self.value(e.args[0]))
         if e.func in MEANING:
             return MEANING[e.func](*map(self.value, e.args))
-        raise NoValueError(f"nothing says what {marks.text(e)} is")
+        raise NoValueError(f"nothing says what {notation.text(e)} is")
 
     @staticmethod
     def _integer_power(value: Any, exponent: int) -> Any:

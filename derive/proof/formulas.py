@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..algebra import Coefficient
-from . import marks
+from . import notation
 from .statement import Premise, definition
 
 Triple = tuple[Coefficient, Coefficient, Coefficient]
@@ -45,11 +45,11 @@ class Formulas:
         self,
         letter: Any,
         name: str,
-        at: Any = (marks.n, marks.x, marks.p, marks.q),
-        v: Any = marks.v,
+        at: Any = (notation.n, notation.x, notation.p, notation.q),
+        v: Any = notation.v,
         numbers: tuple[int, ...] = (),
     ) -> Premise:
         """The definition of a letter as one of them, ``a I + b skew(v) + c v⊗v``."""
         a, b, c = getattr(self, name)(*at)
-        rest = b * marks.skew(v) + c * marks.dyad(v, v)
-        return definition(letter, a * marks.I + rest, numbers, wrong=2 * a * marks.I + rest)
+        rest = b * notation.skew(v) + c * notation.dyad(v, v)
+        return definition(letter, a * notation.I + rest, numbers, wrong=2 * a * notation.I + rest)

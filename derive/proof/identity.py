@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 import sympy
 
-from .marks import text
+from .notation import text
 from .statement import Equation, Premise
 
 ALL_ORDERS = "all n"

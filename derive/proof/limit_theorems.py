@@ -18,8 +18,8 @@ from __future__ import annotations
 import sympy
 
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
-from .marks import I, R, Shifted, alpha, dyad, epsilon, exponential, q_hat, r, rate, skew, structure, u, v
 from .methods import Determined, Identity
+from .notation import *
 from .setting import Letters
 from .statement import Equation, Premise, definition
 from .theorem import Theorem

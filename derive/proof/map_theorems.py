@@ -8,32 +8,8 @@ from __future__ import annotations
 import sympy
 
 from .formulas import Formulas
-from .marks import (
-    I,
-    R,
-    conjugate,
-    dcay,
-    dcay_inv,
-    det,
-    dot,
-    dyad,
-    n,
-    omega,
-    omega_body,
-    p,
-    point,
-    prime,
-    q,
-    q_hat,
-    rate,
-    skew,
-    transpose,
-    v,
-    v_dot,
-    vect,
-    x,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
 from .setting import Letters
 from .statement import Equation, Premise, definition

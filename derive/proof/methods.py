@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import sympy
 
-from . import marks
+from . import notation
 from .identity import Check, Multiplier
 from .setting import Letters, Setting
 from .statement import Equation, Premise
@@ -78,13 +78,13 @@ class Determined:
         """There is a law for every letter that goes with the index or variable, which goes by itself."""
         index = self.start.left
         for letter in self.letters.scalars:
-            goes = letter != index and index in marks.TERMS.get(letter, ("", letter))[1].free_symbols
+            goes = letter != index and index in notation.TERMS.get(letter, ("", letter))[1].free_symbols
             known = (letter in starts and letter in steps) if self.by_steps else ring.has_rate(letter)
-            yield f"law of {marks.text(letter)}", 1 if goes and not known else 0
+            yield f"law of {notation.text(letter)}", 1 if goes and not known else 0
         if self.by_steps:
             yield "what is said at one index only", sum(index in premise.equation.letters for premise in others)
         elif index in self.letters.scalars:
-            yield f"rate of {index} less 1", ring.value(marks.rate(index)) - 1
+            yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         claim, premises = task.claim, task.premises
@@ -102,13 +102,13 @@ class Determined:
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
         for left, right in unknown.items():
             begun = Equation(right.xreplace(at_start), starts[left])
-            yield from differences(ring, f"start, {marks.text(left)}", begun)
+            yield from differences(ring, f"start, {notation.text(left)}", begun)
             if self.by_steps:
                 onward = {index: index + 1} | {t: value for t, value in steps.items() if t not in unknown}
                 reached, law = right.xreplace(onward), steps[left]
             else:
-                reached, law = marks.rate(right), next(p.equation.right for p in premises if _rated(p) == left)
-            yield from differences(ring, f"law, {marks.text(left)}", Equation(reached, law.xreplace(unknown)))
+                reached, law = notation.rate(right), next(p.equation.right for p in premises if _rated(p) == left)
+            yield from differences(ring, f"law, {notation.text(left)}", Equation(reached, law.xreplace(unknown)))
 
 
 def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
@@ -138,12 +138,12 @@ def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check
 
 def _rated(premise: Premise) -> sympy.Expr | None:
     left = premise.equation.left
-    return left.args[0] if isinstance(left, marks.rate) else None
+    return left.args[0] if isinstance(left, notation.rate) else None
 
 
 def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr]) -> bool:
     left = equation.left
-    return isinstance(left, marks.Shifted) and left.args[1] == index and left.args[2] in values
+    return isinstance(left, notation.Shifted) and left.args[1] == index and left.args[2] in values
 
 
 def _laws(

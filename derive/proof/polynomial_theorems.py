@@ -9,30 +9,8 @@ import sympy
 
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
-from .marks import (
-    Shifted,
-    X,
-    c,
-    d,
-    dot,
-    i,
-    j,
-    m,
-    n,
-    p,
-    p_double,
-    p_m,
-    p_sum,
-    prime,
-    q,
-    q_double,
-    q_m,
-    q_sum,
-    theta,
-    v,
-    x,
-)  # fmt: skip
 from .methods import Determined, Identity
+from .notation import *
 from .setting import Letters
 from .statement import Equation, Premise, definition
 from .theorem import Theorem

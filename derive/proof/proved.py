@@ -12,7 +12,7 @@ from .computations import computations
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import theorems
 from .identity import Proof
-from .instances_of_phi import instance
+from .phi_instances import instance
 from .scalars import ScalarProofs, is_algebraic
 
 Progress = Callable[[str], None]

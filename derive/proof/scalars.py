@@ -23,7 +23,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
-from ..algebra.exact import Element
+from ..algebra.element import Element
 from ..algebra.polynomial_backend import Polynomial
 from ..maps.any_phi.elementary import evaluate
 from ..maps.chart import Chart
@@ -31,7 +31,7 @@ from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
 from .identity import Check, Claim, Proof, decide
-from .marks import Shifted, prime
+from .notation import Shifted, prime
 from .statement import Equation
 from .vector_ring import Ring
 

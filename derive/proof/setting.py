@@ -20,8 +20,8 @@ from typing import Any
 import sympy
 
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
-from ..algebra.exact import Element
-from . import marks
+from ..algebra.element import Element
+from . import notation
 from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
 from .statement import Equation, Premise
@@ -87,11 +87,11 @@ class Setting(Evaluation):
     def _take(self, equation: Equation) -> None:
         """Make a premise true."""
         left, right = equation.left, equation.right
-        if isinstance(left, marks.Shifted):
+        if isinstance(left, notation.Shifted):
             self._start(left, right)
-        elif isinstance(left, marks.rate):
+        elif isinstance(left, notation.rate):
             self._derive(self._rates, left.args[0], right)
-        elif isinstance(left, marks.prime):
+        elif isinstance(left, notation.prime):
             self._derive(self._slopes, left.args[0], right)
         elif _is_power(left):
             self._powers[left.base] = equation
@@ -113,7 +113,7 @@ class Setting(Evaluation):
         pairs = zip(flat(self.value(letter)), flat(self.value(value)), strict=True)
         derivation.update((self.ring.place(generator), rate) for generator, rate in pairs)
         if None in derivation:
-            raise NoValueError(f"{marks.text(term)} is no letter, whose rate or slope may be given")
+            raise NoValueError(f"{notation.text(term)} is no letter, whose rate or slope may be given")
 
     def has_rate(self, letter: sympy.Expr) -> bool:
         """Whether something says how a letter varies."""
@@ -125,30 +125,33 @@ class Setting(Evaluation):
         return self.ring.constant(value)
 
     def differentiated(self, mark: Any, value: Any) -> Any:
-        rates = self.rates if mark is marks.rate else self._slopes | {self.ring.letters[marks.x]: self.ring.constant(1)}
-        derive = partial(_derivative, rates)
-        return mapped(derive, value)
+        return mapped(partial(_derivative, self.rates if mark is notation.rate else self.slopes), value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        multiple = exponent.coeff(marks.n)
-        rest = sympy.expand(exponent - multiple * marks.n)
+        multiple = exponent.coeff(notation.n)
+        rest = sympy.expand(exponent - multiple * notation.n)
         if base in self._roots:
             symbol, step = self._roots[base]
             growing = self.value(symbol) ** int(multiple / step)
         else:
             if base not in self._powers:
-                raise NoValueError(f"nothing says what the power {marks.text(base)}^n is")
+                raise NoValueError(f"nothing says what the power {notation.text(base)}^n is")
             known = self._powers[base]
-            growing = self.value(known.right ** (multiple / known.left.exp.coeff(marks.n)))
+            growing = self.value(known.right ** (multiple / known.left.exp.coeff(notation.n)))
         return growing if rest == 0 else mixed.multiply(growing, self.value(base**rest))
 
     @property
     def rates(self) -> dict[Any, Any]:
         """The derivation by time: what follows x has the rate of x times its slope."""
-        if self.ring.letters.get(marks.x) not in self._rates:
+        if self.ring.letters.get(notation.x) not in self._rates:
             return self._rates
-        speed = self._rates[self.ring.letters[marks.x]]
+        speed = self._rates[self.ring.letters[notation.x]]
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
+
+    @property
+    def slopes(self) -> dict[Any, Any]:
+        """The derivation by x."""
+        return self._slopes | {self.ring.letters[notation.x]: self.ring.constant(1)}
 
     def relation_rates(self) -> list[Element]:
         """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
@@ -158,10 +161,9 @@ class Setting(Evaluation):
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
-            slopes = {**self._slopes, self.ring.letters[marks.x]: self.ring.constant(1)}
             scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
-            found += [zero.derivative(slopes) for zero in scalar]
-        speed = self._rates.get(self.ring.letters.get(marks.x))
+            found += [zero.derivative(self.slopes) for zero in scalar]
+        speed = self._rates.get(self.ring.letters.get(notation.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
         return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
 
@@ -192,11 +194,11 @@ def _roots(
     steps: dict[sympy.Expr, sympy.Rational] = {}
     for equation in equations:
         for power in equation.left.atoms(sympy.Pow) | equation.right.atoms(sympy.Pow):
-            if multiple := power.exp.coeff(marks.n):
+            if multiple := power.exp.coeff(notation.n):
                 steps[power.base] = min(steps.get(power.base, sympy.Integer(1)), sympy.Rational(1, multiple.q))
-    given = {power.base: power.exp.coeff(marks.n) for power in known}
+    given = {power.base: power.exp.coeff(notation.n) for power in known}
     return {
-        base: (sympy.Symbol(f"({marks.text(base)})^({marks.text(step * marks.n)})"), step)
+        base: (sympy.Symbol(f"({notation.text(base)})^({notation.text(step * notation.n)})"), step)
         for base, step in steps.items()
         if not (step / given.get(base, 0)).is_integer
     }

@@ -11,7 +11,7 @@ from functools import cached_property
 
 import sympy
 
-from .marks import Shifted, latex, text
+from .notation import Shifted, latex, text
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Equation:
     Attributes
     ----------
     left, right : Expr
-        In the letters and marks of :mod:`~derive.proof.marks`.
+        In the letters and marks of :mod:`~derive.proof.notation`.
     numbers : tuple of int
         Its numbers in CP23, where it is one of that paper's equations as it stands (or as corrected).
     wrong : Expr, optional

@@ -12,7 +12,7 @@ from typing import Protocol
 
 import sympy
 
-from . import marks
+from . import notation
 from .identity import ALL_ORDERS, Check, Claim, Multiplier, Proof, decide
 from .statement import Equation, Premise
 
@@ -93,7 +93,7 @@ class Theorem:
                     yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1
             yield from self.method.checks(Task(self.claim, self.premises, held, zeroed))
 
-        laws = marks.Shifted, marks.rate, marks.prime  # they say what sequences and functions are, everywhere
+        laws = notation.Shifted, notation.rate, notation.prime  # they say what sequences and functions are, everywhere
         conditions = tuple(e for e in supposed if e not in held and not isinstance(e.left, laws))
         return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
@@ -148,11 +148,12 @@ def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -
 
     Where an index changes there may be no other letters, such as dcay_n, that go with it.
     """
-    if changes.keys() & marks.INDICES and not equation.letters <= {*marks.TERMS, *marks.INDICES, marks.x, marks.j}:
+    known = {*notation.TERMS, *notation.INDICES, notation.x, notation.j}
+    if changes.keys() & notation.INDICES and not equation.letters <= known:
         return False
-    for letter in equation.letters & marks.TERMS.keys():
-        sequence, index = marks.TERMS[letter]
-        there = marks.TERMS.get(changes.get(letter, letter))
-        if marks.x in changes or there != (sequence, index.xreplace(changes)):
+    for letter in equation.letters & notation.TERMS.keys():
+        sequence, index = notation.TERMS[letter]
+        there = notation.TERMS.get(changes.get(letter, letter))
+        if notation.x in changes or there != (sequence, index.xreplace(changes)):
             return False
     return True

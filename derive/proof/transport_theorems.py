@@ -12,35 +12,8 @@ import sympy
 from .displacement_theorems import MOEBIUS, TURNED, TURNED_ROOT, UNIT, pythagoras
 from .formulas import Formulas
 from .map_theorems import ORIGIN_P
-from .marks import (
-    I,
-    beta,
-    cross,
-    dcay,
-    dcay_k,
-    dot,
-    dyad,
-    first,
-    gamma,
-    n,
-    omega_1,
-    omega_2,
-    p,
-    p_k,
-    q,
-    q_k,
-    r,
-    r_jk,
-    r_k,
-    rate,
-    sandwich,
-    scalar_1,
-    scalar_2,
-    second,
-    transport,
-    u,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .setting import Letters
 from .statement import Equation, Premise, definition
 from .theorem import Theorem

@@ -10,7 +10,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from ..algebra.exact import Element, RationalFunctions
+from ..algebra.element import Element
+from ..algebra.exact import RationalFunctions
 
 NEAR_ZERO = Fraction(1, 10**30)
 """The square of the first vector at the reference point: small, so that roots are positive near v = 0."""

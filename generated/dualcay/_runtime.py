@@ -224,6 +224,31 @@ def _record_and_run(
         run(kernel, chart.recorded(name, dtype, len(table)), arrays, extra, result, axis)
 
 
+def _supported(name: str, array: Array, real: bool) -> Array:
+    kind = array.dtype.kind
+    if kind in "biu" or array.dtype == np.float16:
+        return array.astype(np.float64)
+    if kind not in "fcO":
+        raise TypeError(f"{name} must hold numbers, got dtype {array.dtype}")
+    if real and kind == "c":
+        raise TypeError(f"{name} must be real: this function selects branches; got dtype {array.dtype}")
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
+
+
+@cache
+def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
+    """Return decimal constants at the precision of a type; objects get exact fractions of all the digits."""
+    if dtype.hasobject:
+        return tuple(map(Fraction, texts))
+    return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
+
+
+def unchanged(chart: Chart, axis: int, out: Array | None, v: ArrayLike) -> Array:
+    """Return v itself, checked and copied."""
+    array = as_array("v", v, chart.kernels["principal"].shape, axis, real=True)
+    return array.copy() if out is None else filled(array, out)
+
+
 def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = False) -> Array:
     """Return an argument as an array of a supported type, its component axes checked."""
     if axis not in (-1, 0):
@@ -239,18 +264,8 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     return array
 
 
-def _supported(name: str, array: Array, real: bool) -> Array:
-    kind = array.dtype.kind
-    if kind in "biu" or array.dtype == np.float16:
-        return array.astype(np.float64)
-    if kind not in "fcO":
-        raise TypeError(f"{name} must hold numbers, got dtype {array.dtype}")
-    if real and kind == "c":
-        raise TypeError(f"{name} must be real: this function selects branches; got dtype {array.dtype}")
-    return array.astype(array.dtype.newbyteorder("="), copy=False)
-
-
 def _batch(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
+    """Return the shape to which batches broadcast."""
     parts = [len(part) for _, part in arguments]
     shapes = [a.shape[k:] if axis == 0 else a.shape[: a.ndim - k] for a, k in zip(arrays, parts, strict=True)]
     if len(set(shapes)) == 1:
@@ -264,6 +279,7 @@ def _batch(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis
 
 
 def _check(out: Array, shape: Shape, dtype: np.dtype[Any]) -> None:
+    """Require an array that can hold a result."""
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out must be an array, got {type(out).__name__}")
     if out.shape != shape:
@@ -283,20 +299,6 @@ def separate(found: Array, axis: int, *shapes: Shape) -> tuple[Array, ...]:
             results.append(found[..., start : start + size].reshape(found.shape[:-1] + shape))
         start += size
     return tuple(results)
-
-
-@cache
-def constants(texts: tuple[str, ...], dtype: np.dtype[Any]) -> tuple[Any, ...]:
-    """Return decimal constants at the precision of a type; objects get exact fractions of all the digits."""
-    if dtype.hasobject:
-        return tuple(map(Fraction, texts))
-    return tuple(map(np.longdouble if dtype == np.longdouble else float, texts))
-
-
-def unchanged(chart: Chart, axis: int, out: Array | None, v: ArrayLike) -> Array:
-    """Return v itself, checked and copied."""
-    array = as_array("v", v, chart.kernels["principal"].shape, axis, real=True)
-    return array.copy() if out is None else filled(array, out)
 
 
 def filled(array: Array, out: Array | None) -> Array:

@@ -23,6 +23,7 @@ from ..branches import Derivatives
 from ..dependent import DependentScalars
 from ..families import alpha
 from ..order_charts import double_angle
+from ..scalar import scalar
 from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
@@ -45,10 +46,8 @@ class GeneralScalars(DependentScalars):
 
     # --- near ---------------------------------------------------------------------------------------------------
 
-    @cached_property
-    def _x(self) -> Coefficient:
-        """x of what is near; else 0 of its type."""
-        return self.m.name("xn", self.m.where(self.is_near, self.x, self.x - self.x))
+    # x of what is near; else 0 of its type.
+    _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
 
     def _a(self, count: int) -> Coefficient:
         """A derivative of a(x)."""
@@ -61,9 +60,7 @@ class GeneralScalars(DependentScalars):
     def _found(self) -> dict[int, Coefficient]:
         return {}
 
-    @cached_property
-    def _aa(self) -> Coefficient:
-        return self.m.name("aa", self._a(0) * self._a(0))
+    _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
@@ -74,31 +71,12 @@ class GeneralScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    @cached_property
-    def _c3(self) -> Coefficient:
-        return self.m.name("c3", self._whole.c3)
-
-    @cached_property
-    def _bend(self) -> Coefficient:
-        """``2 c₃′``."""
-        return self.m.name("c3x", 3 * self._whole.c5 - self._whole.c4)
-
-    @cached_property
-    def _rate_near(self) -> Coefficient:
-        return self.m.name("rhon", self._a(0) + 2 * (self._x * self._a(1)))
-
-    @cached_property
-    def _ratey_near(self) -> Coefficient:
-        return self.m.name("rhony", 6 * self._a(1) + 4 * (self._x * self._a(2)))
-
-    @cached_property
-    def _growth(self) -> Coefficient:
-        """dξ/dx."""
-        return self.m.name("xix", self._a(0) * self._rate_near)
-
-    @cached_property
-    def _cube(self) -> Coefficient:
-        return self.m.name("aaa", self._aa * self._a(0))
+    _c3 = scalar(lambda at: at._whole.c3, "c3")
+    _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
+    _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
+    _ratey_near = scalar(lambda at: 6 * at._a(1) + 4 * (at._x * at._a(2)), "rhony")
+    _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx.
+    _cube = scalar(lambda at: at._aa * at._a(0), "aaa")
 
     @property
     def _hy_near(self) -> Coefficient:
@@ -124,9 +102,7 @@ class GeneralScalars(DependentScalars):
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
 
-    @cached_property
-    def _length(self) -> Coefficient:
-        return self.m.name("length_x", self.m.sqrt(self._square))
+    _length = scalar(lambda at: at.m.sqrt(at._square), "length_x")
 
     @cached_property
     def far_angle(self) -> Coefficient:
@@ -150,9 +126,7 @@ class GeneralScalars(DependentScalars):
     def _derivative(self, count: int) -> Coefficient:
         return self._slopes.derivative(self.chart.phi, count)
 
-    @cached_property
-    def _rate_far(self) -> Coefficient:
-        return self.m.name("rhof", self.m.div(1, self._derivative(1)))
+    _rate_far = scalar(lambda at: at.m.div(1, at._derivative(1)), "rhof")
 
     @property
     def _ratey_far(self) -> Coefficient:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.algebra.exact import Element
+from derive.algebra.element import Element
 
 from ..language import values
 from ..language.evaluation import Env

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.algebra.mixed import MeaninglessError
 
 from ..language.evaluation import Env

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
 
 from ..numbers.fields import UndefinedError, innermost

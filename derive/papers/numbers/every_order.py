@@ -17,7 +17,7 @@ from itertools import product
 from typing import Any
 
 from derive.algebra import Dual, Quaternion, Structure
-from derive.algebra.exact import Element, NotExactError
+from derive.algebra.element import Element, NotExactError
 
 from .fields import Exact, one_over
 

@@ -17,7 +17,7 @@ import mpmath
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
 from derive.algebra.angles import AngleField
-from derive.algebra.exact import Element, NotExactError
+from derive.algebra.element import Element, NotExactError
 from derive.maps.polynomials import pair
 
 DIGITS = 60

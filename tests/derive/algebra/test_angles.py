@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from derive.algebra.exact import Element, NotExactError
+from derive.algebra.angles import AngleField
+from derive.algebra.element import Element, NotExactError
 
 STEPS = 3
 NEAR = 1e-3

@@ -1,4 +1,4 @@
-"""C headers executed as text: wrong signs, coefficients, indices and conditions are refused, and wrong names are named."""
+"""C headers executed as text: wrong signs, coefficients, indices, conditions and names are refused."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 import sympy
 
-from derive.algebra.exact import Element
+from derive.algebra.element import Element
 from derive.papers import PAPERS, UndecidedError
 from derive.papers.condurache_popa_2023.definitions import preimages
 from derive.papers.condurache_popa_2023.symbols import LOST

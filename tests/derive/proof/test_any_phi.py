@@ -11,9 +11,9 @@ import sympy
 from derive.maps import family
 from derive.maps.families import alpha
 from derive.proof import ProofFailed, prove
-from derive.proof.any_phi import ANY_PHI, any_phi
 from derive.proof.controls import controls
-from derive.proof.instances_of_phi import _at_origin
+from derive.proof.phi_instances import _at_origin
+from derive.proof.phi_theorems import ANY_PHI, any_phi
 
 
 def test_they_are_proved():

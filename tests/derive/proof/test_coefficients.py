@@ -6,7 +6,7 @@ import pytest
 import sympy
 
 from derive.proof.coefficients import BINOMIAL, NotDecidedError, Series, _written_out, _zero, residue
-from derive.proof.marks import j, n
+from derive.proof.notation import j, n
 
 B = sympy.binomial
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen.signatures import PUBLIC
-from derive.proof import marks as m
+from derive.proof import notation as m
 from derive.proof import theorems
 from derive.proof.coverage import COVERAGE
 

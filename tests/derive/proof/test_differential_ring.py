@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy
 
-from derive.algebra.exact import Element
+from derive.algebra.element import Element
 from derive.proof.differential_ring import DifferentialRing
-from derive.proof.marks import Shifted, dot, n, p, q, v, x
+from derive.proof.notation import Shifted, dot, n, p, q, v, x
 from derive.proof.setting import Letters, Setting
 from derive.proof.statement import definition
 

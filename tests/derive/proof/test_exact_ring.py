@@ -10,7 +10,8 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from derive.algebra.exact import Element, NotExactError, RationalFunctions
+from derive.algebra.element import Element, NotExactError
+from derive.algebra.exact import RationalFunctions
 from derive.algebra.polynomial_backend import polynomials
 from derive.proof import Ring
 

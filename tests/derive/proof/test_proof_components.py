@@ -10,7 +10,7 @@ import sympy
 
 from derive.algebra import Dual
 from derive.maps import Cayley, polynomials
-from derive.proof import marks
+from derive.proof import notation as m
 from derive.proof.at_order import LETTERS, instances
 from derive.proof.at_point import AtPoint, _root
 from derive.proof.components import ROTATED, STATEMENTS, Components
@@ -98,7 +98,7 @@ def test_words_are_evaluated() -> None:
         assert any(label.startswith(equation.text) for equation in proof.claim for label in labels)
 
 
-@pytest.mark.parametrize(("letter", "other"), [("p", marks.q), ("c", marks.d), ("tangent", marks.R)])
+@pytest.mark.parametrize(("letter", "other"), [("p", m.q), ("c", m.d), ("tangent", m.R)])
 def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(LETTERS, letter, other)  # "Cayley(3).p is q at n = 3"
     failed = [proof for proof in (*instances(Cayley(3)), *computations(3)) if not proof.proved]
@@ -109,13 +109,13 @@ def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch
 def test_roots_at_a_point_are_exact() -> None:
     root = _root(Dual(Fraction(9, 4), Fraction(5)))
     assert root * root == Dual(Fraction(9, 4), Fraction(5))
-    assert AtPoint(3).power(1 + marks.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
+    assert AtPoint(3).power(1 + m.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
     with pytest.raises(NoValueError, match="9/5 is the square of no rational number"):
         _root(Dual(Fraction(9, 5), Fraction(5)))
 
 
 def test_premises_are_evaluated() -> None:
-    wrong = replace(ROTATED, equation=Equation(marks.R * marks.point, marks.q_hat * marks.point * marks.q_hat))
+    wrong = replace(ROTATED, equation=Equation(m.R * m.point, m.q_hat * m.point * m.q_hat))
     words = [(name, claim, tuple(wrong if p == ROTATED else p for p in given)) for name, claim, given in STATEMENTS]
     decided = list(Components(Cayley(3)).proofs(words))
     assert [proof.proved for proof in decided] == [wrong not in proof.premises for proof in decided]

@@ -13,7 +13,7 @@ from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXP
 from derive.proof.every_order import decided, stated
 from derive.proof.formulas import Formulas
 from derive.proof.identity import ALL_ORDERS
-from derive.proof.marks import I, alpha, dcay, det, n, p, q, skew, u, v, x
+from derive.proof.notation import I, alpha, dcay, det, n, p, q, skew, u, v, x
 from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
 from derive.proof.statement import Equation, definition
 from derive.proof.theorem import Theorem

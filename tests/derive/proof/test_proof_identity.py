@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 from derive.proof.identity import Claim, Multiplier, decide
-from derive.proof.marks import n, p, q, x
+from derive.proof.notation import n, p, q, x
 from derive.proof.statement import Equation, Premise, definition
 
 CLAIM = Claim("sum", (Equation(p, q + x / 2, (2, 1)), Equation(q, n)), "arithmetic", (definition(x, 2),))

@@ -13,9 +13,9 @@ from derive.proof.displacement_theorems import EXPONENTIAL, ROTATION
 from derive.proof.evaluation import NoValueError
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
-from derive.proof.instances_of_phi import instance
-from derive.proof.marks import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
 from derive.proof.methods import Determined, Identity
+from derive.proof.notation import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
+from derive.proof.phi_instances import instance
 from derive.proof.polynomial_theorems import ANGLES, COSINE, NORM, ONE, RISE, SINE, SUMS, TURN, recurring
 from derive.proof.scalars import FORMULAS
 from derive.proof.setting import Letters

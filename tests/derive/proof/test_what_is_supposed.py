@@ -7,14 +7,14 @@ from dataclasses import replace
 import pytest
 import sympy
 
-from derive.proof.any_phi import ANY_PHI
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
-from derive.proof.marks import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
 from derive.proof.methods import Identity
+from derive.proof.notation import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
+from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.polynomial_theorems import (
     ADDITION,
     ANGLES,

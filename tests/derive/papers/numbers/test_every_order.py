@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.papers.numbers.every_order import EveryOrder
 
 FIELD = EveryOrder(["x"])

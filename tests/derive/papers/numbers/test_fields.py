@@ -8,7 +8,7 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power

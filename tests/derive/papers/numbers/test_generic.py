@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Dual
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.papers.language.terms import Symbol
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic, GenericOrder

@@ -6,7 +6,7 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
-from derive.algebra.exact import NotExactError
+from derive.algebra.element import NotExactError
 from derive.papers.language.terms import Symbol
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60

@@ -16,28 +16,8 @@ from functools import cache
 import sympy
 
 from .identity import Proof
-from .marks import (
-    I,
-    R,
-    conjugate,
-    det,
-    dot,
-    dyad,
-    omega,
-    omega_body,
-    point,
-    prime,
-    q_hat,
-    rate,
-    skew,
-    structure,
-    transpose,
-    v,
-    v_dot,
-    vect,
-    x,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .setting import Letters
 from .statement import Equation, Premise, definition
 from .theorem import Theorem

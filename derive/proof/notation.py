@@ -62,7 +62,7 @@ TYPESET = {
 """Letters that SymPy would not typeset by their name."""
 
 
-class Mark(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
+class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
     """A mark applied to letters; subclasses say how it looks."""
 
     text: ClassVar[str]
@@ -85,33 +85,33 @@ class Mark(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
         return f"({printed})" if bare and composed else printed
 
 
-class Scalar(Mark):
+class Scalar(Operator):
     """A mark whose value is a number."""
 
     is_commutative = True
 
 
-def _mark(name: str, text: str, typeset: str, base: type[Mark] = Mark) -> Any:
+def _operator(name: str, text: str, typeset: str, base: type[Operator] = Operator) -> Any:
     return type(name, (base,), {"text": text, "typeset": typeset, "__module__": __name__})
 
 
-transpose = _mark("transpose", "{0}^T", "{{{0}}}^T")
-conjugate = _mark("conjugate", "conj({0})", "{{{0}}}^*")
-skew = _mark("skew", "skew({0})", r"\tilde{{{0}}}")
-vect = _mark("vect", "vect({0})", r"\mathrm{{vect}}({0})")
-rate = _mark("rate", "{0}'", r"\dot{{{0}}}")
-cross = _mark("cross", "{0} x {1}", r"{0} \times {1}")
-dyad = _mark("dyad", "{0}(x){1}", r"{0} \otimes {1}")
-sandwich = _mark("sandwich", "Delta({0})", r"\Delta({0})")
-first_order = _mark("first_order", "compose_1({0}, {1})", r"\mathrm{{compose}}_1({0}, {1})")
-second_order = _mark("second_order", "compose_2({0}, {1})", r"\mathrm{{compose}}_2({0}, {1})")
-real, dual = _mark("real", "Re({0})", r"\mathrm{{Re}}({0})"), _mark("dual", "Du({0})", r"\mathrm{{Du}}({0})")
-exponential = _mark("exponential", "exp({0})", r"\exp({0})")
-det = _mark("det", "det({0})", r"\det {0}", Scalar)
-norm2 = _mark("norm2", "|{0}|^2", r"|{0}|^2", Scalar)
-below = _mark("below", "denominator of {0}", r"\mathrm{{den}}({0})", Scalar)
-dot = _mark("dot", "{0}.{1}", r"{0} \cdot {1}", Scalar)
-prime = _mark("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", Scalar)
+transpose = _operator("transpose", "{0}^T", "{{{0}}}^T")
+conjugate = _operator("conjugate", "conj({0})", "{{{0}}}^*")
+skew = _operator("skew", "skew({0})", r"\tilde{{{0}}}")
+vect = _operator("vect", "vect({0})", r"\mathrm{{vect}}({0})")
+rate = _operator("rate", "{0}'", r"\dot{{{0}}}")
+cross = _operator("cross", "{0} x {1}", r"{0} \times {1}")
+dyad = _operator("dyad", "{0}(x){1}", r"{0} \otimes {1}")
+sandwich = _operator("sandwich", "Delta({0})", r"\Delta({0})")
+first_order = _operator("first_order", "compose_1({0}, {1})", r"\mathrm{{compose}}_1({0}, {1})")
+second_order = _operator("second_order", "compose_2({0}, {1})", r"\mathrm{{compose}}_2({0}, {1})")
+real, dual = _operator("real", "Re({0})", r"\mathrm{{Re}}({0})"), _operator("dual", "Du({0})", r"\mathrm{{Du}}({0})")
+exponential = _operator("exponential", "exp({0})", r"\exp({0})")
+det = _operator("det", "det({0})", r"\det {0}", Scalar)
+norm2 = _operator("norm2", "|{0}|^2", r"|{0}|^2", Scalar)
+below = _operator("below", "denominator of {0}", r"\mathrm{{den}}({0})", Scalar)
+dot = _operator("dot", "{0}.{1}", r"{0} \cdot {1}", Scalar)
+prime = _operator("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", Scalar)
 
 
 class Shifted(sympy.Function):  # type: ignore[misc]

@@ -9,9 +9,9 @@ import sympy
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
-from .any_phi import PHI, SCALARS, any_phi, cosine, phi, sine
 from .identity import Check, Claim, Proof, decide
-from .marks import Shifted
+from .notation import Shifted
+from .phi_theorems import PHI, SCALARS, any_phi, cosine, phi, sine
 from .scalars import FORMULAS
 from .statement import Equation
 
