@@ -123,14 +123,14 @@ class Field(ABC):
 
     @abstractmethod
     def same(self, a: Any, b: Any) -> bool:
-        """Whether two plain numbers are equal."""
+        """Return whether two plain numbers are equal."""
 
     def vanishes(self, a: Any) -> bool:
-        """Whether a plain number is zero, or what rounding makes of it."""
+        """Return whether a plain number is zero, or what rounding makes of it."""
         return bool(a == 0)
 
     def negligible(self, parts: Iterable[Any]) -> bool:
-        """Whether the rest of a power series can be left off after a term with these parts."""
+        """Return whether the rest of a power series can be left off after a term with these parts."""
         raise NotExactError("an infinite sum")
 
     # what a field does not have it refuses
