@@ -5,7 +5,6 @@ A claim that no formula says is a symbol bound to a function that computes its t
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
@@ -96,22 +95,3 @@ def axis_projector(Q: Tensor) -> Tensor:
     """``Q + Qᵀ + (1 − tr Q) I = 2 (1 − cos α) u ⊗ u``."""
     projector: Tensor = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())
     return projector
-
-
-def scalar_part(env: Env, q: Quaternion) -> Any:
-    """The scalar part."""
-    return q.scalar
-
-
-def vector_part(env: Env, q: Quaternion) -> Vector:
-    """The vector part."""
-    return q.vector
-
-
-def on_parts(f: Callable[[Any], Any]) -> Callable[..., Any]:
-    """A meaning from a function of one value, without the environment."""
-    return lambda env, a: f(a)
-
-
-real_of = on_parts(values.re)
-dual_of = on_parts(values.du)

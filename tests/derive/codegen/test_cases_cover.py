@@ -11,12 +11,12 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.codegen.cases import decimals, digits
-from derive.codegen.cases.decimals import Decimal
-from derive.codegen.cases.exact import Expectation
 from derive.codegen.lowered import Lowered, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
-from derive.codegen.signatures import FUNCTIONS
+from derive.codegen.signatures import FUNCTIONS, POSES
+from derive.codegen.validation import decimals, samples
+from derive.codegen.validation.decimals import Decimal
+from derive.codegen.validation.formulas import Expectation
 from derive.maps import Cayley
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -37,7 +37,7 @@ class Watched:
     def __init__(self, chart: Cayley) -> None:
         self.chart = chart
         self.lowered: Lowered = lower_chart(chart)
-        self.programs = {**geometry(), **self.lowered.own}
+        self.programs = geometry()
         self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
 
     def call(self, case: Expectation) -> None:
@@ -72,7 +72,7 @@ def sides(n: int, some: slice = slice(None)) -> Sides:
     """Of all comparisons, by some cases of each function and branch."""
     watched = Watched(Cayley(n))
     with mpmath.workdps(decimals.DIGITS):
-        for batch in digits.expectations(watched.chart):
+        for batch in samples._by_function(watched.chart, POSES):
             for case in batch[some]:
                 watched.call(case)
     return watched.sides
@@ -96,7 +96,7 @@ def test_with_fewer_cases_some_are_not() -> None:
 
 def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
     """Of each kind a chart needs some: |v| = 1, √2, √3, with both signs."""
-    squares = sorted(sum(c * c for c in u) for u in digits.LATTICE)
+    squares = sorted(sum(c * c for c in u) for u in samples.LATTICE)
     assert squares == [1, 1, 2, 3, 3]
-    assert len({frozenset((u, tuple(-c for c in u))) for u in digits.LATTICE}) == len(squares)
-    assert {c for u in digits.LATTICE for c in u} == {-1, 0, 1}
+    assert len({frozenset((u, tuple(-c for c in u))) for u in samples.LATTICE}) == len(squares)
+    assert {c for u in samples.LATTICE for c in u} == {-1, 0, 1}

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.codegen.cases.decimals import DIGITS, Decimal, close
+from derive.codegen.validation.decimals import DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 

@@ -14,15 +14,14 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
-from derive.maps.elementary import evaluate
+from derive.maps.any_phi.elementary import evaluate
+from derive.maps.any_phi.lowering import Lowering
 from derive.maps.families import alpha
-from derive.maps.lowered_phi import Lowering
 from derive.output import files
 from derive.proof import prove
 from tests.support import families
@@ -61,7 +60,7 @@ def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / f"with_{name}", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
@@ -111,7 +110,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 def test_functions_are_right_to_the_last_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
     """On floats, near 0 and on either side of it, in eps."""
     for a in arguments:
-        got = Lowering(a, PLAIN, "f").at(function)
+        got = Lowering(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):
             exact = evaluate(function, alpha, mpmath.mpf(a))
             assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)

@@ -13,15 +13,13 @@ import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
-from derive.codegen.cases import samples
-from derive.codegen.cases.vectors import Vectors
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation.rounding import long
+from derive.codegen.validation.float_cases import cases
+from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw
@@ -53,7 +51,7 @@ def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / "of_phi", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
@@ -112,10 +110,9 @@ def test_beyond_a_fold_there_is_no_vector():
         found = [next(iter(at.at(Screw(Dual(mpmath.mpf(angle), mpmath.mpf(0)), axis)).re)) for angle in ("3.2", "3.23")]
     assert float(found[0]) == pytest.approx(np.sin(1.6) + 0.064, rel=1e-15)
     assert mpmath.isnan(found[1])
-    assert np.isnan(long(found)[1])
-    replayed = {group.branch for group in samples(chart, chosen=("from_pose", "from_quaternion"))}
-    assert (0,) in replayed
-    assert (-1,) not in replayed
+    replayed = {case.branch for case in cases(chart) if case.function in ("from_pose", "from_quaternion")}
+    assert 0 in replayed
+    assert -1 not in replayed
 
 
 def test_complex_steps_go_through_the_origin(kernels: ModuleType):

@@ -22,11 +22,11 @@ EPS = 2.0**-52
 
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
-    """Of arguments of one component each."""
+    """A function of numbers."""
     space: dict[str, Any] = {"m": Sharp}
     inputs = ", ".join(name for name, _ in program.inputs)
     exec(f"def f({inputs}):\n{infix.body(program)}", space)
-    return lambda *numbers: space["f"](*([number] for number in numbers))
+    return space["f"]
 
 
 def traced(sum_of: Callable[[Trace, Sequence[Any]], Any], count: int = 3) -> Callable[..., tuple[float, ...]]:

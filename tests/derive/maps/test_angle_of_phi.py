@@ -9,11 +9,12 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import PhiError, first_guess, parameterization
-from derive.maps.edges import DIGITS, angle_of, edge_of
-from derive.maps.families import Family, alpha
-from derive.maps.first_guess import Fitted, Guarded, Guess
-from derive.maps.general import General
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import first_guess
+from derive.maps.any_phi.edges import DIGITS, angle_of, edge_of
+from derive.maps.any_phi.first_guess import Fitted, Guarded, Guess
+from derive.maps.any_phi.general import General
+from derive.maps.families import alpha
 
 FITTED = {
     "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",
@@ -114,8 +115,10 @@ def test_beyond_the_edge_nothing_is_raised(phi) -> None:
 
 
 def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
-    of_series = Family("of user", 1, chart.phi, chart.scale, "").series(1)
-    assert chart.limits == tuple(tuple(coefficients[0] for coefficients in part) for part in of_series)
+    first, third = (sympy.series(chart.phi, alpha, 0, 4).removeO().coeff(alpha, k) for k in (1, 3))
+    sixth = sympy.Rational(1, 6)
+    assert chart.limits[0] == (1 / first, 1 / (2 * first**2), (sixth - 2 * third / first) / first**3)
+    assert chart.limits[1] == (first, -sympy.Rational(1, 2), 2 * third / first**2 + sixth / (2 * first))
 
 
 def test_at_a_known_angle_next_to_a_fold_no_digit_is_lost() -> None:

@@ -8,8 +8,8 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps import edges
-from derive.maps.edges import DIGITS, Edge, angle_of, edge_of
+from derive.maps.any_phi import edges
+from derive.maps.any_phi.edges import DIGITS, Edge, angle_of, edge_of
 from derive.maps.families import alpha
 
 EDGES = [

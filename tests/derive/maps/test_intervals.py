@@ -8,8 +8,8 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps import intervals
-from derive.maps.expressions import parsed
+from derive.maps.any_phi import intervals
+from derive.maps.any_phi.expressions import parsed
 from derive.maps.families import alpha
 
 PHI = [

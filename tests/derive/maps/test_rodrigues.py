@@ -33,8 +33,6 @@ def test_vector_is_the_tangent_of_half_the_angle_along_the_axis(angle: float, ga
     half = motion.angle / 2
     tangent = half.apply(mpmath.tan, lambda a: 1 + mpmath.tan(a) ** 2)
     assert gap(b, motion.axis * tangent) < 1e-45
-    parameters = rodrigues.dual_parameters(motion.angle, motion.axis, mpmath)
-    assert gap(parameters, b.du) < 1e-45
 
 
 def test_direction_is_the_axis_up_to_a_half_turn_and_opposite_beyond(gap) -> None:

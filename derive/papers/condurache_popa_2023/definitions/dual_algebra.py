@@ -1,11 +1,11 @@
-"""What the symbols of section 2 stand for: dual numbers, dual vectors and dual tensors by their parts."""
+"""Definitions of section 2: dual numbers, dual vectors and dual tensors by their parts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
+from derive.algebra import Quaternion, Tensor, Vector, real_part
 from derive.maps import first_principles
 
 from ...language import values
@@ -16,11 +16,6 @@ Frame = Callable[[int], Vector]
 """The vectors of a basis by their number, 1 to 3."""
 
 # ---- dual numbers ---------------------------------------------------------------------------------------------------
-
-
-def from_parts(env: Env, re: Any, du: Any) -> Dual:
-    """The dual number with these parts."""
-    return Dual(re, du)
 
 
 def sign(env: Env) -> Callable[[Any], Any]:
@@ -42,11 +37,6 @@ def multiplies_onto(env: Env, a: Any) -> bool:
 
 
 # ---- dual vectors ---------------------------------------------------------------------------------------------------
-
-
-def vector_from_parts(env: Env, re: Vector, du: Vector) -> Any:
-    """The dual vector with these parts."""
-    return dualise(re, du)
 
 
 def magnitudes(env: Env, a: Vector) -> values.Solution:
@@ -81,11 +71,6 @@ def axes(env: Env, a: Vector) -> values.Solution:
     return values.Solution(carries)
 
 
-def magnitude(env: Env, a: Vector) -> Any:
-    """``|a|``."""
-    return env.field.magnitude(a)
-
-
 def one_axis(env: Env, a: Vector) -> Vector:
     """One unit vector along a."""
     if real_part(a.dot(a)) != 0:
@@ -108,11 +93,6 @@ def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
     return values.Solution(lambda point: values.equal(env.field, (point - through).cross(a0), 0 * a0))
 
 
-def basis(i: int) -> Callable[[Env], Vector]:
-    """A vector of the standard basis."""
-    return lambda env: Vector(*(int(i == k) for k in range(3)))
-
-
 # ---- dual tensors ---------------------------------------------------------------------------------------------------
 
 
@@ -120,11 +100,6 @@ def frame(env: Env, q: Quaternion) -> Callable[[int], Vector]:
     """A right-handed orthonormal basis of dual vectors: any one is a turned standard basis."""
     turned = first_principles.tensor_by_sandwich(q)
     return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
-
-
-def components(env: Env, a: Vector, frame: Frame) -> Callable[[int], Any]:
-    """The components in a frame."""
-    return lambda k: frame(k).dot(a)
 
 
 def matrix_of_dyad(env: Env, a: Vector, b: Vector, frame: Frame) -> Tensor:
@@ -135,11 +110,6 @@ def matrix_of_dyad(env: Env, a: Vector, b: Vector, frame: Frame) -> Tensor:
 def matrix_of_cross(env: Env, a: Vector, frame: Frame) -> Tensor:
     """``e_j · (a × e_k)``."""
     return Tensor.from_entries(frame(j).dot(a.cross(frame(k))) for j in (1, 2, 3) for k in (1, 2, 3))
-
-
-def skew_part(env: Env, a: Tensor) -> Tensor:
-    """A skew-symmetric tensor."""
-    return a - a.transpose
 
 
 def axial(env: Env, a: Tensor) -> Vector:

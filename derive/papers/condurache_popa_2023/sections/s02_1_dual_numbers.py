@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...equation import equation
 from ...language.claims import proposition
+from ...language.definitions import from_parts
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import ATOM, Symbol
@@ -23,8 +24,8 @@ prime = define("derivative", "{0}'", "{0}'", ATOM, (ATOM,), lambda env, function
 
 
 PARTS = (
-    let(a_, dual_algebra.from_parts, a, a0), let(b_, dual_algebra.from_parts, b, b0), let(sgn, dual_algebra.sign),
-    let(angle_, dual_algebra.from_parts, angle, a0),
+    let(a_, from_parts, a, a0), let(b_, from_parts, b, b0), let(sgn, dual_algebra.sign),
+    let(angle_, from_parts, angle, a0),
 )
 ZERO = (let(divides_zero, dual_algebra.multiplies_singularly, a_), let(invertible, dual_algebra.multiplies_onto, a_))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra import Tensor
 
 from ...equation import Reading, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import dual_of, plain, real_of
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import ATOM, LIST, POWER, Symbol
@@ -35,13 +35,13 @@ rows = define(
     "({0},{1},{2},{3},{4},{5},{6},{7},{8})", ATOM, (LIST,), lambda env, *entries: Tensor.from_entries(entries),
 )
 
-
+components = plain(lambda a, frame: lambda k: frame(k).dot(a))
 FRAME = (
-    let(frame, dual_algebra.frame, turn), let(columns["a"], dual_algebra.components, a_, frame),
-    let(columns["b"], dual_algebra.components, b_, frame),
+    let(frame, dual_algebra.frame, turn), let(columns["a"], components, a_, frame),
+    let(columns["b"], components, b_, frame),
 )
 axial_of_A = Symbol("a of A", "dual vector", r"\underline{\mathbf{a}}", "a")
-SKEW = (let(A_, dual_algebra.skew_part, T_), let(axial_of_A, dual_algebra.axial, A_))
+SKEW = (let(A_, plain(lambda T: T - T.transpose), T_), let(axial_of_A, dual_algebra.axial, A_))
 regular = nonzero(Re(triple(v1, v2, v3)))
 a1, a2, a3 = (component(columns["a"], k) for k in (1, 2, 3))
 dyad_matrix = Symbol("matrix of a⊗b", "tensor", r"\left[\underline{a} \otimes \underline{b}\right]", "ab")

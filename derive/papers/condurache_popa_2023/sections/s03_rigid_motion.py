@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from derive.maps.lines import foot
+from derive.maps.pose import Pose, pose_from_tensor
+
 from ...equation import equation
-from ...language.claims import dual_of, homogeneous, orthogonal, pose, proposition, real_of
+from ...language.claims import homogeneous, orthogonal, pose, proposition
+from ...language.definitions import dual_of, nilpotent, plain, real_of, same, screw_tensor
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import ATOM, LIST, PRODUCT, Symbol, Trait
@@ -47,10 +51,11 @@ when_between = define(
 
 INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
 GIVEN = tuple(let(symbol, homogeneous, Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
-PHI = (let(phi, motions.line_map), let(phi_inv, motions.inverse_line_map))
+PHI = (let(phi, lambda env: motions.moved_lines), let(phi_inv, lambda env: pose_from_tensor))
 SCREW = (
-    let(R, motions.screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
-    let(axis, real_of, u), let(moment, dual_of, u), let(point, motions.foot, u), let(R_of, motions.screw_function),
+    let(R, screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
+    let(axis, real_of, u), let(moment, dual_of, u), let(point, plain(foot), u),
+    let(R_of, lambda env: lambda alpha, u: screw_tensor(env, alpha, u)),
 )
 versine = 1 - cos(angle)
 size = root((1 + trace(Q)) * (3 - trace(Q)))
@@ -77,8 +82,8 @@ FIRST = (
     equation("structural-invariants", "the structural invariants", 104,
              both(equal(Q, Re(R)), equal(rho, vect(dot(Du(R), transpose(Q))))),
              extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
-             where=(let(Q, motions.same, any_turn), let(rho, motions.same, any_shift),
-                    let(R, motions.tensor_of, any_turn, any_shift))),
+             where=(let(Q, same, any_turn), let(rho, same, any_shift),
+                    let(R, plain(lambda Q, rho: motions.moved_lines(Pose(Q, rho))), any_turn, any_shift))),
 )
 
 NATURAL = (
@@ -114,10 +119,10 @@ NATURAL = (
                     let(principal, motions.is_principal, alpha)),
              claimed=principal, stated=(110, "α = a t a n 2")),
     equation("natural-rotation", "a real dual angle is a rotation", 111, equal(Q * point + rho, point),
-             where=(let(R, motions.screw_tensor, turn_only, u), *SCREW[1:]),
+             where=(let(R, screw_tensor, turn_only, u), *SCREW[1:]),
              remark="Points of the axis stay where they are."),
     equation("natural-translation", "a dual angle ε d is a translation", 111, equal(Q, I),
-             where=(let(alpha, motions.nilpotent, shift_only), *SCREW)),
+             where=(let(alpha, nilpotent, shift_only), *SCREW)),
     equation("mozzi-chasles", "the axis is the Mozzi-Chasles axis", 111,
              equal(Q * (point + lam * axis) + rho, point + lam * axis + shift * axis), where=SCREW),
     equation("19", "structural invariants from natural ones", 114,

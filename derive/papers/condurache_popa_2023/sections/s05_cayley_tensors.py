@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
-from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
+from ...language.claims import defined, orthogonal, proposition, unequal
+from ...language.definitions import dual_of, multiple, nilpotent, real_of, same, screw_tensor
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import ATOM, LIST, Symbol
-from ..definitions import low_orders, motions, quaternion_maps
+from ..definitions import dual_algebra, low_orders, motions, orders
 from ..symbols import alpha, tensor, u, v, vector
 
 I, V = identity, skew(v)
@@ -41,14 +42,15 @@ below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
                     lambda env, s, t: s @ t - t @ s)
 
-EULER = (let(a, quaternion_maps.multiple, alpha, u),)
+EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
 CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
 TYPES = low_orders.displacement_types(rotates, translates, general)
 EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
-OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in TYPES), let(Q, motions.rotation_of, R),
-        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
-AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
+OF_V = (let(R, orders.at_order(1, orders.rotation), v), *(let(p, f, R) for p, f in TYPES),
+        let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
+        let(v_du, dual_of, v))
+AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, dual_algebra.one_axis, v))
 
 
 ALGEBRA = (
@@ -68,22 +70,22 @@ ALGEBRA = (
     equation("tensor-exponential-onto", "every orthogonal dual tensor is one", 153, reaches(exp_map, R), where=EXP),
     equation("26", "logarithm of an orthogonal dual tensor", 155, equal(exp(skew(a)), R),
              extract="e x p ( α _ ~ ) = R _", branches=3,
-             where=(let(a, low_orders.turned, alpha, u, turns), let(R, motions.screw_tensor, alpha, u)),
+             where=(let(a, low_orders.turned, alpha, u, turns), let(R, screw_tensor, alpha, u)),
              remark="One value for each number k of additional turns."),
     equation("euler-vector", "Euler dual vector", 157, equal(a, a_re + epsilon * a_du), extract="α _ = α + ε α 0",
              where=(*EULER, let(a_re, real_of, a), let(a_du, dual_of, a))),
     equation("euler-vector-logarithm", "it is a logarithm", 157, equal(exp(skew(a)), R),
-             where=(*EULER, let(R, motions.screw_tensor, alpha, u))),
+             where=(*EULER, let(R, screw_tensor, alpha, u))),
     equation("general-screw", "(i) general screw displacement", 157, general,
              where=(*EULER, *EULER_KINDS), claimed=both(nonzero(Re(a)), nonzero(Du(a)), nonzero(dot(Re(a), Du(a)))),
              stated=(157, "if α 0 ,   α 0 0 and α · α 0 0"),
              condition=nonzero(Re(sin(norm(a) / 2))),
              remark="At Re |α| = 2kπ, k ≠ 0, the rotation is the identity and the displacement a pure translation."),
     equation("pure-translation", "(ii) pure translation", 157, translates,
-             where=(let(alpha, motions.nilpotent, shift_only), *EULER, *EULER_KINDS),
+             where=(let(alpha, nilpotent, shift_only), *EULER, *EULER_KINDS),
              claimed=both(zero(Re(a)), nonzero(Du(a))), stated=(157, "if α = 0 and α 0 0")),
     equation("pure-rotation", "(iii) pure rotation", 157, rotates,
-             where=(let(alpha, motions.same, turn_only), *EULER, *EULER_KINDS),
+             where=(let(alpha, same, turn_only), *EULER, *EULER_KINDS),
              claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a)))), stated=(157, "α 0 and α · α 0 = 0")),
     equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
              where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
@@ -142,7 +144,7 @@ COROLLARY = (
              implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=OF_V),
     equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
              extract="c a y b ~ _ = R _",
-             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, motions.screw_tensor, alpha, u)),
+             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
              claimed=unequal(Re(alpha), k * pi, k), stated=(181, "R e α _ k π")),
     equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
              iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),

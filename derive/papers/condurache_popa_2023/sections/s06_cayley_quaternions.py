@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from ...equation import Equation, Reading, equation
-from ...language.claims import defined, dual_of, proposition, real_of, scalar_part, unequal, unit_quaternion
+from ...language.claims import defined, proposition, unequal, unit_quaternion
+from ...language.definitions import dual_of, real_of, scalar_part, screw_quaternion
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
-from ..definitions import low_orders, motions, quaternion_maps
+from ..definitions import low_orders, motions, orders, quaternion_maps
 from ..symbols import alpha, quaternion, u, v, vector
 from .s04_dual_quaternions import scalar
 
@@ -36,7 +37,7 @@ general = proposition("general displacement", "general rigid body displacement")
 CAY = (let(cay, low_orders.cayley(2)), let(cay_map, low_orders.map_of_order(2)))
 HALF = (let(cay_half, low_orders.cayley(1)), let(half_map, low_orders.map_of_order(1)))
 SCALAR = (let(q0, scalar_part, q),)
-SCREW = (let(q, quaternion_maps.screw, alpha, u),)
+SCREW = (let(q, screw_quaternion, alpha, u),)
 COMPOSED = (let(q, low_orders.composed(2), sigma2, sigma1), let(sigma, low_orders.preimage(2), q))
 no_full_turn = unequal(Re(alpha), 2 * k * pi, k)
 no_half_turn = remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ"))
@@ -49,7 +50,7 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
     `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
     """
     types = low_orders.displacement_types(rotates, translates, general)
-    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in types),
+    where = (let(R, orders.at_order(order, orders.rotation), v), *(let(p, f, R) for p, f in types),
              let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
              let(v_du, dual_of, v))
     return (

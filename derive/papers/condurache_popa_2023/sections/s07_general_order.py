@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from ...language.definitions import screw_quaternion, screw_tensor
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol, Term
 from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders
-from ..definitions.motions import screw_tensor
 from ..symbols import alpha, n, tensor, u, v, vector
 
 I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
@@ -28,12 +28,12 @@ POLYNOMIALS = (let(p, orders.p, n), let(q, orders.q, n))
 CAYLEY = (*POLYNOMIALS, let(q_hat, orders.cayley, n, v), let(R, orders.rotation, n, v))
 """Checked against the definition (46)."""
 
-SCREW = (*POLYNOMIALS, let(q_hat, orders.screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
+SCREW = (*POLYNOMIALS, let(q_hat, screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
 """Checked against the displacement with the natural invariants α and u."""
 
 SCREW_OF_V = (
     *POLYNOMIALS,
-    let(q_of, cayley_maps.function_of(orders.screw_quaternion), alpha, u),
+    let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
     let(R_of, cayley_maps.function_of(screw_tensor), alpha, u),
 )
 """The same, written as functions of v."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.claims import proposition
+from ...language.definitions import scalar_part, screw_quaternion
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Number, Symbol
@@ -38,14 +39,15 @@ is_rotation, is_translation, is_screw = (
     for name in ("pure rotation", "pure translation", "general screw displacement")
 )
 
-STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
+STEP = (let(p_next, orders.next_p, n), let(q_next, orders.next_q, n),
         let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))
 step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
 ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
-        let(scalar, cayley_maps.scalar, target),
-        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))
+        let(scalar, scalar_part, target),
+        let(s_1, lambda env, v: orders.cayley(env, 1, v).scalar, v),
+        let(s_2, lambda env, v: orders.cayley(env, 2, v).scalar, v))
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
 turned = (alpha + 2 * k * pi) / (2 * n)
 turn = k * pi / n
@@ -86,7 +88,7 @@ FRACTIONAL = (
     equation("47", "inverse of the transform", 241,
              equal(v, (q_hat**(2 / n) - 1) / (q_hat**(2 / n) + 1)),
              extract="v _ = q ^ _ 2 n 1 q ^ _ 2 n + 1",
-             where=(let(v, orders.preimage, n, alpha, u), let(q_hat, orders.screw_quaternion, alpha, u)),
+             where=(let(v, orders.preimage, n, alpha, u), let(q_hat, screw_quaternion, alpha, u)),
              condition=nonzero(Re(q_hat**(2 / n) + 1)),
              remark="Executed with the principal root; the other branches are (49)."),
     equation("theorem-12-branches", "the inverse has n branches", 240, branches(cay_counted, target, n), where=ONTO,
@@ -96,7 +98,7 @@ FRACTIONAL = (
              "where Re q² = (−1)ⁿ, and a translation has infinitely many preimages on the branches k ≠ 0."),
     equation("theorem-12-preimages", "every branch is mapped back to q", 240, equal(image, q_hat),
              where=(let(v_k, cayley_maps.branch, n, k, alpha, u), let(image, orders.cayley, n, v_k),
-                    let(q_hat, orders.screw_quaternion, alpha, u)),
+                    let(q_hat, screw_quaternion, alpha, u)),
              condition=finite(turned), said="The inverse of the previous fractional order Cayley map",
              corrected=equal(image, pm(q_hat)),
              remark="The other sign appears on odd branches of even order already."),
@@ -169,7 +171,7 @@ POLYNOMIAL = (
                                       (-norm(v)**(4 * power + 2), equal(exponent, 4 * power + 2)),
                                       (-norm(v)**(4 * power + 2) * v, equal(exponent, 4 * power + 3)))),
              extract="v _ k = v _ 4 p , k = 4 p v _ 4 p v _ , k = 4 p + 1 v _ 4 p + 2 , k = 4 p + 2 "
-                     "v _ 4 p + 2 v _ , k = 4 p + 3", where=(let(power, cayley_maps.quarter, exponent),), branches=12,
+                     "v _ 4 p + 2 v _ , k = 4 p + 3", where=(let(power, lambda env, k: k // 4, exponent),), branches=12,
              because=both(equal(v**2, -norm(v)**2), equal(v**4, norm(v)**4)),
              fixed_by="line 195: (1 + v)(1 − v) = 1 − v² = 1 + |v|²",
              remark="Every p by v⁴ = |v|⁴; p = 0 is v² = −|v|²."),

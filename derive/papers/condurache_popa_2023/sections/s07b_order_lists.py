@@ -7,11 +7,11 @@ from typing import Any
 import mpmath
 
 from ...equation import Equation, equation
+from ...language.definitions import screw_quaternion, screw_tensor
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
-from ..definitions.motions import screw_tensor
 from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import I as identity
 from .s07_general_order import R, V, X, finite, k, q_hat, x
@@ -79,7 +79,7 @@ SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
              equal(pm(q_hat), 1 / root((1 + norm(v_k)**2)**n) * (p_n(norm(v_k)) + q_n(norm(v_k)) * v_k)),
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
-                    let(q_hat, orders.screw_quaternion, alpha, u)),
+                    let(q_hat, screw_quaternion, alpha, u)),
              condition=finite(turned)),
     equation("tensor-shadows", "so do the tensors", 276,
              equal(R, identity + 2 * p_n(norm(v_k)) * q_n(norm(v_k)) / (1 + norm(v_k)**2)**n * skew_k

@@ -8,11 +8,11 @@ from typing import Any
 from derive.maps.families import breusing, lambert, orthographic
 
 from ...equation import Reading, equation
+from ...language.definitions import multiple, screw_quaternion
 from ...language.evaluation import Definition, let
 from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
-from ..definitions.quaternion_maps import multiple
 from ..operators import limit, positive
 from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import (
@@ -46,7 +46,7 @@ def family(definition: Callable[..., Any], order: Definition | None) -> tuple[De
     of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
     return (*((order,) if order else ()), let(v, definition, *arguments),
-            let(screw, orders.screw_quaternion, alpha, u),
+            let(screw, screw_quaternion, alpha, u),
             let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)
 
 
@@ -107,7 +107,7 @@ SECOND = (
 
 w_two = vector("w of order 2", "w", "w")
 image_two = Symbol("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
-BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c),
+BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, lambda env, c: (1 - c * c) / c, c),
             let(w_two, cayley_maps.rodrigues_vector, two.symbol, alpha, u),
             let(image_two, orders.cayley, two.symbol, w_two))
 ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
@@ -141,7 +141,7 @@ FOURTH = (
 )
 
 SINES = (
-    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.power_scalar, n), let(Q, cayley_maps.power_vector, n),
+    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.powers(0), n), let(Q, cayley_maps.powers(1), n),
 )
 FIFTH = (
     equation("sine-vector", "sine family and its factor", 337,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.definitions import inverse_of
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol, Term
@@ -19,15 +20,11 @@ class Order:
         self.dcay = Symbol(f"dcay{n}", "tensor", rf"\mathrm{{dcay}}_{{{n}}}", f"dcay{n}")
         self.dcay_inv = Symbol(f"dcay{n}⁻¹", "tensor", rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}", f"dcay{n}-1")
         of_x = ((self.p, orders.p), (self.q, orders.q))
-        of_v = (
-            (q_hat, orders.cayley),
-            (R, orders.rotation),
-            (self.dcay, orders.tangent),
-            (self.dcay_inv, orders.tangent_inv),
-        )
+        of_v = ((q_hat, orders.cayley), (R, orders.rotation), (self.dcay, orders.tangent))
         self.where = (
             *(let(symbol, orders.at_order(n, definition)) for symbol, definition in of_x),
             *(let(symbol, orders.at_order(n, definition), v) for symbol, definition in of_v),
+            let(self.dcay_inv, inverse_of, self.dcay),
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...equation import Equation, equation
-from ...language.claims import dual_of, orthogonal, real_of, unit_quaternion
+from ...language.claims import orthogonal, unit_quaternion
+from ...language.definitions import component_of, dual_of, real_of
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol
@@ -30,7 +31,7 @@ def _components(i: int) -> tuple[Equation, Equation]:
     b_i, b0_i = (Symbol(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
     u_i, u0_i = (Symbol(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
     whole = ((b_i, b_re), (b0_i, b_du), (u_i, u_re), (u0_i, u_du))
-    where = (*PARTS, *(let(symbol, low_orders.component(i - 1), vector) for symbol, vector in whole))
+    where = (*PARTS, *(let(symbol, component_of(i), vector) for symbol, vector in whole))
     square = 1 + tan(angle / 2) ** 2
     return (
         equation(str(125 + i), f"Rodrigues parameter {i}", 458 + i, equal(b_i, tan(angle / 2) * u_i),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from derive.algebra import dual_part, real_part
+from derive.maps import rodrigues
+
 from ...equation import Reading, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol
@@ -17,8 +20,8 @@ I = identity
 A, x, X, z, b, y = hat("A", "orthogonal tensor"), *(hat(name, "dual vector") for name in "xXzby")
 B, b_ij = hat("B", "tensor"), hat("b", "tensor")
 B_bare = Symbol("B", "tensor", "B", "B")
-MOVED = (let(X, definitions.moved, x, A),)
-FROM_A = (*MOVED, let(B, definitions.cayley_matrix, A), let(b_ij, definitions.cayley_matrix, A))
+MOVED = (let(X, image, A, x),)
+FROM_A = (*MOVED, let(B, plain(rodrigues.cayley_matrix), A), let(b_ij, plain(rodrigues.cayley_matrix), A))
 INVARIANT = (let(B, definitions.skew_rodrigues, A), let(B_bare, definitions.skew_rodrigues, A))
 no_half_turn = nonzero(Re(det(A + I)))
 
@@ -70,7 +73,7 @@ SKEW = (
     equation("skew", "B̂ is skew-symmetric", 74, equal(B, -transpose(B)), extract=shown(r"\hat{B} = -\hat{B}^T"),
              where=FROM_A, condition=no_half_turn),
     equation("not-singular", "I − B̂ is not singular", 76, nonzero(Re(det(I - B))),
-             where=(let(B, definitions.explicit_skew, b),), because=equal(det(I - B), 1 + norm(b)**2)),
+             where=(let(B, skew_of, b),), because=equal(det(I - B), 1 + norm(b)**2)),
 )
 
 FORMULA = (
@@ -86,7 +89,7 @@ FORMULA = (
              extract=shown(r"\hat{A} = (I + \hat{B})(I - \hat{B})^{-1}"), where=INVARIANT, condition=no_half_turn),
 )
 
-ANY_B = (let(B, definitions.explicit_skew, b), let(A, definitions.cayley_formula, b))
+ANY_B = (let(B, skew_of, b), let(A, plain(rodrigues.cayley_formula), b))
 cay = Symbol("cay", "map", r"\mathrm{cay}")
 ORTHOGONAL = (
     equation("transposed", "transpose of Â", 89,
@@ -108,8 +111,8 @@ b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vecto
 numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
 PARTS = (
     let(b_re, real_of, b), let(b_du, dual_of, b),
-    *(let(symbol, definitions.real_component(n), b) for n, symbol in enumerate(numbers[False], 1)),
-    *(let(symbol, definitions.dual_component(n), b) for n, symbol in enumerate(numbers[True], 1)),
+    *(let(symbol, component_of(n, real_part), b) for n, symbol in enumerate(numbers[False], 1)),
+    *(let(symbol, component_of(n, dual_part), b) for n, symbol in enumerate(numbers[True], 1)),
 )
 VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
@@ -123,7 +126,7 @@ VECTOR = (
                            r"\hat{b}_3)"), components=True, where=PARTS),
     equation("product", "B̂ as a vector product", 105, equal(B * y, cross(b, y)),
              extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."),
-             where=(let(B, definitions.explicit_skew, b),)),
+             where=(let(B, skew_of, b),)),
 )
 
 ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from derive.maps import rodrigues
+
 from ...equation import equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
@@ -15,8 +17,8 @@ from ..symbols import arrow, e, hat, real, shown
 
 A, x, X = hat("A", "orthogonal tensor"), hat("x", "dual vector"), hat("X", "dual vector")
 B, b_hat = hat("B", "tensor"), hat("b", "dual vector")
-MOVED = (let(X, definitions.moved, x, A), let(B, definitions.cayley_matrix, A),
-         let(b_hat, definitions.rodrigues_vector, A))
+MOVED = (let(X, image, A, x), let(B, plain(rodrigues.cayley_matrix), A),
+         let(b_hat, plain(rodrigues.rodrigues_vector), A))
 no_half_turn = nonzero(Re(det(A + identity)))
 
 EQUATIONS = (
@@ -36,7 +38,7 @@ FIGURE = (
     let(axis, definitions.axis_of, Q), let(x, definitions.raised, size, height, Q),
     let(x_across, definitions.across, size, Q),
     let(X, definitions.turned, x, f_hat, axis), let(X_across, definitions.projected, X, axis),
-    let(A, definitions.rotation, f_hat, axis), let(b_hat, definitions.rodrigues_vector, A),
+    let(A, screw_tensor, f_hat, axis), let(b_hat, plain(rodrigues.rodrigues_vector), A),
 )
 turned_less = nonzero(Re(cos(f_hat / 2)))
 ratio = length(X_across - x_across) / length(X_across + x_across)
@@ -77,8 +79,8 @@ f, f_ = real("f", quantity="real angle"), real("f", star=True)
 b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
 turn = Symbol("turn", "unit vector")
-ANY = (let(b_hat, definitions.along, size, turn),)
-SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
+ANY = (let(b_hat, multiple, size, turn),)
+SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
 PARTS = (
     let(b, real_of, b_hat), let(b_, dual_of, b_hat),
     let(s_hat, definitions.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),

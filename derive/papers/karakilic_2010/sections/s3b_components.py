@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
+from derive.algebra import dual_part, real_part
+
 from ...equation import Equation, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
@@ -25,13 +27,13 @@ size, turn = Symbol("size", "dual number"), Symbol("turn", "unit vector")
 PARTS = (
     let(s_hat, definitions.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
     let(s, real_of, s_hat), let(s_star, dual_of, s_hat),
-    *(let(symbol, definitions.real_component(n), b_hat) for n, symbol in enumerate(bs, 1)),
-    *(let(symbol, definitions.dual_component(n), b_hat) for n, symbol in enumerate(bs_, 1)),
-    *(let(symbol, definitions.real_component(n), s_hat) for n, symbol in enumerate(ss, 1)),
-    *(let(symbol, definitions.dual_component(n), s_hat) for n, symbol in enumerate(ss_, 1)),
+    *(let(symbol, component_of(n, real_part), b_hat) for n, symbol in enumerate(bs, 1)),
+    *(let(symbol, component_of(n, dual_part), b_hat) for n, symbol in enumerate(bs_, 1)),
+    *(let(symbol, component_of(n, real_part), s_hat) for n, symbol in enumerate(ss, 1)),
+    *(let(symbol, component_of(n, dual_part), s_hat) for n, symbol in enumerate(ss_, 1)),
 )
-ANY = (let(b_hat, definitions.along, size, turn), *PARTS)
-SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
+ANY = (let(b_hat, multiple, size, turn), *PARTS)
+SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
 axes = definitions.special_axes(turn)
 relation = partial(equation, components=True, also=axes)
 

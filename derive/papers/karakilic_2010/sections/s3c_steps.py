@@ -7,17 +7,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from derive.algebra import dual_part, real_part
+
 from ...equation import Equation, equation
+from ...language.definitions import *
 from ...language.evaluation import Definition, Env, let
 from ...language.notation import *
 from ...language.terms import Symbol, Term, symbols
-from .. import definitions
 from .s3b_components import b1_, b2_, b3_, equations, f, general, ss, ss_
 
 unit = Symbol("s^", "unit vector", r"\hat{s}")
 COMPONENTS = (
-    *(let(symbol, definitions.real_component(n), unit) for n, symbol in enumerate(ss, 1)),
-    *(let(symbol, definitions.dual_component(n), unit) for n, symbol in enumerate(ss_, 1)),
+    *(let(symbol, component_of(n, real_part), unit) for n, symbol in enumerate(ss, 1)),
+    *(let(symbol, component_of(n, dual_part), unit) for n, symbol in enumerate(ss_, 1)),
 )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
+from ...language.definitions import *
 from ...language.evaluation import let
 from ...language.notation import *
 from ...language.terms import Symbol
@@ -29,7 +30,7 @@ RESTATED = (
 
 f_hat, axis = hat("f", "angle"), Symbol("axis", "unit vector", r"\hat{s}")
 before, after = Symbol("l_a", "unit vector", "l_a"), Symbol("l_b", "unit vector", "l_b")
-POSITIONS = (let(f_hat, definitions.dual_number, f, f_), let(after, definitions.turned, before, f_hat, axis))
+POSITIONS = (let(f_hat, from_parts, f, f_), let(after, definitions.turned, before, f_hat, axis))
 
 LINES = (
     equation("positions", "f̂ is the dual angle of two positions of a line of the body", 265,
