@@ -20,8 +20,8 @@ class ZeroDivisorError(ZeroDivisionError):
 class Structure:
     """Base class of vectors, tensors and quaternions; a structure is never a coefficient.
 
-    Products of a scalar and a structure are computed by the structure. ``__array_ufunc__ = None`` makes NumPy scalars and
-    arrays do the same instead of looping over its components.
+    Products of a scalar and a structure are computed by the structure. ``__array_ufunc__ = None`` makes NumPy scalars
+    and arrays do the same instead of looping over its components.
     """
 
     __slots__ = ()
