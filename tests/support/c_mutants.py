@@ -74,12 +74,6 @@ class Excerpts:
         needed = set().union(*map(self.needed, roots))
         return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
 
-    def replaced(self, name: str, roots: Collection[str], old: str, new: str) -> str:
-        """Return the excerpt with one place of a function changed, which must be there once."""
-        original = self.functions[name]
-        assert original.count(old) == 1, (name, old, original.count(old))
-        return self.text(roots, {name: original.replace(old, new)})
-
     def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
         """Yield every mutant of a function, in the excerpt for the functions through which it is called."""
         original = self.functions[name]

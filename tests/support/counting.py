@@ -1,4 +1,4 @@
-"""A target that can be sent to other processes: it prints NumPy kernels and pretends to execute them."""
+"""A target that can be sent to worker processes: it prints NumPy kernels and counts what would be executed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps.chart import Chart
 
 
 class Counting(Numpy):
-    """A target that refuses the charts ``failing``; the first of them is refused last."""
+    """Target whose charts named in ``failing`` fail validation, the first of them last."""
 
     def __init__(self, failing: tuple[str, ...] = ()) -> None:
         self.failing = failing
@@ -33,7 +33,7 @@ class Counting(Numpy):
 
 
 class Dying(Counting):
-    """A target whose process ends where a chart is executed."""
+    """Target that ends the process when it validates."""
 
     def validate(self, *given: Any) -> int:
         os._exit(9)
