@@ -72,14 +72,13 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
-        (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "quaternion_of", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
-        (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
+        (GEOMETRY, "compose", r"f_2, g_2, v2", "g_2, f_2, v2"),
+        (GEOMETRY, "dual_product", r"A12 \* B21", "A12 * B12"),
     ],
 )
-def test_wrong_sign_or_factor_fails_validation(
-    package, tmp_path: Path, file, function, pattern, replacement
-):
+def test_wrong_sign_or_factor_fails_validation(package, tmp_path: Path, file, function, pattern, replacement):
     order = int(file.removeprefix("cayley").removesuffix(".py")) if file != GEOMETRY else 3
     texts = dict(package.texts)
     texts[file] = flipped(texts[file], function, pattern, replacement)
