@@ -1,6 +1,6 @@
 r"""Breusing's chart, the geometric mean of tangent and sine: ``v = sin θ/√(cos θ) u``, θ = α/4.
 
-From ``x = (1 − c²)/c``, ``c = cos θ``, so that the quaternion is ``c − x + 2 √c v`` over ``1/c = c + x``:
+With ``c = cos θ`` and ``x = (1 − c²)/c`` the quaternion is ``(c − x + 2 √c v)/(c + x)``, where ``c + x = 1/c``:
 
 .. math::
     c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = \frac{c - x}{c + x} \quad w = \frac{2 \sqrt c}{c + x} \quad
@@ -8,7 +8,7 @@ From ``x = (1 − c²)/c``, ``c = cos θ``, so that the quaternion is ``c − x 
 
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 
-Over c + x, not times c: so it is a unit quaternion whatever rounding makes of c.
+The division by c + x, in place of the product with c, keeps the norm 1 for any rounding error of c.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ from .scalar import scalar
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
-    """``2/cos θ`` at x; where x² overflows infinite."""
+    """Return ``2/cos θ`` at x; infinite where x² overflows."""
     return m.name("below", x + m.sqrt(x * x + 4))
 
 
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
-    """cos θ at x; where x² overflows NaN, not 0."""
+    """Return cos θ at x; NaN, not 0, where x² overflows."""
     below = twice_secant(x, m)
     return m.name("c", (below - below + 2) / below)
 
 
 class BreusingScalars(DependentScalars):
-    """The scalars at ``x = sin² θ/cos θ``."""
+    """Scalars at ``x = sin² θ/cos θ``."""
 
     @cached_property
     def c(self) -> Coefficient:
@@ -55,7 +55,7 @@ class BreusingScalars(DependentScalars):
 
     @property
     def _twice(self) -> Coefficient:
-        """2 w."""
+        """Return 2 w."""
         return 2 * self.w
 
     @property
@@ -70,7 +70,7 @@ class BreusingScalars(DependentScalars):
 
     @cached_property
     def _declining(self) -> Coefficient:
-        """The slope of that."""
+        """Slope of ``−2 c′/c``."""
         half = self.m.div(self._share, 2)
         return self.m.name("decliney", self._decline * self._decline * (half - 1))
 
@@ -83,7 +83,7 @@ class BreusingScalars(DependentScalars):
     hiyy = scalar(lambda at: at.m.div(at.hiy * at._decline + at.hi * at._declining, 2))
 
     def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
-        """The slope of ``value · decline · growth/2``."""
+        """Return the slope of ``value · decline · growth/2``."""
         of_decline = self._declining * growth + self._decline * change
         return self.m.div(slope * self._decline * growth + value * of_decline, 2)
 
@@ -101,7 +101,7 @@ class BreusingScalars(DependentScalars):
 
 @dataclass(frozen=True)
 class Breusing(OrderChart):
-    """v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
+    """Chart v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
 
     name: str = "breusing"
     order: int = 2
@@ -137,7 +137,7 @@ class Breusing(OrderChart):
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """``h_i = ¾ √(1/c)``, of fewer operations; what a quaternion leads to never overflows."""
+        """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow for a v that comes from a quaternion."""
         return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -1,7 +1,7 @@
-"""p_n, q_n and the brackets c_n, d_n of CP23 (88) and (89) at one x, with two derivatives, named when asked for.
+"""Polynomials p_n, q_n and the brackets c_n, d_n of CP23 (88), (89) at x, with their derivatives.
 
-Those of the chain are divided by one power of 1 + x: p, q and d, which scalars take in quotients only, by the power
-⌊n/2⌋, and c, as p² and x q² are, by its square.
+Above `HORNER_LIMIT` they come from the chain, divided by powers of 1 + x. p, q and d, which scalars use in quotients
+only, are divided by the power ⌊n/2⌋, and c by its square, as p² and x q² are.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet]
 
 
 class CayleyPolynomials:
-    """The polynomials of an order at x; every value is computed, and named, when it is asked for."""
+    """Polynomials of an order at x, each computed and named when it is first asked for."""
 
     def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         self.order = order
@@ -32,7 +32,7 @@ class CayleyPolynomials:
 
     @property
     def _expanded(self) -> bool:
-        """Small orders are evaluated by Horner's rule; above, it loses digits on shadows and the chain does not."""
+        """Return whether Horner's rule is used; for higher orders it loses digits on shadows."""
         return self.order <= HORNER_LIMIT
 
     @cached_property
@@ -43,7 +43,7 @@ class CayleyPolynomials:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """``1/(1 + x)``, and NaN where `CHAIN_POWER` of it would be 0, and slopes of slopes finite and wrong."""
+        """``1/(1 + x)``; NaN where its power `CHAIN_POWER` underflows, which would make second slopes wrong."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)

@@ -1,16 +1,18 @@
-r"""The scalars of the Cayley map of order n at one ``x = v · v``, in closed form, with their slopes.
+r"""Scalars of the Cayley map of order n at ``x = v · v``, in closed form, with their slopes.
 
 .. math::
     f = \frac{2 p q}{N} \quad g = \frac{2 q^2}{N} \quad h = \frac{2 c}{N} \quad
     f_i = \frac{p}{q} \quad h_i = \frac{d}{n q} \qquad N = p^2 + x q^2 = (1 + x)^n
 
-in which c_n and d_n are the brackets of CP23 (88) and (89) divided by x. One source serves all uses: elements of Q(x)
-give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers dual values, traced numbers programs.
-A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Slopes of slopes
-are marked yy; with ``e = 2n/(1 + x)``, the slope of N over N, no division by x is left in any of them.
-N is written ``p² + x q²``, whose rounding error does not grow with n, and ``(N/N)/N`` stands for 1/N, where powers of
-1 + x are not divided out before: NaN where N has overflowed and 1/N would be finite and wrong. Only x is needed, never
-|v|: a pure translation is no special case.
+Here c_n and d_n are the brackets of CP23 (88) and (89) divided by x. The type of x decides the result: elements of Q(x)
+give formulas, numbers give values, traced numbers give programs.
+
+A slope, marked y, is ``2 d/dx``: it is the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second
+slopes are marked yy. With ``e = 2n/(1 + x)``, the slope of N over N, none of them divides by x. Only x is needed,
+never |v|, so a pure translation is no special case.
+
+N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
+overflow: it is then NaN, and 1/N would be finite and wrong.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from .scalar import scalar
 
 
 class CayleyScalars(CayleyPolynomials):
-    """What the Cayley map of an order makes of x; every value is computed, and named, when it is asked for."""
+    """Scalars of the Cayley map of an order at x."""
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -34,7 +36,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def root(self) -> Coefficient:
-        """``(1 + x)^(n/2)``, positive: for an even order the norm of half the order, no square root taken."""
+        """``(1 + x)^(n/2)``; for an even order the norm of half the order, without a square root."""
         if self.order % 2:
             return self.m.name("root", self.m.sqrt(self.norm))
         p, q = self._half
@@ -43,7 +45,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def _half(self) -> tuple[Coefficient, Coefficient]:
-        """p and q of half the order."""
+        """Return p and q of half the order."""
         half = self.order // 2
         if self._expanded:
             p, q = polynomials.ring_pair(half)
@@ -69,7 +71,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """(p, q, size) with ``p + q v`` the quaternion times its size, which only half angles ask for."""
+        """Return (p, q, size): ``p + q v`` is the quaternion times its size, which only half-angle formulas need."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 
     # --- R = I + f skew(v) + g skew(v)², T = f I + g skew(v) + h v⊗v, CP23 (57), (88) --------------------------

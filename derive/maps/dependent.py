@@ -1,4 +1,4 @@
-r"""Scalars that follow from others, whatever the chart: from q̂, from h with its slope, and from ``ρ = 1/φ′``.
+r"""Scalars that follow from others in every chart: from s and w, h and ``ρ = 1/φ′``, with their slopes.
 
 .. math::
     f = 2 s w \quad g = 2 w^2 \quad f + x h = \rho \qquad
@@ -7,8 +7,8 @@ r"""Scalars that follow from others, whatever the chart: from q̂, from h with i
     f_i = \frac{s}{w} \quad h_i = \frac{g - f_i h}{\rho} \qquad
     f_{iy} = -\frac{h}{g} \quad h_{iy} = \frac{g_y - f_{iy} h - f_i h_y - h_i \rho_y}{\rho}
 
-and the derivatives of these. They follow from ``s² + x w² = 1``, from ``2 dα/dx = ρ/φ``, and from ``T T⁻¹ = I``. No
-difference of nearly equal terms is among them that matters: where two cancel, what they stand before is small.
+and their derivatives. They follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where two terms cancel,
+the factor of their difference is small, so that no digits are lost.
 """
 
 from __future__ import annotations

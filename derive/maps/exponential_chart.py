@@ -1,4 +1,4 @@
-r"""The exponential chart, ``v = α u``: T is dexp, and going back is the logarithm.
+r"""The exponential chart, ``v = α u``: T is dexp, and the inverse map is the logarithm.
 
 .. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x) \qquad x = \alpha^2
 """
@@ -22,7 +22,7 @@ from .scalar import scalar
 
 
 class ExponentialScalars(DependentScalars):
-    """The scalars at x = α²."""
+    """Scalars at x = α²."""
 
     rate = 1
     ratey = 0
@@ -32,7 +32,7 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Of what is near; else of no angle, of the type of x."""
+        """Series below the limit; at angle 0 beyond it."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
@@ -40,24 +40,24 @@ class ExponentialScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    # α² of what is far; else some number beyond the limit.
+    # α² beyond the limit; for x below it, another number beyond
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
-    _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α of what is far.
+    _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """Cosine of α/2, and sine of it over α."""
+        """``cos(α/2)`` and ``sin(α/2)/α``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
         return cosine, sine / self._angle
 
     @cached_property
     def _turned(self) -> tuple[Coefficient, Coefficient]:
-        """sin α and ``1 − cos α``; what rounding took from the root, up to 2 eps, is put back."""
+        """``sin α`` and ``1 − cos α``, corrected by the rounding error of the root."""
         t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
         sine = self.m.name("sine", 2 * t / below)
-        # next to half a turn the slope of 2 tt over that is a difference of terms as large as t
+        # near half a turn the derivative of 2 tt/below is a difference of terms as large as t
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
@@ -66,9 +66,9 @@ class ExponentialScalars(DependentScalars):
 
     @property
     def _left(self) -> Coefficient:
-        """That difference, by terms that are exact up to α = 8.
+        """``α² − root²``, by terms that are exact up to α = 8.
 
-        Beyond nothing is put back: what is lost there may be no small turn, and R would not stay a rotation.
+        Beyond 8 it is 0: the error may be no small angle there, and a correction would not keep R a rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside
@@ -100,7 +100,7 @@ class ExponentialScalars(DependentScalars):
 
 
 class PrincipalScalars(ExponentialScalars):
-    """The same up to half a turn, where a logarithm is."""
+    """Scalars up to half a turn, the range of the logarithm."""
 
     def _bounded(self, left: Coefficient) -> Coefficient:
         return left
@@ -108,7 +108,7 @@ class PrincipalScalars(ExponentialScalars):
 
 @dataclass(frozen=True)
 class Exponential(AngleChart):
-    """v = α u, without an edge."""
+    """Chart v = α u, without an edge."""
 
     name: str = "exponential"
     selection: tuple[str, str] = ("--family", "exponential")

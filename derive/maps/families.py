@@ -12,7 +12,7 @@ With ``q̂ = cos α/2 + u sin α/2`` and φ odd and smooth,
     T^{-1} &= \frac{\varphi}{2} \cot\frac{\alpha}{2}\,I - \frac12\,\tilde v
         + \frac{\varphi' - (\varphi/2) \cot(\alpha/2)}{\varphi^2}\,v \otimes v
 
-where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0 (`Family.series`);
+where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0.
 ``det T = 2 (1 − cos α)/(φ′ φ²)``, so that T loses rank at Re α = 2πk, k ≠ 0, and is not defined where φ′ = 0.
 """
 
@@ -65,13 +65,13 @@ class Family:
 
     @property
     def tangent(self) -> Triple:
-        """The coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
+        """Coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
         along = sympy.sin(alpha) / self.phi
         return along, (1 - sympy.cos(alpha)) / self.phi**2, (1 / self.slope - along) / self.phi**2
 
     @property
     def tangent_inv(self) -> Triple:
-        """The coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
+        """Coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
         along = self.phi / 2 * sympy.cot(alpha / 2)
         return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
 
@@ -119,16 +119,16 @@ def lambert() -> Family:
 
 
 def breusing() -> Family:
-    """Breusing's projection, the geometric mean ``√(tan(α/4) sin(α/4)) u`` for α ≥ 0, written as its odd function."""
+    """Breusing's projection, the geometric mean ``√(tan(α/4) sin(α/4)) u`` for α ≥ 0, written as an odd function."""
     phi = sympy.sin(alpha / 4) / sympy.sqrt(sympy.cos(alpha / 4))
     scale = sympy.sqrt((sympy.sqrt(4 + x**2) - x) / 2)
     return Family("Breusing", 2, phi, scale, "|Re alpha| < 2 pi")
 
 
 def isochoric() -> Family:
-    """``[6 (α − sin α)]^(1/3) u``: det T = 1, so that volumes of rotation vectors are those of rotations."""
+    """Isochoric vector, ``[6 (α − sin α)]^(1/3) u``: det T = 1, so that it keeps volumes of sets of rotations."""
     phi = sympy.cbrt(6 * (alpha - sympy.sin(alpha)))
-    scale = phi * sympy.cot(alpha / 2)  # of x it is no function that has a name
+    scale = phi * sympy.cot(alpha / 2)  # no elementary function of x
     return Family("isochoric", 1, phi, scale, "every alpha; T loses rank at |Re alpha| = 2 pi k")
 
 
@@ -139,7 +139,7 @@ def euler() -> Family:
 
 
 def of_angle(phi: sympy.Expr) -> SimpleNamespace:
-    """The scalars of a chart (`chart.Scalars`) as functions of α, and its x."""
+    """Return the scalars of a chart (`chart.Scalars`) and x as functions of α."""
     sine, cosine, slope = sympy.sin(alpha / 2), sympy.cos(alpha / 2), phi.diff(alpha)
     f, fi = 2 * sine * cosine / phi, phi * cosine / sine
     g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2
@@ -147,5 +147,5 @@ def of_angle(phi: sympy.Expr) -> SimpleNamespace:
 
 
 def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
-    """The derivative by x = φ² of a function of α."""
+    """Return the derivative by x = φ² of a function of α."""
     return expression.diff(alpha) / (2 * phi * phi.diff(alpha))

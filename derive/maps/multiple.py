@@ -1,7 +1,7 @@
 r"""Charts with a scale: ``v = K w``, w the vector of a base chart.
 
 ``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is that of w at ``x/K²``, divided by a power of K
-(`POWERS`), and everything else follows from the base chart too:
+(`POWERS`); its inverse maps and branches are those of the base chart:
 
 .. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
     f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}
@@ -83,7 +83,7 @@ class Multiple(Parameterized):
     """
 
     name: str
-    base: Chart = field()  # the default of Parameterized is none of this class
+    base: Chart = field()  # without the default of Parameterized
     factor: Fraction = field()
     selection: tuple[str, str] = ("", "")
     title: str = ""

@@ -1,6 +1,6 @@
 r"""Charts of order n, θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``, CP23 (60) with ``a = cos θ/σ``.
 
-A subclass says what φ makes of θ. Steps between branches are turns of θ by ``kπ/n``, brought back to |θ| < π/2.
+A subclass defines φ as a function of θ. Branches differ by turns of θ by ``kπ/n``, brought back to |θ| < π/2.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .parameterized import QuaternionChart
 
 
 class OrderChart(branches.BranchesOfOrder, QuaternionChart):
-    """A chart v = φ(α) u of order n, φ a function of θ = α/2n with its edge at θ = π/2."""
+    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
     def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
@@ -29,14 +29,14 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
 
     @abstractmethod
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """cos θ and ``σ = sin θ/|v|`` at x."""
+        """Return cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """φ/sin θ, above and below."""
+        """Return numerator and denominator of ``φ/sin θ``."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
+        """Return φ and φ′ at the angle brought into (−nπ, nπ], where cos θ ≥ 0."""
         return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
@@ -45,10 +45,10 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         r, slope, _ = self.sized(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))
 
-    # --- way back ---------------------------------------------------------------------------------------------------
+    # --- inverse map ------------------------------------------------------------------------------------------------
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """``φ/sin(α/2)``: by half angles where they lead from α/2 to θ."""
+        """Return ``φ/sin(α/2)``, by half-angle formulas where n is a power of two."""
         negative = False if positive else m.name("negative", m.less(q.scalar, 0))
         cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
         sign = m.where(negative, -1, 1)
@@ -72,7 +72,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     ) -> tuple[Coefficient, Coefficient]:
         square = m.name("ss", q.vector.dot(q.vector))
         still = m.name("still", m.equal(square, 0))
-        # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
+        # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
         sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
@@ -102,12 +102,12 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))
 
     def _square(self, angle: sympy.Expr) -> Any:
-        """φ² of an angle, in the working precision of mpmath."""
+        """Return φ² of an angle, in the working precision of mpmath."""
         return mpmath.mpf(self.phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 
 def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-    """Sine and cosine of twice the angle whose tangent is t."""
+    """Return sine and cosine of twice the angle whose tangent is t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)
     return 2 * t / below, (1 - tt) / below

@@ -134,7 +134,7 @@ def polar(w: Vector) -> tuple[Dual, Vector]:
 
 
 def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector:
-    """Return u from ``(1 − cos α) u⊗u``, by its column of largest diagonal entry, so that no small number divides."""
+    """Return u from ``(1 − cos α) u⊗u``, by the column of its largest diagonal entry."""
     outer = (Q + Q.transpose) / 2 - Tensor.identity() * cosine
     k = max(range(3), key=lambda i: outer[i, i])
     column = Vector(outer[0, k], outer[1, k], outer[2, k])

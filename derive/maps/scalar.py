@@ -9,14 +9,14 @@ from ..algebra import Coefficient
 
 
 class scalar:
-    """A scalar of a class with an arithmetic ``m``, as a formula of the others.
+    """Scalar of a class with an arithmetic ``m``, given by its formula.
 
     Parameters
     ----------
     formula : callable
-        The value, from the scalars it belongs to.
+        Return the value from the other scalars.
     name : str, optional
-        Its name in programs; the attribute's name without it.
+        Name in programs; by default that of the attribute.
     """
 
     def __init__(self, formula: Callable[[Any], Coefficient], name: str = "") -> None:

@@ -30,7 +30,7 @@ from .scalar import scalar
 
 @lru_cache(maxsize=64)
 def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
-    """S, W, H and B of an order, elements of Z[y]."""
+    """Return S, W, H and B of an order, elements of Z[x]."""
     p, q = ring_pair(n)
     S, W = _homogeneous(p, n // 2), _homogeneous(q, (n - 1) // 2)
     sine = W if n % 2 else (1 - RING_X) * W
@@ -38,13 +38,13 @@ def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
 
 
 def _homogeneous(polynomial: Any, degree: int) -> Any:
-    """``Σ a_j y^j (1 − y)^(degree − j)``."""
+    """Return ``Σ a_j x^j (1 − x)^(degree − j)``."""
     terms = (c * RING_X**j * (1 - RING_X) ** (degree - j) for (j,), c in polynomial.terms())
     return sum(terms, RING.zero)
 
 
 class SineScalars(DependentScalars):
-    """The scalars at x = sin² θ."""
+    """Scalars at x = sin² θ."""
 
     def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
@@ -108,14 +108,14 @@ class SineScalars(DependentScalars):
         return self.m.name("hiyy", self._quotient(change, rest))
 
     def _quotient(self, change: Coefficient, rest: Coefficient) -> Coefficient:
-        """``(change − n rest)/(n w)``."""
+        """Return ``(change − n rest)/(n w)``."""
         return self.m.div(change - self.order * rest, self._below)
 
 
 class SineAtAngle(SineScalars):
-    """The same where f_i and cos θ are known."""
+    """Scalars where f_i and cos θ are known."""
 
-    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # made of f_i: T⁻¹ along the axis is φ′, whatever f_i is
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis is φ′ for any error of f_i
 
     def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart.order, x, m)
@@ -124,13 +124,13 @@ class SineAtAngle(SineScalars):
         self.cc = m.name("cc", self.c * self.c)
 
     def _value(self, polynomial: Any) -> Coefficient:
-        """In powers of cos² θ, of which next to the edge one term counts."""
+        """Return a polynomial in powers of cos² θ, which loses no digits near the edge."""
         return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
 
 
 @dataclass(frozen=True)
 class Sine(OrderChart):
-    """v = sin(α/2n) u, up to |Re α| = nπ."""
+    """Chart v = sin(α/2n) u, up to |Re α| = nπ."""
 
     name: str
     order: int = 1
@@ -149,13 +149,13 @@ class Sine(OrderChart):
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # its sign changes every 2nπ
 
     def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Beyond the edge the cosine is another number, which nothing uses."""
+        """Return cos θ and 1; beyond the edge another number, which is not used."""
         return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -1,12 +1,12 @@
-r"""Sine and cosine of an angle divided by its powers, without loss of digits at any angle.
+r"""Stumpff functions: sine and cosine of an angle divided by its powers, without loss of digits at any angle.
 
 .. math::
     c_k(\xi) = \sum_{j \ge 0} \frac{(-\xi)^j}{(2j + k)!} \qquad
     c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad
     c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
 
-(Stumpff functions.) They are analytic in ξ, ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below
-`LIMIT` those of the half angle come from a series that is cut off, and the others by sums of positive terms:
+They are analytic in ξ, with ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below `LIMIT` a truncated
+series gives those of the half angle, and sums of positive terms give those of the angle:
 
 .. math::
     c_3(4\zeta) = \tfrac14 (c_3 + c_1 c_2) \quad c_4(4\zeta) = \tfrac18 c_3 (1 + c_1) \quad
@@ -14,7 +14,7 @@ r"""Sine and cosine of an angle divided by its powers, without loss of digits at
 
     c_6(4\zeta) = \tfrac1{32} (2 c_5 + c_3^2) \quad c_7(4\zeta) = \tfrac1{64} (c_7 + c_6 + c_3 c_4 + \tfrac12 c_5)
 
-Beyond, sine and cosine themselves serve; there `LIMIT` is large enough for the differences.
+Beyond `LIMIT` sine and cosine give them without loss of digits.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ from ..algebra.arithmetic import Arithmetic
 from .scalar import scalar
 
 LIMIT = 6
-"""The ξ up to which series are summed, an angle of 2.4."""
+"""Largest ξ of the series, an angle of 2.4."""
 
 TERMS = 9
-"""Of the series of c₇ at a quarter of ξ."""
+"""Number of terms in the series of c₇ at ξ/4."""
 
 REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
-"""What is cut off: less than the first term left out, for signs alternate and sizes fall."""
+"""Bound of the truncation error: the first omitted term, since signs alternate and sizes fall."""
 
 EXACT = 2**24
-"""Integers up to this every type of number holds."""
+"""Largest integer that every number type holds exactly."""
 
 
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
-    """``7! c₇``, cut off: ``1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, denominators joined while integers stay exact."""
+    """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, with joined denominators."""
     above: Coefficient = 1
     below = 1
     for step in range(TERMS - 1, 0, -1):
@@ -53,7 +53,7 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
 
 
 class HalfAngle:
-    """c₀ … c₇ of half an angle, from a quarter ζ of its square, below the limit."""
+    """c₀ … c₇ of half an angle, from ``ζ = ξ/4``, below the limit."""
 
     def __init__(self, zeta: Coefficient, m: Arithmetic) -> None:
         self.zeta = zeta
@@ -68,9 +68,9 @@ class HalfAngle:
     _beside = scalar(lambda at: 1 + at.c0, "C01")
     c2 = scalar(lambda at: at.square / at._beside, "C2")  # c₁²/(1 + c₀), by sin² + cos² = 1
     _cube = scalar(lambda at: at.c3 * at.c3, "CC3")
-    # From the same; it stands beside greater ones only.
+    # by the same identity; it is added to larger terms only
     c4 = scalar(lambda at: (4 * at.c3 - at.c2 - 2 * (at.zeta * at._cube)) / (2 * at._beside), "C4")
-    # And again.
+    # by the same identity
     c6 = scalar(lambda at: at.m.div(4 * at.c5 + 2 * at._cube - at.c4 - 2 * (at.c2 * at.c4), 4), "C6")
 
 

@@ -20,7 +20,7 @@ import sympy
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
 from .methods import Determined, Identity
 from .notation import *
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -31,7 +31,7 @@ OF_LENGTH = sympy.cos(r / 2), sympy.sin(r / 2)
 SPEED = 1 / (1 + epsilon * r**2)
 """dα/dr, and what T does along the axis."""
 
-LETTERS = (OF_LENGTH[1], OF_LENGTH[0], r)
+SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 
 
 def _of_length(premise: Premise) -> Premise:
@@ -58,7 +58,7 @@ ANGLE = Theorem(
         *map(_of_length, circular(alpha / 2)),
         definition(rate(r), 1),
     ),
-    Determined(Letters(LETTERS), Equation(r, sympy.Integer(0))),
+    Determined(Symbols(SYMBOLS), Equation(r, sympy.Integer(0))),
     SCOPE,
 )
 
@@ -93,7 +93,7 @@ MAPS = Theorem(
         pythagoras(r / 2),
         UNIT,
     ),
-    Identity(Letters(LETTERS, (u,), (r,))),
+    Identity(Symbols(SYMBOLS, (u,), (r,))),
     SCOPE,
 )
 

@@ -11,7 +11,7 @@ from .formulas import Formulas
 from .methods import Identity
 from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -22,7 +22,7 @@ QUATERNION = definition(q_hat, (p + q * v) / ROOT, (50, 55), wrong=(p + 2 * q * 
 ROOT_SLOPE = definition(prime(ROOT), n * ROOT / (2 * (1 + x)))
 MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)), SQUARE, *SLOPES.given(), ORIGIN_P)
 SCALARS = (p, q, x, n)
-AT_V, MOVING = Letters(SCALARS, (v,), (x,)), Letters(SCALARS, (v, v_dot), (x,))
+AT_V, MOVING = Symbols(SCALARS, (v,), (x,)), Symbols(SCALARS, (v, v_dot), (x,))
 
 
 POWER = (1 + x) ** n
@@ -60,7 +60,7 @@ def _of_tensor(tensor: Premise) -> tuple[Theorem, ...]:
                 Equation(q_hat * point * conjugate(q_hat), R * point),
             ),
             (QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P),
-            Identity(Letters(SCALARS, (v, point), (x,))),
+            Identity(Symbols(SCALARS, (v, point), (x,))),
         ),
     )
 

@@ -16,27 +16,27 @@ import sympy
 
 from . import notation
 from .identity import Check, Multiplier
-from .setting import Letters, Setting
+from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Task
 
 
 @dataclass(frozen=True)
 class Identity:
-    """Both sides are evaluated in the ring of the given letters."""
+    """Both sides are evaluated in the ring of the given symbols."""
 
-    letters: Letters
+    symbols: Symbols
     sides = ("left", "right")
 
     @property
     def title(self) -> str:
-        return f"identity, residues in Q[{_names(self.letters)}] localized, modulo the relations given"
+        return f"identity, residues in Q[{_names(self.symbols)}] localized, modulo the relations given"
 
     def weaker(self) -> Iterator[tuple[str, Identity]]:
         return _less_free(self)
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.letters, task.premises, (*task.claim, *task.supposed), task.zeroed)
+        setting = Setting(self.symbols, task.premises, (*task.claim, *task.supposed), task.zeroed)
         yield from _compatible(setting, task.premises)
         for equation in task.claim:
             yield from differences(setting, equation.text, equation)
@@ -50,12 +50,12 @@ class Determined:
 
     Attributes
     ----------
-    letters : Letters
+    symbols : Symbols
     start : Equation
         The index or variable, and its value at the start.
     """
 
-    letters: Letters
+    symbols: Symbols
     start: Equation
     sides = ("right",)
 
@@ -67,7 +67,7 @@ class Determined:
     @property
     def title(self) -> str:
         way = "induction on" if self.by_steps else "initial value and differential equation in"
-        return f"{way} {self.start.left}, residues in Q[{_names(self.letters)}] localized"
+        return f"{way} {self.start.left}, residues in Q[{_names(self.symbols)}] localized"
 
     def weaker(self) -> Iterator[tuple[str, Determined]]:
         return _less_free(self)
@@ -75,15 +75,15 @@ class Determined:
     def _moving(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Iterator[Check]:
-        """There is a law for every letter that goes with the index or variable, which goes by itself."""
+        """There is a law for every symbol that goes with the index or variable, which goes by itself."""
         index = self.start.left
-        for letter in self.letters.scalars:
-            goes = letter != index and index in notation.TERMS.get(letter, ("", letter))[1].free_symbols
-            known = (letter in starts and letter in steps) if self.by_steps else ring.has_rate(letter)
-            yield f"law of {notation.text(letter)}", 1 if goes and not known else 0
+        for symbol in self.symbols.scalars:
+            goes = symbol != index and index in notation.TERMS.get(symbol, ("", symbol))[1].free_symbols
+            known = (symbol in starts and symbol in steps) if self.by_steps else ring.has_rate(symbol)
+            yield f"law of {notation.text(symbol)}", 1 if goes and not known else 0
         if self.by_steps:
-            yield "what is said at one index only", sum(index in premise.equation.letters for premise in others)
-        elif index in self.letters.scalars:
+            yield "what is said at one index only", sum(index in premise.equation.symbols for premise in others)
+        elif index in self.symbols.scalars:
             yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
@@ -94,7 +94,7 @@ class Determined:
         others = [p for p in premises if not _is_law(p.equation, index, (first, index + 1))]
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
-        ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
+        ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
         yield from _compatible(ring, premises)
         for equation in task.supposed:
             yield from differences(ring, f"supposed, {equation.text}", equation)
@@ -126,7 +126,7 @@ def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check
     yield "what is said more than once", len(said) - len(set(said))
     leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
-    yield "relations that reduce the same letter", shared  # without, they are a Groebner basis, and 1 is not in it
+    yield "relations that reduce the same symbol", shared  # without, they are a Groebner basis, and 1 is not in it
     for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
         factors = sum(power for _, power in ring.library.factors(relation))
         yield f"the relation {ring.text(relation)} is irreducible", factors - 1
@@ -155,16 +155,16 @@ def _laws(
             yield premise.equation.left.args[0], premise.equation.right
 
 
-def _names(letters: Letters) -> str:
-    names = ", ".join(str(letter) for letter in (*letters.scalars, *letters.vectors))
-    return f"{names}; {', '.join(map(str, letters.free))} free" if letters.free else names
+def _names(symbols: Symbols) -> str:
+    names = ", ".join(str(symbol) for symbol in (*symbols.scalars, *symbols.vectors))
+    return f"{names}; {', '.join(map(str, symbols.free))} free" if symbols.free else names
 
 
-_InLetters = TypeVar("_InLetters", Identity, Determined)
+_InSymbols = TypeVar("_InSymbols", Identity, Determined)
 
 
-def _less_free(method: _InLetters) -> Iterator[tuple[str, _InLetters]]:
-    """A method that knows of one letter less that it varies independently."""
-    for letter in method.letters.free:
-        rest = tuple(other for other in method.letters.free if other != letter)
-        yield f"{letter} that depends on others", replace(method, letters=replace(method.letters, free=rest))
+def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
+    """A method that knows of one symbol less that it varies independently."""
+    for symbol in method.symbols.free:
+        rest = tuple(other for other in method.symbols.free if other != symbol)
+        yield f"{symbol} that depends on others", replace(method, symbols=replace(method.symbols, free=rest))

@@ -1,7 +1,7 @@
-r"""The letters and marks that statements are written in, as SymPy expressions, and how they are printed.
+r"""The symbols and marks that statements are written in, as SymPy expressions, and how they are printed.
 
-Letters of vectors, tensors and quaternions do not commute, so that a product keeps its order. Marks are applied to
-letters: ``transpose(R)``, ``rate(R)`` (a derivative along a motion), ``prime(p)`` (d/dx). What a mark does to values is
+Symbols of vectors, tensors and quaternions do not commute, so that a product keeps its order. Marks are applied to
+symbols: ``transpose(R)``, ``rate(R)`` (a derivative along a motion), ``prime(p)`` (d/dx). What a mark does to values is
 said in :mod:`~derive.proof.setting`.
 """
 
@@ -26,13 +26,13 @@ TERMS = {
     p: ("p", n), q: ("q", n), c: ("c", n), d: ("d", n), p_m: ("p", m), q_m: ("q", m), p_sum: ("p", m + n),
     q_sum: ("q", m + n), p_double: ("p", 2 * n), q_double: ("q", 2 * n),
 }  # fmt: skip
-"""Letters for terms of sequences: which sequence, and the index."""
+"""Symbols for terms of sequences: which sequence, and the index."""
 
 INDICES = frozenset((n, m))
 
 
 def structure(name: str) -> sympy.Symbol:
-    """A letter for a vector, tensor or quaternion."""
+    """A symbol for a vector, tensor or quaternion."""
     return sympy.Symbol(name, commutative=False)
 
 
@@ -59,11 +59,11 @@ TYPESET = {
     scalar: "q_0", scalar_1: "q_{0,1}", scalar_2: "q_{0,2}", R_k: "R(v_k)", R_dual: "R(V)", v_dual: r"v^\circ",
     x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon",
 }  # fmt: skip
-"""Letters that SymPy would not typeset by their name."""
+"""Symbols that SymPy would not typeset by their name."""
 
 
 class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
-    """A mark applied to letters; subclasses say how it looks."""
+    """A mark applied to symbols; subclasses say how it looks."""
 
     text: ClassVar[str]
     typeset: ClassVar[str]
@@ -155,7 +155,7 @@ class _Text(StrPrinter):  # type: ignore[misc]
 
 
 class _Typeset(LatexPrinter):  # type: ignore[misc]
-    """LaTeX with one fraction bar for all negative exponents, the project's letters, ascending powers."""
+    """LaTeX with one fraction bar for all negative exponents, the project's symbols, ascending powers."""
 
     def _print_Symbol(self, expr: sympy.Symbol, style: str = "plain") -> str:
         if "." in expr.name:  # a name of the code

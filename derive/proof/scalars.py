@@ -136,7 +136,7 @@ class ScalarProofs:
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """What the letters stand for: scalars as the chart computes them, and their derivatives."""
+        """What the symbols stand for: scalars as the chart computes them, and their derivatives."""
         at_x = self.ring.square("v")
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
@@ -170,7 +170,7 @@ class ScalarProofs:
     def _residues(
         self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
     ) -> Iterator[Check]:
-        """Left side minus right side, by the values of the letters."""
+        """Left side minus right side, by the values of the symbols."""
         values = {**self.values, **(further or {})}
         for equation in claim:
             yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
@@ -181,7 +181,7 @@ class ScalarProofs:
         functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
         angle, phi = field.symbol(alpha.name), self.chart.phi
         size, rate = (evaluate(e, alpha, angle, functions) for e in (phi, phi.diff(alpha)))
-        values = {letter: self._at(self.values[letter], size * size) for letter in (f, h, x)}
+        values = {symbol: self._at(self.values[symbol], size * size) for symbol in (f, h, x)}
         starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
         at = _AtAngle(values | {slope: rate})

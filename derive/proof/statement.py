@@ -21,7 +21,7 @@ class Equation:
     Attributes
     ----------
     left, right : Expr
-        In the letters and marks of :mod:`~derive.proof.notation`.
+        In the symbols and marks of :mod:`~derive.proof.notation`.
     numbers : tuple of int
         Its numbers in CP23, where it is one of that paper's equations as it stands (or as corrected).
     wrong : Expr, optional
@@ -34,8 +34,8 @@ class Equation:
     wrong: sympy.Expr | None = field(default=None, compare=False)
 
     @cached_property
-    def letters(self) -> frozenset[sympy.Symbol]:
-        """The letters on both sides."""
+    def symbols(self) -> frozenset[sympy.Symbol]:
+        """The symbols on both sides."""
         return frozenset(self.left.free_symbols | self.right.free_symbols)
 
     @cached_property
@@ -52,7 +52,7 @@ class Equation:
         return self.text
 
     def replaced(self, changes: Mapping[sympy.Expr, sympy.Expr]) -> Equation:
-        """The equation with letters (or terms) replaced on both sides, all at once."""
+        """The equation with symbols (or terms) replaced on both sides, all at once."""
         wrong = None if self.wrong is None else self.wrong.xreplace(changes)
         return Equation(self.left.xreplace(changes), self.right.xreplace(changes), wrong=wrong)
 
@@ -81,7 +81,7 @@ class Premise:
     theorem : str
         The name of the theorem that proves it; empty for a definition.
     instance : tuple of (Expr, Expr)
-        What was put for the letters of that theorem's equation.
+        What was put for the symbols of that theorem's equation.
     """
 
     equation: Equation
@@ -105,7 +105,7 @@ class Premise:
 def definition(
     left: sympy.Expr, right: sympy.Expr | int, numbers: tuple[int, ...] = (), wrong: sympy.Expr | None = None
 ) -> Premise:
-    """What a letter or a mark stands for."""
+    """What a symbol or a mark stands for."""
     return Premise(Equation(left, sympy.Integer(right) if isinstance(right, int) else right, numbers, wrong))
 
 

@@ -1,7 +1,7 @@
 """A theorem: a claim, everything it takes as given, and the way in which it is decided.
 
 What it takes from other theorems holds here under what these suppose: for their orders, with terms of the index that
-theirs become, and where letters stand for what they do there.
+theirs become, and where symbols stand for what they do there.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Task:
     claim : tuple of Equation
     premises : tuple of Premise
     supposed : tuple of Equation
-        What letters stand for in the theorems that premises are taken from, which has to hold here, too.
+        What symbols stand for in the theorems that premises are taken from, which has to hold here, too.
     zeroed : Expr, optional
         A multiplier to be taken as 0, for controls.
     """
@@ -98,11 +98,11 @@ class Theorem:
         return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
     def _supposed(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
-        """What letters stand for in the theorems that premises name, of those that are here and not said here."""
+        """What symbols stand for in the theorems that premises name, of those that are here and not said here."""
         own = {premise.equation.text for premise in self.premises if not premise.theorem}
-        here = set().union(*(e.letters for e in (*self.claim, *(premise.equation for premise in self.premises))))
+        here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
-        return tuple({e.text: e for e in there if e.letters <= here and e.text not in own}.values())
+        return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
 
     def _said(self, equation: Equation) -> bool:
         """Whether something is said here of what an equation is about: then it has to hold, else it is a condition."""
@@ -110,7 +110,7 @@ class Theorem:
         return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 
     def premise(self, place: int, *instance: tuple[sympy.Expr, sympy.Expr]) -> Premise:
-        """An equation of the claim, as a premise of another theorem; with other letters, if given."""
+        """An equation of the claim, as a premise of another theorem; with other symbols, if given."""
         equation = self.claim[place]
         return Premise(equation.replaced(dict(instance)) if instance else equation, self.name, instance)
 
@@ -128,7 +128,7 @@ class Theorem:
 
 
 def _rests_on(premise: Premise, known: Mapping[str, Proof]) -> Iterator[Equation]:
-    """What letters stand for in the theorem that a premise names, and in those which that one rests on."""
+    """What symbols stand for in the theorem that a premise names, and in those which that one rests on."""
     for other in known[premise.theorem].premises if premise.theorem in known else ():
         for equation in _rests_on(other, known) if other.theorem else (other.equation,):
             yield equation.replaced(dict(premise.instance))
@@ -146,14 +146,14 @@ def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool
 def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:
     """Whether terms of sequences in an equation become terms of the same ones, with the index as it is then.
 
-    Where an index changes there may be no other letters, such as dcay_n, that go with it.
+    Where an index changes there may be no other symbols, such as dcay_n, that go with it.
     """
     known = {*notation.TERMS, *notation.INDICES, notation.x, notation.j}
-    if changes.keys() & notation.INDICES and not equation.letters <= known:
+    if changes.keys() & notation.INDICES and not equation.symbols <= known:
         return False
-    for letter in equation.letters & notation.TERMS.keys():
-        sequence, index = notation.TERMS[letter]
-        there = notation.TERMS.get(changes.get(letter, letter))
+    for symbol in equation.symbols & notation.TERMS.keys():
+        sequence, index = notation.TERMS[symbol]
+        there = notation.TERMS.get(changes.get(symbol, symbol))
         if notation.x in changes or there != (sequence, index.xreplace(changes)):
             return False
     return True

@@ -14,7 +14,7 @@ from .formulas import Formulas
 from .map_theorems import ORIGIN_P
 from .methods import Identity
 from .notation import *
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -41,7 +41,7 @@ def _transport(formulas: Formulas, sign: int) -> Theorem:
             definition(sympy.sin(n * beta), 0),
             ORIGIN_P,
         ),
-        Identity(Letters((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine))),
+        Identity(Symbols((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine))),
     )
 
 
@@ -52,7 +52,7 @@ STEP = Theorem(
         Equation(rate(r_k), 1 / TURNED_ROOT**2),
     ),
     (MOEBIUS, definition(rate(r), sympy.Integer(1)), pythagoras(beta)),
-    Identity(Letters((sympy.sin(beta), sympy.cos(beta), r), free=(r, sympy.sin(beta), sympy.cos(beta)))),
+    Identity(Symbols((sympy.sin(beta), sympy.cos(beta), r), free=(r, sympy.sin(beta), sympy.cos(beta)))),
 )
 _SIDES = tuple(side(angle) for angle in (beta, gamma) for side in (sympy.sin, sympy.cos))
 BOTH, FURTHER = beta + gamma, sympy.cos(gamma) - r_k * sympy.sin(gamma)
@@ -79,7 +79,7 @@ TWICE = Theorem(
         definition(sympy.sin(BOTH), sympy.sin(beta) * sympy.cos(gamma) + sympy.cos(beta) * sympy.sin(gamma)),
         UNIT,
     ),
-    Identity(Letters((r, *_SIDES), (u,), (r, *_SIDES))),
+    Identity(Symbols((r, *_SIDES), (u,), (r, *_SIDES))),
 )
 _TWO, _ONE = scalar_2 + second, scalar_1 + first
 
@@ -100,6 +100,6 @@ PRODUCT = Theorem(
         *_moving(scalar_2, second, omega_2),
         definition(scalar_2**2 + dot(second, second), 1),
     ),
-    Identity(Letters((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
+    Identity(Symbols((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
 )
 """So ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

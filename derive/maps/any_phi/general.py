@@ -1,11 +1,11 @@
-r"""Any parameterization v = φ(α) u: its scalars near v = 0 by ``a(x) = α/|v|``, beyond by φ at its angle.
+r"""Chart of any φ: scalars from ``a(x) = α/|v|`` near v = 0, and from φ at the angle beyond.
 
 .. math::
     w = \tfrac12 a\,c_1(\tfrac\xi4) \qquad \rho = a + 2 x a' \qquad h = a^3 c_3(\xi) + 2 a' \qquad
     \xi = \alpha^2 = x a^2
 
-Beyond, ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and ``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``, by theorems on
-every φ, with ``ρ = 1/φ′``.
+Beyond, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and
+``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .real_constants import plus
 
 
 class GeneralScalars(DependentScalars):
-    """The scalars at x = φ²."""
+    """Scalars at x = φ²."""
 
     def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
@@ -46,11 +46,11 @@ class GeneralScalars(DependentScalars):
 
     # --- near ---------------------------------------------------------------------------------------------------
 
-    # x of what is near; else 0 of its type.
+    # x below the limit; 0 beyond
     _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
 
     def _a(self, count: int) -> Coefficient:
-        """A derivative of a(x)."""
+        """Return a derivative of a(x)."""
         if count not in self._found:
             of = self.chart.near.polynomials[count]
             self._found[count] = of.at(self._x, self.m, f"a{count}")
@@ -97,7 +97,7 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """x of what is far; else some number beyond the limit."""
+        """x beyond the limit; for x below it, another number beyond."""
         limit = self.chart.near.limit
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
@@ -106,16 +106,16 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def far_angle(self) -> Coefficient:
-        """α of what is far."""
+        """α beyond the limit."""
         return self.chart.far_angle(self._square, self._length, self.m)
 
     def angle_of(self, r: Coefficient) -> Coefficient:
-        """α of the length r, of which x is the square."""
+        """Return α of a length r, whose square is x."""
         return self._select("alpha", self._a(0) * r, self.far_angle)
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """Cosine of α/2, and sine of it over |v|."""
+        """``cos(α/2)`` and ``sin(α/2)/|v|``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
@@ -179,19 +179,19 @@ class GeneralScalars(DependentScalars):
 
 
 class GeneralAtAngle(GeneralScalars):
-    """The same where f_i and α are known."""
+    """Scalars where f_i and α are known."""
 
     def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart, x, m)
         self.fi = fi
-        # of what is near some angle where all is regular
+        # below the limit, another angle where all is regular
         beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
         self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
 
 
 @dataclass(frozen=True)
 class General(AngleChart):
-    """v = φ(α) u up to the first φ′ = 0 or pole of φ, at most to 4π."""
+    """Chart v = φ(α) u up to the first zero of φ′ or pole of φ, at most up to 4π."""
 
     name: str
     expression: sympy.Expr
@@ -212,13 +212,13 @@ class General(AngleChart):
 
     @cached_property
     def near(self) -> Ratio:
-        """a(x) below a limit."""
+        """Polynomials of a(x) and its derivatives, below a limit."""
         require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property
     def far(self) -> Guess:
-        """Where Newton's method begins beyond it."""
+        """First guess of Newton's method beyond the limit."""
         return guess(self.expression, self._edge, self.near.limit)
 
     @property
@@ -244,7 +244,7 @@ class General(AngleChart):
         return at.angle_of(r)
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """By Newton's method from the first guess."""
+        """Return α by Newton's method from the first guess."""
         angle = m.name("guess", self.far.lowered(x, r, m))
         for step in range(self.far.steps):
             at = Lowering(m.corrected(angle), m)
@@ -252,7 +252,7 @@ class General(AngleChart):
         return angle
 
     def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """NaN beyond the edge, where the root is none."""
+        """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
         with mpmath.workdps(DIGITS):
             square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
         left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))

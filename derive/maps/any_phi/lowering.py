@@ -1,7 +1,7 @@
-"""φ and its derivatives as arithmetic at an angle.
+"""φ and its derivatives at an angle, in the operations of an arithmetic.
 
-Sines are made of the tangent of a quarter, arcs of atan2, exponentials of e^a − 1 and logarithms of log(1 + a): none
-loses digits near 0, and those of hyperbolic functions none on either side of it.
+Sines come from the tangent of a quarter of the angle, exponentials from ``e^a − 1``, logarithms from ``log(1 + a)``.
+Arcs come from a series that takes complex numbers. None of them loses digits near 0.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ from .real_constants import is_small, plus, times
 DIGITS = 60
 SQUARE = sympy.Symbol("square", positive=True)
 LEVELS = 5
-"""Of a factor or term (`split`): angles 1e-30 beside half a turn, which are tried, have to stay on their side."""
+"""Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
-"""Coefficients of the series of the arc tangent, signs alternating, over the first."""
+"""Coefficients of the series of the arc tangent, without signs, times the first."""
 
 SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
 """Advice for a chart without kernels."""
 
 
 def number(expression: sympy.Expr) -> Any:
-    """A constant as a fraction where that is one of small integers, else to many digits."""
+    """Return a constant as a fraction of small integers, or else as an mpmath number."""
     if expression.is_Rational:
         fraction = Fraction(int(expression.p), int(expression.q))
         if is_small(fraction):
@@ -50,7 +50,7 @@ KNOWN = (
 
 
 def require_known(phi: sympy.Expr) -> None:
-    """Refuse a φ with functions that kernels do not compute: its chart is symbolic only."""
+    """Refuse a φ with functions that kernels do not compute."""
     other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in KNOWN})
     if other:
         raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
@@ -67,7 +67,7 @@ class Lowering:
         self._derivatives: dict[tuple[sympy.Expr, int], Coefficient] = {}
 
     def at(self, expression: sympy.Expr) -> Coefficient:
-        """Its value."""
+        """Return the value of an expression."""
         if alpha not in expression.free_symbols:
             found = number(expression)
             if is_small(found):
@@ -77,7 +77,10 @@ class Lowering:
         return self._known[expression]
 
     def derivative(self, phi: sympy.Expr, count: int) -> Coefficient:
-        """Return a derivative of φ, or φ itself; of a quotient N/D from ``(φ D)⁽ᵏ⁾ = N⁽ᵏ⁾``, by Leibniz's rule."""
+        """Return a derivative of φ, or φ itself for count 0.
+
+    For a quotient ``φ = N/D`` Leibniz's rule for ``φ D = N`` gives it in shared parts.
+    """
         above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
         if not below.has(alpha):
             return self.at(phi.diff(alpha, count))
@@ -101,7 +104,7 @@ class Lowering:
         return self._functions[e.func](e.args[0])
 
     def _constant(self, value: Any) -> Coefficient:
-        """A number that is no small fraction, such as the slope of π α, of the angle's type."""
+        """Return a constant, such as π, in the type of the angle."""
         angle = self._known[alpha]
         return times(value, angle - angle + 1, self.m, "", LEVELS)
 
@@ -185,7 +188,7 @@ class Lowering:
         return start - (tangent - u) / (1 + tangent * u)
 
     def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
-        """Sine and cosine, by the tangent of a quarter, whose pole is far."""
+        """Return sine and cosine from the tangent of a quarter of the angle, which has its pole far away."""
         if argument not in self._pairs:
             m = self.m
             sine, cosine = double_angle(m.tan(m.div(self.at(argument), 4)), m)
@@ -193,19 +196,19 @@ class Lowering:
         return self._pairs[argument]
 
     def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
-        """The size of a value, and whether it is below 0: a selection, which unlike a size has a slope at 0."""
+        """Return the size of a value and whether it is negative; a selection has a derivative at 0, `abs` has none."""
         m, a = self.m, self.at(argument)
         below = m.less(a, 0)
         return m.where(below, -a, a), below
 
     def _exp(self, argument: sympy.Expr) -> Coefficient:
-        """By E = e^|a| − 1: ``1 + E``, below 0 one over that."""
+        """Return the exponential from ``E = e^|a| − 1``: it is ``1 + E``, or 1 over that for negative a."""
         m, (size, below) = self.m, self._side(argument)
         power = 1 + m.expm1(size)
         return m.where(below, 1, power) / m.where(below, power, 1)
 
     def _hyperbolic(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
-        """Hyperbolic sine and cosine by E = e^|a| − 1: ``(E + E/(1 + E))/2``, and ``1 + E/2 E/(1 + E)``."""
+        """Return hyperbolic sine and cosine from ``E = e^|a| − 1``: ``(E + E/(1 + E))/2`` and ``1 + E²/(2 + 2E)``."""
         if argument not in self._hyperbolics:
             m, (size, below) = self.m, self._side(argument)
             more = m.expm1(size)
@@ -215,13 +218,13 @@ class Lowering:
         return self._hyperbolics[argument]
 
     def _tanh(self, argument: sympy.Expr) -> Coefficient:
-        """By E = e^(−2|a|) − 1, which does not overflow: ``−E/(2 + E)``."""
+        """Return the hyperbolic tangent ``−E/(2 + E)`` from ``E = e^(−2|a|) − 1``, which does not overflow."""
         size, below = self._side(argument)
         less = self.m.expm1(-2 * size)
         return self.m.where(below, less, -less) / (2 + less)
 
     def _log(self, argument: sympy.Expr) -> Coefficient:
-        """``log(1 + (a − 1))``; below a half, where that loses digits, ``−log(1 + (1 − a)/a)``."""
+        """Return ``log(1 + (a − 1))``; below 1/2, where that loses digits, ``−log(1 + (1 − a)/a)``."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
         small = m.less(2 * a, 1)
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
@@ -253,7 +256,7 @@ def _is_one(value: Coefficient) -> bool:
 
 
 def _over(constant: Any, below: Coefficient, m: Arithmetic) -> Coefficient:
-    """A number over a value."""
+    """Return a constant divided by a value."""
     if is_small(constant):
         return m.div(constant.numerator, below if constant.denominator == 1 else constant.denominator * below)
     return times(constant, m.div(1, below), m, "over", LEVELS)

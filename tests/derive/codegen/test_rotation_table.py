@@ -111,7 +111,7 @@ def test_wrong_wiring_of_rotations_fails_replay(texts, tmp_path: Path) -> None:
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=False)
+        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=True)
 
 
 @pytest.mark.parametrize("name", ["rotation", "rotation_mine"])

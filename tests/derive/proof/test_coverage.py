@@ -34,14 +34,14 @@ ABOUT = {
     "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
     "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
 }  # fmt: skip
-"""The letters that some theorem on a function must speak of."""
+"""The symbols that some theorem on a function must speak of."""
 
 
 @pytest.mark.parametrize("name", ABOUT)
 def test_theorems_speak_of_what_they_are_named_for(name: str) -> None:
     claims = {proof.name: proof.claim for proof in theorems()}
-    spoken = [set().union(*(equation.letters for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
-    assert any(letters >= ABOUT[name] for letters in spoken), (name, spoken)
+    spoken = [set().union(*(equation.symbols for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
+    assert any(symbols >= ABOUT[name] for symbols in spoken), (name, spoken)
 
 
 def test_validations_are_those_of_the_table() -> None:

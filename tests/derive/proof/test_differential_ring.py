@@ -8,13 +8,13 @@ import sympy
 from derive.algebra.element import Element
 from derive.proof.differential_ring import DifferentialRing
 from derive.proof.notation import Shifted, dot, n, p, q, v, x
-from derive.proof.setting import Letters, Setting
+from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import definition
 
 
 def ring(zeroed: sympy.Expr | None = None) -> DifferentialRing:
     values = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
-    return Setting(Letters((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
+    return Setting(Symbols((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
 
 
 def over(divisor: sympy.Expr, at: DifferentialRing) -> Element:
@@ -66,7 +66,7 @@ def test_quotients_are_numbers() -> None:
 def test_derivation_is_a_derivation() -> None:
     at = ring()
     a, b = at.generator(x), at.generator(p)
-    rates = {at.letters[x]: at.constant(1), at.letters[p]: at.generator(q)}
+    rates = {at.symbols[x]: at.constant(1), at.symbols[p]: at.generator(q)}
 
     def rate(value: Element) -> Element:
         return value.derivative(rates)

@@ -11,7 +11,7 @@ import sympy
 from derive.algebra import Dual
 from derive.maps import Cayley, polynomials
 from derive.proof import notation as m
-from derive.proof.at_order import LETTERS, instances
+from derive.proof.at_order import SYMBOLS, instances
 from derive.proof.at_point import AtPoint, _root
 from derive.proof.components import ROTATED, STATEMENTS, Components
 from derive.proof.computations import Computed, computations
@@ -98,9 +98,9 @@ def test_words_are_evaluated() -> None:
         assert any(label.startswith(equation.text) for equation in proof.claim for label in labels)
 
 
-@pytest.mark.parametrize(("letter", "other"), [("p", m.q), ("c", m.d), ("tangent", m.R)])
-def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(LETTERS, letter, other)  # "Cayley(3).p is q at n = 3"
+@pytest.mark.parametrize(("symbol", "other"), [("p", m.q), ("c", m.d), ("tangent", m.R)])
+def test_letters_are_what_is_decided(symbol: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(SYMBOLS, symbol, other)  # "Cayley(3).p is q at n = 3"
     failed = [proof for proof in (*instances(Cayley(3)), *computations(3)) if not proof.proved]
     assert failed
     assert all(any(equation.right.args[0] == other for equation in proof.claim) for proof in failed)
