@@ -251,7 +251,7 @@ class General(AngleChart):
             angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
         return angle
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
         with mpmath.workdps(DIGITS):
             square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
