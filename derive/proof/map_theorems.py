@@ -1,6 +1,6 @@
-"""Theorems on rotation and motion for every n: tensor, quaternion, tangent operators.
+"""Theorems for every n on rotation and motion: tensor, quaternion, tangent operators.
 
-Vectors are generic: v, its rate, and whatever is rotated have components of their own.
+Vectors are generic: v, its rate and rotated points have independent components.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ AT_V, MOVING = Symbols(SCALARS, (v,), (x,)), Symbols(SCALARS, (v, v_dot), (x,))
 
 POWER = (1 + x) ** n
 F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
-"""The coefficients as CP23 prints them."""
+"""Coefficients as CP23 prints them."""
 BODY = definition(omega_body, transpose(R) * omega)
 
 
 def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """What is claimed, for every n, of the given formulas."""
+    """Return the theorems on the given formulas."""
     tensor, tangent = formulas.defined(R, "tensor"), formulas.defined(dcay, "tangent")
     inverse = formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
     return (*_of_tensor(tensor), *_of_tangent(tangent, inverse), *_of_motion(tensor, tangent, inverse))

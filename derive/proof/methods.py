@@ -1,8 +1,7 @@
-"""The two ways to decide a claim in a ring, and what of a theorem's premises has to fit together for it.
+"""Two methods to decide a claim in a ring, and the consistency of premises that they need.
 
-An *identity* is evaluated. What is *determined* by a start and a law (a sequence by its first term and its recurrence,
-a function by its initial value and its differential equation) equals what has the same start and obeys the same law;
-which of the two it is, the premises say.
+An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with that start and that
+law. For a sequence these are first term and recurrence, for a function initial value and differential equation.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from .theorem import Task
 
 @dataclass(frozen=True)
 class Identity:
-    """Both sides are evaluated in the ring of the given symbols."""
+    """Evaluation of both sides in the ring of the given symbols."""
 
     symbols: Symbols
     sides = ("left", "right")
@@ -46,13 +45,13 @@ class Identity:
 
 @dataclass(frozen=True)
 class Determined:
-    """Both sides of each equation have the same start and obey the same law.
+    """Comparison of starts and laws of both sides of each equation.
 
     Attributes
     ----------
     symbols : Symbols
     start : Equation
-        The index or variable, and its value at the start.
+        Index or variable, and its value at the start.
     """
 
     symbols: Symbols
@@ -61,7 +60,7 @@ class Determined:
 
     @property
     def by_steps(self) -> bool:
-        """Whether the law is a recurrence."""
+        """Whether laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property
@@ -75,14 +74,14 @@ class Determined:
     def _moving(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Iterator[Check]:
-        """There is a law for every symbol that goes with the index or variable, which goes by itself."""
+        """Check that every symbol that depends on the index or variable has a law."""
         index = self.start.left
         for symbol in self.symbols.scalars:
             goes = symbol != index and index in notation.TERMS.get(symbol, ("", symbol))[1].free_symbols
             known = (symbol in starts and symbol in steps) if self.by_steps else ring.has_rate(symbol)
             yield f"law of {notation.text(symbol)}", 1 if goes and not known else 0
         if self.by_steps:
-            yield "what is said at one index only", sum(index in premise.equation.symbols for premise in others)
+            yield "premises at one index only", sum(index in premise.equation.symbols for premise in others)
         elif index in self.symbols.scalars:
             yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
@@ -112,7 +111,7 @@ class Determined:
 
 
 def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
-    """The residues of an equation, component by component, and what it was multiplied by."""
+    """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
         yield f"{label}, component {place}" if len(found) > 1 else label, setting.ring.residue(difference)
@@ -120,10 +119,13 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
 
 
 def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
-    """Nothing is said twice. The relations leave no zero divisors and do not contradict each other, nothing uncertified
-    was multiplied by to have them, and the derivation keeps them."""
+    """Check that premises are consistent.
+
+    No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
+    certified, and the derivation respects them.
+    """
     ring, said = setting.ring, [premise.equation.left for premise in premises]
-    yield "what is said more than once", len(said) - len(set(said))
+    yield "left sides that occur twice", len(said) - len(set(said))
     leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
     yield "relations that reduce the same symbol", shared  # without, they are a Groebner basis, and 1 is not in it
@@ -149,7 +151,7 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
 def _laws(
     premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
 ) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Terms and what they are at that value of the index."""
+    """Yield terms and their values at a value of the index."""
     for premise in premises:
         if _is_law(premise.equation, index, (value,)):
             yield premise.equation.left.args[0], premise.equation.right
@@ -164,7 +166,7 @@ _InSymbols = TypeVar("_InSymbols", Identity, Determined)
 
 
 def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
-    """A method that knows of one symbol less that it varies independently."""
+    """Yield the method with each free symbol in turn no longer free."""
     for symbol in method.symbols.free:
         rest = tuple(other for other in method.symbols.free if other != symbol)
-        yield f"{symbol} that depends on others", replace(method, symbols=replace(method.symbols, free=rest))
+        yield f"{symbol} not free", replace(method, symbols=replace(method.symbols, free=rest))

@@ -1,6 +1,6 @@
-"""Theorems on the polynomials p_n and q_n for every n: powers, addition, derivatives, brackets, binomial sums.
+"""Theorems for every n on p_n and q_n: powers, addition, derivatives, brackets, binomial sums.
 
-The definition is the recurrence, taken from the functions of :mod:`derive.maps.polynomials` by running them on symbols.
+The definition is the recurrence of :mod:`derive.maps.polynomials`, run on symbols.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 ONE = Equation(n, sympy.Integer(1))
-"""Where sequences start."""
+"""Start of sequences."""
 
 
 def recurring(
     index: sympy.Expr, *sequences: tuple[sympy.Expr, sympy.Expr | int, sympy.Expr], first: int = 1
 ) -> tuple[Premise, ...]:
-    """Definitions of sequences: each term with its first value and with the next."""
+    """Return definitions of sequences by first term and recurrence."""
     return tuple(
         definition(Shifted(term, index, place), value)
         for term, start, following in sequences
@@ -31,13 +31,13 @@ def recurring(
 
 
 def pairs(index: sympy.Expr, p_n: sympy.Expr, q_n: sympy.Expr, at: sympy.Expr) -> tuple[Premise, ...]:
-    """The recurrence of p and q at some x, CP23 (56)."""
+    """Return the recurrence of p and q at some x, CP23 (56)."""
     following = polynomials.following((p_n, q_n), at)
     return recurring(index, *zip((p_n, q_n), polynomials.FIRST, following, strict=True))
 
 
 def power(base: sympy.Expr) -> tuple[Premise, ...]:
-    """The recurrence of ``base^n``."""
+    """Return the recurrence of ``base^n``."""
     return recurring(n, (base**n, base, base * base**n))
 
 
@@ -80,7 +80,7 @@ DOUBLING = Theorem(
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
-    """The derivative by x of an expression in x, p_n(x) and q_n(x), by the rules of calculus."""
+    """Return the derivative by x of an expression in x, p_n(x) and q_n(x)."""
     return e.diff(x) + e.diff(p) * prime(p) + e.diff(q) * prime(q)
 
 
@@ -171,7 +171,7 @@ TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 
 
 def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
-    """Cosine and sine of multiples of an angle."""
+    """Return the recurrences of cosine and sine of nθ."""
     cosine, sine, turn, rise = sympy.cos(n * angle), sympy.sin(n * angle), sympy.cos(angle), sympy.sin(angle)
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 
@@ -187,4 +187,4 @@ POLYNOMIAL_THEOREMS = (
     POWERS, VECTOR_POWERS, NORM, ADDITION, DOUBLING, SLOPES, ORIGIN, BRACKETS_AT_ZERO, BRACKETS, SUMS,
     BINOMIAL_THEOREM, BRACKET_SUMS, ANGLES,
 )  # fmt: skip
-"""In the order in which they rest on each other."""
+"""Theorems in an order in which each stands after those it rests on."""

@@ -156,8 +156,8 @@ class Setting(Evaluation):
     def relation_rates(self) -> list[Element]:
         """Return the differences that must be 0 for the derivations to respect the premises.
 
-        These are rates and slopes of the relations, and rate minus slope times rate of x where a symbol has both. Relations
-        between components have no slope.
+        These are rates and slopes of the relations, and rate minus slope times rate of x where a symbol has both.
+        Relations between components have no slope.
         """
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]

@@ -98,16 +98,16 @@ MISFITS = {
 
 
 @pytest.mark.parametrize("what", MISFITS)
-def test_what_does_not_fit_together_proves_nothing(what: str) -> None:
+def test_inconsistent_premises_prove_nothing(what: str) -> None:
     assert not MISFITS[what].decide(known()).proved
 
 
-def test_what_fits_is_proved() -> None:
+def test_consistent_premises_prove() -> None:
     assert by_rates(alpha**2, 0, 2 * alpha, definition(rate(alpha), 1)).decide({}).proved
     assert by_steps(1 + S * G, A + G, G).decide({}).proved
 
 
-def test_conditions_of_theorems_that_are_used_are_told() -> None:
+def test_conditions_of_cited_theorems_are_listed() -> None:
     symbols = Symbols((COSINE, SINE, TURN, RISE, x), free=(TURN, RISE))
     left, right = (1 + x) ** n * TURN ** (2 * n), COSINE**2 + x * SINE**2 * TURN**2 / RISE**2
     proof = identity({left: right}, (*ANGLES.given(), NORM.premise(0)), symbols).decide(known())
@@ -115,13 +115,13 @@ def test_conditions_of_theorems_that_are_used_are_told() -> None:
     assert [condition.left for condition in proof.conditions] == [x]  # it is no other number than tan²
 
 
-def test_what_is_supposed_is_asked_for_by_induction_too() -> None:
+def test_induction_checks_conditions_of_cited_theorems() -> None:
     given = (*recurring(n, (A, 1, A)), definition(x, 5), *ANGLES.given())
     proof = Theorem("t", (Equation(A, sympy.Integer(1)),), given, Determined(ANGULAR, ONE)).decide(known())
     assert any(residue.label.startswith("supposed") for residue in proof.failures)
 
 
-def test_what_is_supposed_is_asked_for_of_sums_too() -> None:
+def test_sums_check_conditions_of_cited_theorems() -> None:
     given = (*SUMS.premises, definition(x, 5), *ANGLES.given())
     proof = replace(SUMS, premises=given).decide(known())
     assert any(residue.label.startswith("supposed") for residue in proof.failures)
@@ -134,7 +134,7 @@ def test_a_failed_theorem_is_no_premise() -> None:
     assert [residue.label for residue in twist.decide(failed).failures] == 2 * ["premise by slopes"]
 
 
-def test_orders_and_numbers_of_coefficients_have_to_be_the_same() -> None:
+def test_instances_need_equal_order_and_count() -> None:
     with pytest.raises(NoValueError, match="is not at n = 3"):
         list(at_order(3).same(p, (x,), Shifted(p, n, sympy.Integer(4))))
     with pytest.raises(ValueError, match="zip"):
@@ -145,7 +145,7 @@ COEFFICIENTS = [(name, place) for name, values in FORMULAS.items() for place in 
 
 
 @pytest.mark.parametrize(("name", "place"), COEFFICIENTS)
-def test_every_coefficient_in_alpha_counts(name: str, place: int) -> None:
+def test_each_coefficient_in_alpha_is_decided(name: str, place: int) -> None:
     chart = family("breusing")
     right = getattr(chart, name)
     doubled = tuple(c * (2 if i == place else 1) for i, c in enumerate(right.coefficients))
