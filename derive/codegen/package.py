@@ -37,9 +37,6 @@ HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
 """Suffixes of files whose comments begin with #, in every target."""
 
 
-# ---- records --------------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True, slots=True)
 class Counts:
     """Calls that agree with the formulas: on exact numbers, on floats, and in compiled code (None: no compiler)."""
@@ -160,9 +157,6 @@ class Facts:
         return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
 
 
-# ---- comments -------------------------------------------------------------------------------------------------
-
-
 def command(target: str, *charts: Chart) -> str:
     """Return the command that writes the modules of charts; without charts, that of shared files."""
     chosen: dict[str, list[str]] = {}
@@ -212,9 +206,6 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
     return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C
 
 
-# ---- fingerprint ----------------------------------------------------------------------------------------------
-
-
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Digest of the programs of a chart and of the geometry; equal in two packages that compute the same."""
     lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
@@ -238,9 +229,6 @@ def _statement_line(statement: Statement) -> str:
     if isinstance(statement, Call):  # sorted, since a set has no order
         return f"{statement.names} {statement.function} {statement.args} {statement.rest} {sorted(statement.truths)}"
     return f"{statement.name} {statement.op} {statement.args}"
-
-
-# ---- rendering ------------------------------------------------------------------------------------------------
 
 
 Data = Mapping[str, Any]
@@ -276,13 +264,7 @@ class Printer(Protocol):
 
 
 def shared_texts(target: Printer) -> dict[str, str]:
-    """Render the files that every package of a target holds, such as ``_geometry.py``.
-
-    Raises
-    ------
-    ValueError
-        If they define other functions than the table.
-    """
+    """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"

@@ -33,7 +33,7 @@ DROPPED = (*REPLACED, "times", "negative", "root", "negated", "transpose", "conj
 
 @dataclass
 class Score:
-    """Numbers of mutants that were refuted and that had no meaning; those that are as true as before, in words."""
+    """Counts of refuted and of meaningless mutants, and the survivors in words."""
 
     killed: int = 0
     meaningless: int = 0

@@ -1,4 +1,4 @@
-"""A paper: its entries by section, and an inventory of its text."""
+"""Paper: its entries by section, and an inventory of its text."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from .equation import Equation
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper whose equations are entries.
+    """Paper whose equations are entries.
 
     Attributes
     ----------
     slug, short, citation : str
     lost : str
-        Marks that the extraction of its text lost.
+        Characters that the extraction of its text lost.
     package : str
         Its package, with an ``inventory`` and the modules of ``sections``.
     sections : tuple of str
@@ -35,7 +35,7 @@ class Paper:
     doi: str = ""
 
     def entries(self) -> tuple[Equation, ...]:
-        """All entries in the paper's order, each with the module that holds it."""
+        """Return all entries in the paper's order, each with the module that holds it."""
         modules = [importlib.import_module(f"{self.package}.sections.{section}") for section in self.sections]
         return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
 

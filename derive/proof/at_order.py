@@ -1,4 +1,4 @@
-"""The formulas of one order are the theorem's: equal as functions of x."""
+"""Formulas of one order as instances of the theorems: equal as functions of x."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .vector_ring import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
 Stated = Callable[[], Sequence[Any]]
-"""The coefficients that the code has."""
+"""Return the coefficients that the code computes."""
 
 
 class Coefficients(Protocol):
@@ -30,7 +30,7 @@ class Coefficients(Protocol):
 
 
 class CayleyFormulas(Protocol):
-    """What a proof needs of a Cayley map: its order and its formulas as SymPy expressions in x."""
+    """A Cayley map as proofs use it: its order and its formulas as SymPy expressions in x."""
 
     @property
     def order(self) -> int: ...
@@ -52,10 +52,10 @@ class CayleyFormulas(Protocol):
     def tangent_inv(self) -> Coefficients: ...
 
 
-LETTERS = {
+SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
-"""The letters of the theorems for what a Cayley map has, by name."""
+"""The symbols of the theorems for what a Cayley map has, by name."""
 
 
 def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
@@ -79,14 +79,14 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
         return tuple(found.coefficients)
 
     def proof(*names: str) -> Proof:
-        named = {f"Cayley({cayley.order}).{name}": (LETTERS[name], partial(stated, name)) for name in names}
+        named = {f"Cayley({cayley.order}).{name}": (SYMBOLS[name], partial(stated, name)) for name in names}
         return same_as_theorem(at_order(cayley.order), named)
 
     return (proof("p", "q", "c", "d"), *map(proof, ("quaternion", "tensor", "tangent", "tangent_inv")))
 
 
 class AtOrder:
-    """The theorems' formulas at one order, with sqrt(1 + x), an odd power of which the quaternion has for odd n."""
+    """Formulas of the theorems at one order; for odd n the quaternion needs sqrt(1 + x)."""
 
     def __init__(self, order: int) -> None:
         self.order = order
@@ -101,15 +101,15 @@ class AtOrder:
             c: ((order * power / (1 + self.x) - p_n * q_n) / self.x,),
             d: (((1 + self.x) * q_n - order * p_n) / self.x,),
             q_hat: (p_n / root, q_n / root),
-            **{letter: formula(order, self.x, p_n, q_n) for letter, formula in tensors.items()},
+            **{symbol: formula(order, self.x, p_n, q_n) for symbol, formula in tensors.items()},
         }
 
     def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
-        """What is stated under a name, and what a letter of the theorems is at this order."""
-        letter, index, order = term.args
+        """Compare stated coefficients with those of a symbol of the theorems at this order."""
+        symbol, index, order = term.args
         if (index, order) != (n, self.order):
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
-        for place, (value, theorem) in enumerate(zip(stated, self.values[letter], strict=True), 1):
+        for place, (value, theorem) in enumerate(zip(stated, self.values[symbol], strict=True), 1):
             label = f", coefficient {place}" if len(stated) > 1 else ""
             found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
             yield f"{name}{label}", found - theorem
@@ -117,15 +117,15 @@ class AtOrder:
 
 @lru_cache(maxsize=2)
 def at_order(order: int) -> AtOrder:
-    """The theorems' formulas at an order, kept for what is asked of it next."""
+    """Return the formulas of the theorems at an order, kept for the next call."""
     return AtOrder(order)
 
 
 def same_as_theorem(at: AtOrder, named: Mapping[str, tuple[sympy.Expr, Stated]]) -> Proof:
-    """Decide that what the code has under a name is what the theorems call by a letter."""
-    code = {name: sympy.Symbol(name, commutative=letter.is_commutative) for name, (letter, _) in named.items()}
+    """Decide that named formulas of the code are those of the theorems' symbols."""
+    code = {name: sympy.Symbol(name, commutative=symbol.is_commutative) for name, (symbol, _) in named.items()}
     claim = tuple(
-        Equation(code[name], Shifted(letter, n, sympy.Integer(at.order))) for name, (letter, _) in named.items()
+        Equation(code[name], Shifted(symbol, n, sympy.Integer(at.order))) for name, (symbol, _) in named.items()
     )
 
     def checks() -> Iterator[Check]:

@@ -4,8 +4,8 @@ A theorem for every n has n, x, p_n, q_n and the components of vectors as genera
 denominator of a difference holds all that was divided by. Each irreducible factor of it must be *certified*: it
 vanishes identically at no n. Otherwise multiplying by it would turn everything into 0 = 0. A factor is certified
 
-* if it is a polynomial in letters that vary freely, such as x, or a power of one. At most one relation, which is
-  irreducible, may hold between these letters, since two may have zero divisors together;
+* if it is a polynomial in symbols that vary freely, such as x, or a power of one. At most one relation, which is
+  irreducible, may hold between these symbols, since two may have zero divisors together;
 * if its value at the origin (x = 0, p_n = 1, q_n = n) is a polynomial in n without a positive integer root.
 
 An identity so decided holds between rational functions of x at every n. It holds wherever both sides are defined, also
@@ -27,12 +27,12 @@ from .notation import n
 
 
 class DifferentialRing(RationalFunctions):
-    """Polynomials in some letters modulo relations, and their quotients.
+    """Polynomials in some symbols modulo relations, and their quotients.
 
     Parameters
     ----------
     generators : sequence of Symbol
-        The letter that a relation eliminates stands before the others in it.
+        The symbol that a relation eliminates stands before the others in it.
     free : iterable of Symbol
         Those of them that vary independently of everything else, and are 0 at the origin.
     zeroed : Expr, optional
@@ -42,19 +42,19 @@ class DifferentialRing(RationalFunctions):
     def __init__(
         self, generators: Sequence[sympy.Symbol], free: Iterable[sympy.Symbol] = (), zeroed: sympy.Expr | None = None
     ) -> None:
-        super().__init__([str(letter) for letter in generators], {}, lowest_terms=False)
-        self.letters = {letter: place for place, letter in enumerate(generators)}
+        super().__init__([str(symbol) for symbol in generators], {}, lowest_terms=False)
+        self.symbols = {symbol: place for place, symbol in enumerate(generators)}
         self.free = frozenset(free)
         if n in self.free:
-            raise ValueError("n is an order: no letter that may be 0")
+            raise ValueError("n is an order: no symbol that may be 0")
         self.zeroed = zeroed
         self.origin: dict[sympy.Symbol, Element] = {}
         self.cleared_by: list[Polynomial] = []
         self._bases: dict[sympy.Expr, Polynomial] = {}
 
-    def generator(self, letter: sympy.Symbol) -> Element:
-        """Return the generator of that letter."""
-        return Element(self, self.library.generators[self.letters[letter]], self.library.one)
+    def generator(self, symbol: sympy.Symbol) -> Element:
+        """Return the generator of that symbol."""
+        return Element(self, self.library.generators[self.symbols[symbol]], self.library.one)
 
     def place(self, element: Element) -> int | None:
         """Return the index of a generator; None if the element is none."""
@@ -66,9 +66,9 @@ class DifferentialRing(RationalFunctions):
         self.relations.append(difference.numerator)
         self.cleared_by.append(difference.denominator)
 
-    def grows(self, letter: sympy.Symbol, base: Element) -> None:
-        """State that the letter is a power of this base, with an exponent that varies."""
-        self._bases[letter] = base.numerator
+    def grows(self, symbol: sympy.Symbol, base: Element) -> None:
+        """State that the symbol is a power of this base, with an exponent that varies."""
+        self._bases[symbol] = base.numerator
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
         """Return the factors by which a difference with this denominator is multiplied."""
@@ -96,20 +96,20 @@ class DifferentialRing(RationalFunctions):
         return sympy.Add(
             *(
                 sympy.Rational(c.numerator, c.denominator)
-                * sympy.Mul(*(letter**power for letter, power in zip(self.letters, exponents, strict=True)))
+                * sympy.Mul(*(symbol**power for symbol, power in zip(self.symbols, exponents, strict=True)))
                 for exponents, c in terms
             )
         )
 
     def occurring(self, a: Polynomial) -> set[sympy.Symbol]:
-        """Return the letters in a polynomial."""
-        return {letter for letter, degree in zip(self.letters, a.degrees(), strict=True) if degree > 0}
+        """Return the symbols in a polynomial."""
+        return {symbol for symbol, degree in zip(self.symbols, a.degrees(), strict=True) if degree > 0}
 
     def _certified(self, factor: Polynomial) -> bool:
         """Return whether a factor vanishes identically at no n."""
         factor = self._bases.get(self.expression(factor), factor)
-        letters = self.occurring(factor)
-        if letters <= self.free and sum(bool(letters & self.occurring(r)) for r in self.relations) <= 1:
+        symbols = self.occurring(factor)
+        if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:
             return bool(self.normal_form(factor))
         here = self._at_origin(factor)
         if self.occurring(here.numerator) != {n}:
@@ -118,9 +118,9 @@ class DifferentialRing(RationalFunctions):
         return not any(root.is_integer and root > 0 for root in roots)
 
     def _at_origin(self, a: Polynomial) -> Element:
-        """Return the value of a polynomial at the origin, with all other letters kept."""
-        values = {letter: self.generator(letter) for letter in self.letters}
-        values |= {letter: self.constant(0) for letter in self.free} | self.origin
+        """Return the value of a polynomial at the origin, with all other symbols kept."""
+        values = {symbol: self.generator(symbol) for symbol in self.symbols}
+        values |= {symbol: self.constant(0) for symbol in self.free} | self.origin
         total = self.constant(0)
         for exponents, coefficient in self.library.terms(a).items():
             term = self.constant(coefficient)

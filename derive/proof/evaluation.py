@@ -1,4 +1,4 @@
-"""What an expression of letters and marks is, once letters have values: sums, products, powers and marks of these."""
+"""Values of expressions, given the values of their symbols: sums, products, powers and operators of these."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .statement import Equation
 
 
 class NoValueError(ArithmeticError):
-    """An expression that nothing gives a value."""
+    """Error: no premise gives an expression a value."""
 
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
@@ -36,7 +36,7 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
     notation.dot: lambda a, b: a.dot(b),
     notation.norm2: lambda a: mixed.quaternion(a).norm2(),
 }
-"""What a mark does to values of the algebra."""
+"""Operators on values of the algebra."""
 
 
 class Evaluation(ABC):
@@ -45,12 +45,12 @@ class Evaluation(ABC):
     Parameters
     ----------
     values : mapping of Expr to value
-        Letters (or terms) and their values; the identity and ε are known.
+        Symbols (or terms) and their values; the identity and ε are known.
 
     Attributes
     ----------
     definitions : dict of Expr to Expr
-        Letters and terms that stand for other expressions.
+        Symbols and terms by the expressions that define them.
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
@@ -59,24 +59,24 @@ class Evaluation(ABC):
 
     @abstractmethod
     def number(self, value: Fraction) -> Any:
-        """A rational number."""
+        """Return a rational number as a value."""
 
-    def differentiated(self, mark: Any, value: Any) -> Any:
-        """The derivative of a value that `rate` or `prime` stands for."""
+    def differentiated(self, operator: Any, value: Any) -> Any:
+        """Return the derivative that an operator `rate` or `prime` denotes."""
         raise NoValueError("nothing says how anything varies")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        """A power whose exponent is no integer."""
+        """Return a power with an exponent that is no integer."""
         raise NoValueError(f"nothing says what {notation.text(base**exponent)} is")
 
     def value(self, expression: sympy.Expr) -> Any:
-        """The value of an expression: a number, or a vector, quaternion or tensor of numbers."""
+        """Return the value of an expression: a number, vector, quaternion or tensor."""
         if expression not in self.values:
             self.values[expression] = self._evaluated(expression)
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Left and right, by components."""
+        """Return left and right sides by components."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
             left, right = mixed.quaternion(left), mixed.quaternion(right)
@@ -111,12 +111,12 @@ class Evaluation(ABC):
 
 
 def flat(value: Any) -> list[Any]:
-    """The numbers a value consists of."""
+    """Return the components of a value."""
     return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
 
 
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
-    """The function of a number, or of every component."""
+    """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
 
 

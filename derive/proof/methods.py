@@ -1,8 +1,7 @@
-"""The two ways to decide a claim in a ring, and what of a theorem's premises has to fit together for it.
+"""Two methods to decide a claim in a ring, and the consistency of premises that they need.
 
-An *identity* is evaluated. What is *determined* by a start and a law (a sequence by its first term and its recurrence,
-a function by its initial value and its differential equation) equals what has the same start and obeys the same law;
-which of the two it is, the premises say.
+An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with that start and that
+law. For a sequence these are first term and recurrence, for a function initial value and differential equation.
 """
 
 from __future__ import annotations
@@ -16,27 +15,27 @@ import sympy
 
 from . import notation
 from .identity import Check, Multiplier
-from .setting import Letters, Setting
+from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Task
 
 
 @dataclass(frozen=True)
 class Identity:
-    """Both sides are evaluated in the ring of the given letters."""
+    """Evaluation of both sides in the ring of the given symbols."""
 
-    letters: Letters
+    symbols: Symbols
     sides = ("left", "right")
 
     @property
     def title(self) -> str:
-        return f"identity, residues in Q[{_names(self.letters)}] localized, modulo the relations given"
+        return f"identity, residues in Q[{_names(self.symbols)}] localized, modulo the relations given"
 
     def weaker(self) -> Iterator[tuple[str, Identity]]:
         return _less_free(self)
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.letters, task.premises, (*task.claim, *task.supposed), task.zeroed)
+        setting = Setting(self.symbols, task.premises, (*task.claim, *task.supposed), task.zeroed)
         yield from _compatible(setting, task.premises)
         for equation in task.claim:
             yield from differences(setting, equation.text, equation)
@@ -46,28 +45,28 @@ class Identity:
 
 @dataclass(frozen=True)
 class Determined:
-    """Both sides of each equation have the same start and obey the same law.
+    """Comparison of starts and laws of both sides of each equation.
 
     Attributes
     ----------
-    letters : Letters
+    symbols : Symbols
     start : Equation
-        The index or variable, and its value at the start.
+        Index or variable, and its value at the start.
     """
 
-    letters: Letters
+    symbols: Symbols
     start: Equation
     sides = ("right",)
 
     @property
     def by_steps(self) -> bool:
-        """Whether the law is a recurrence."""
+        """Whether laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property
     def title(self) -> str:
         way = "induction on" if self.by_steps else "initial value and differential equation in"
-        return f"{way} {self.start.left}, residues in Q[{_names(self.letters)}] localized"
+        return f"{way} {self.start.left}, residues in Q[{_names(self.symbols)}] localized"
 
     def weaker(self) -> Iterator[tuple[str, Determined]]:
         return _less_free(self)
@@ -75,15 +74,15 @@ class Determined:
     def _moving(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Iterator[Check]:
-        """There is a law for every letter that goes with the index or variable, which goes by itself."""
+        """Check that every symbol that depends on the index or variable has a law."""
         index = self.start.left
-        for letter in self.letters.scalars:
-            goes = letter != index and index in notation.TERMS.get(letter, ("", letter))[1].free_symbols
-            known = (letter in starts and letter in steps) if self.by_steps else ring.has_rate(letter)
-            yield f"law of {notation.text(letter)}", 1 if goes and not known else 0
+        for symbol in self.symbols.scalars:
+            goes = symbol != index and index in notation.TERMS.get(symbol, ("", symbol))[1].free_symbols
+            known = (symbol in starts and symbol in steps) if self.by_steps else ring.has_rate(symbol)
+            yield f"law of {notation.text(symbol)}", 1 if goes and not known else 0
         if self.by_steps:
-            yield "what is said at one index only", sum(index in premise.equation.letters for premise in others)
-        elif index in self.letters.scalars:
+            yield "premises at one index only", sum(index in premise.equation.symbols for premise in others)
+        elif index in self.symbols.scalars:
             yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
@@ -94,7 +93,7 @@ class Determined:
         others = [p for p in premises if not _is_law(p.equation, index, (first, index + 1))]
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
-        ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
+        ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
         yield from _compatible(ring, premises)
         for equation in task.supposed:
             yield from differences(ring, f"supposed, {equation.text}", equation)
@@ -112,7 +111,7 @@ class Determined:
 
 
 def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
-    """The residues of an equation, component by component, and what it was multiplied by."""
+    """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
         yield f"{label}, component {place}" if len(found) > 1 else label, setting.ring.residue(difference)
@@ -120,13 +119,16 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
 
 
 def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
-    """Nothing is said twice. The relations leave no zero divisors and do not contradict each other, nothing uncertified
-    was multiplied by to have them, and the derivation keeps them."""
+    """Check that premises are consistent.
+
+    No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
+    certified, and the derivation respects them.
+    """
     ring, said = setting.ring, [premise.equation.left for premise in premises]
-    yield "what is said more than once", len(said) - len(set(said))
+    yield "left sides that occur twice", len(said) - len(set(said))
     leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
-    yield "relations that reduce the same letter", shared  # without, they are a Groebner basis, and 1 is not in it
+    yield "relations that reduce the same symbol", shared  # without, they are a Groebner basis, and 1 is not in it
     for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
         factors = sum(power for _, power in ring.library.factors(relation))
         yield f"the relation {ring.text(relation)} is irreducible", factors - 1
@@ -149,22 +151,22 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
 def _laws(
     premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
 ) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Terms and what they are at that value of the index."""
+    """Yield terms and their values at a value of the index."""
     for premise in premises:
         if _is_law(premise.equation, index, (value,)):
             yield premise.equation.left.args[0], premise.equation.right
 
 
-def _names(letters: Letters) -> str:
-    names = ", ".join(str(letter) for letter in (*letters.scalars, *letters.vectors))
-    return f"{names}; {', '.join(map(str, letters.free))} free" if letters.free else names
+def _names(symbols: Symbols) -> str:
+    names = ", ".join(str(symbol) for symbol in (*symbols.scalars, *symbols.vectors))
+    return f"{names}; {', '.join(map(str, symbols.free))} free" if symbols.free else names
 
 
-_InLetters = TypeVar("_InLetters", Identity, Determined)
+_InSymbols = TypeVar("_InSymbols", Identity, Determined)
 
 
-def _less_free(method: _InLetters) -> Iterator[tuple[str, _InLetters]]:
-    """A method that knows of one letter less that it varies independently."""
-    for letter in method.letters.free:
-        rest = tuple(other for other in method.letters.free if other != letter)
-        yield f"{letter} that depends on others", replace(method, letters=replace(method.letters, free=rest))
+def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
+    """Yield the method with each free symbol in turn no longer free."""
+    for symbol in method.symbols.free:
+        rest = tuple(other for other in method.symbols.free if other != symbol)
+        yield f"{symbol} not free", replace(method, symbols=replace(method.symbols, free=rest))

@@ -1,12 +1,12 @@
-"""Values for the letters of a statement: a ring in which what the premises say is true, and nothing else is known.
+"""Values for the symbols of a statement: a ring in which exactly its premises hold.
 
-By the form of its left side a premise is
+A premise is used by the form of its left side:
 
-* a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x): they make the derivation of the ring;
-* the value ``Shifted(p, x, 0) = 1`` at the origin, by which units are certified;
-* the power ``(1 + x)^n = …``: where half of it occurs, a generator whose square it is;
-* a relation ``v . v = x``, ``i^2 = -1``: reduced by;
-* otherwise the definition of a letter or a term: replaced by its right side.
+* a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x) defines the derivation of the ring;
+* a value ``Shifted(p, x, 0) = 1`` at the origin certifies multipliers;
+* a power ``(1 + x)^n = …`` is replaced; where half of it occurs, a new generator stands for that root;
+* a relation ``v . v = x``, ``i^2 = -1`` reduces polynomials;
+* any other equation defines a symbol or a term, which is replaced by its right side.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ from .statement import Equation, Premise
 
 
 @dataclass(frozen=True)
-class Letters:
-    """The letters of a theorem that have no definition.
+class Symbols:
+    """Symbols of a theorem without a definition.
 
     Attributes
     ----------
     scalars : tuple of Symbol
-        A letter that a relation eliminates stands before the others in it.
+        In order: the symbol that a relation eliminates stands before the others in it.
     vectors : tuple of Symbol
-        Each with three components of its own.
+        Vectors, each with three independent components.
     free : tuple of Symbol
-        The scalars and vectors that vary independently and may be 0 (all others depend on them, or are parameters).
+        Scalars and vectors that vary independently and may be 0. All others depend on them or are parameters.
     """
 
     scalars: tuple[sympy.Symbol, ...]
@@ -47,21 +47,21 @@ class Letters:
 
 
 class Setting(Evaluation):
-    """Values of expressions in a ring, as the premises say.
+    """Values of expressions in a ring where the premises hold.
 
     Parameters
     ----------
-    letters : Letters
+    symbols : Symbols
     premises : iterable of Premise
     claim : iterable of Equation, optional
-        What will be evaluated; it says which powers with exponent n occur.
+        Equations to be evaluated, in which further powers with exponent n may occur.
     zeroed : Expr, optional
         See `DifferentialRing`.
     """
 
     def __init__(
         self,
-        letters: Letters,
+        symbols: Symbols,
         premises: Iterable[Premise],
         claim: Iterable[Equation] = (),
         zeroed: sympy.Expr | None = None,
@@ -69,12 +69,12 @@ class Setting(Evaluation):
         given = [premise.equation for premise in premises]
         self._roots = _roots([*given, *claim], [e.left for e in given if _is_power(e.left)])
         roots = tuple(symbol for symbol, _ in self._roots.values())
-        components = {v: [sympy.Symbol(f"{v}_{axis}") for axis in (3, 2, 1)] for v in letters.vectors}
-        self._components = {c for v in letters.vectors for c in components[v]}
-        generators = [c for v in letters.vectors for c in components[v]] + [*roots, *letters.scalars]
-        free = [g for letter in letters.free for g in components.get(letter, [letter])]
+        components = {v: [sympy.Symbol(f"{v}_{axis}") for axis in (3, 2, 1)] for v in symbols.vectors}
+        self._components = {c for v in symbols.vectors for c in components[v]}
+        generators = [c for v in symbols.vectors for c in components[v]] + [*roots, *symbols.scalars]
+        free = [g for symbol in symbols.free for g in components.get(symbol, [symbol])]
         self.ring = DifferentialRing(generators, free, zeroed)
-        values: dict[sympy.Expr, Any] = {g: self.ring.generator(g) for g in (*roots, *letters.scalars)}
+        values: dict[sympy.Expr, Any] = {g: self.ring.generator(g) for g in (*roots, *symbols.scalars)}
         super().__init__(values | {v: Vector(*map(self.ring.generator, reversed(c))) for v, c in components.items()})
         self._powers: dict[sympy.Expr, Equation] = {}
         self._rates: dict[Any, Any] = {}
@@ -85,7 +85,7 @@ class Setting(Evaluation):
             self.ring.grows(symbol, self.value(base))
 
     def _take(self, equation: Equation) -> None:
-        """Make a premise true."""
+        """Make a premise hold."""
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
             self._start(left, right)
@@ -105,27 +105,27 @@ class Setting(Evaluation):
     def _start(self, shifted: sympy.Expr, value: sympy.Expr) -> None:
         self.definitions[shifted] = value
         term, variable, place = shifted.args
-        if term in self.ring.letters and place == 0 and not variable.is_integer:
+        if term in self.ring.symbols and place == 0 and not variable.is_integer:
             self.ring.origin[term] = self.value(value)
 
     def _derive(self, derivation: dict[Any, Element], term: sympy.Expr, value: sympy.Expr) -> None:
-        letter = self._roots[term.base][0] if term.is_Pow else term
-        pairs = zip(flat(self.value(letter)), flat(self.value(value)), strict=True)
+        symbol = self._roots[term.base][0] if term.is_Pow else term
+        pairs = zip(flat(self.value(symbol)), flat(self.value(value)), strict=True)
         derivation.update((self.ring.place(generator), rate) for generator, rate in pairs)
         if None in derivation:
-            raise NoValueError(f"{notation.text(term)} is no letter, whose rate or slope may be given")
+            raise NoValueError(f"{notation.text(term)} is no symbol, whose rate or slope may be given")
 
-    def has_rate(self, letter: sympy.Expr) -> bool:
-        """Whether something says how a letter varies."""
-        return self.ring.letters.get(letter) in self.rates
+    def has_rate(self, symbol: sympy.Expr) -> bool:
+        """Return whether a premise gives the rate of a symbol."""
+        return self.ring.symbols.get(symbol) in self.rates
 
     # --- values ---------------------------------------------------------------------------------------------------
 
     def number(self, value: Fraction) -> Element:
         return self.ring.constant(value)
 
-    def differentiated(self, mark: Any, value: Any) -> Any:
-        return mapped(partial(_derivative, self.rates if mark is notation.rate else self.slopes), value)
+    def differentiated(self, operator: Any, value: Any) -> Any:
+        return mapped(partial(_derivative, self.rates if operator is notation.rate else self.slopes), value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         multiple = exponent.coeff(notation.n)
@@ -142,33 +142,34 @@ class Setting(Evaluation):
 
     @property
     def rates(self) -> dict[Any, Any]:
-        """The derivation by time: what follows x has the rate of x times its slope."""
-        if self.ring.letters.get(notation.x) not in self._rates:
+        """The derivation by time; a symbol with a slope by x has the rate slope times rate of x."""
+        if self.ring.symbols.get(notation.x) not in self._rates:
             return self._rates
-        speed = self._rates[self.ring.letters[notation.x]]
+        speed = self._rates[self.ring.symbols[notation.x]]
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
 
     @property
     def slopes(self) -> dict[Any, Any]:
         """The derivation by x."""
-        return self._slopes | {self.ring.letters[notation.x]: self.ring.constant(1)}
+        return self._slopes | {self.ring.symbols[notation.x]: self.ring.constant(1)}
 
     def relation_rates(self) -> list[Element]:
-        """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
+        """Return the differences that must be 0 for the derivations to respect the premises.
 
-        Vectors have no slope: what is said of their components is not asked for one.
+        These are rates and slopes of the relations, and rate minus slope times rate of x where a symbol has both.
+        Relations between components have no slope.
         """
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
             scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
             found += [zero.derivative(self.slopes) for zero in scalar]
-        speed = self._rates.get(self.ring.letters.get(notation.x))
+        speed = self._rates.get(self.ring.symbols.get(notation.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
-        return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
+        return found + [self._rates[symbol] - self._slopes[symbol] * speed for symbol in both]
 
     def differences(self, equation: Equation) -> list[Element]:
-        """Left minus right, by components, real parts before dual parts."""
+        """Return left minus right by components, real parts before dual parts."""
         pairs = self.sides(equation)
         found = [real_part(a) - real_part(b) for a, b in pairs]
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
@@ -183,14 +184,14 @@ def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
 
 
 def _is_power(term: sympy.Expr) -> bool:
-    """Whether it is a power whose exponent varies."""
+    """Return whether a term is a power with a symbolic exponent."""
     return bool(term.is_Pow and not term.exp.is_Integer)
 
 
 def _roots(
     equations: Iterable[Equation], known: Iterable[sympy.Expr]
 ) -> dict[sympy.Expr, tuple[sympy.Symbol, sympy.Rational]]:
-    """For each base of a power with exponent a n + b that no premise knows: a letter, and its exponent divided by n."""
+    """Return, for each base of powers with exponent a n + b without a premise, a symbol and its exponent over n."""
     steps: dict[sympy.Expr, sympy.Rational] = {}
     for equation in equations:
         for power in equation.left.atoms(sympy.Pow) | equation.right.atoms(sympy.Pow):

@@ -80,3 +80,8 @@ class Chart:
             sizes = [*(prod(part) for _, part in kernel.arguments), *([table] if table else ())]
             self._recorded[key] = record(lambda m, *arguments: kernel.plain(m, self.plain, *arguments), sizes, dtype)
         return self._recorded[key]
+
+
+def by_name(*programs: Callable[..., Result]) -> dict[str, Callable[..., Result]]:
+    """Return scalar programs by their names without the leading underscore."""
+    return {program.__name__[1:]: program for program in programs}

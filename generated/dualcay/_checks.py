@@ -24,10 +24,10 @@ silent = partial(np.errstate, all="ignore")
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """What an argument has to be: its name and shape, what to call it, and its violations by its components.
+    """Condition of an argument: its name and shape, a noun for it, and its violations as functions of components.
 
-    Violations come in groups, each with the words for it; those of dual parts are relative to 1 + the size of what
-    they are computed from.
+    Violations come in groups, each with a message. Violations of dual parts are relative to 1 + the sum of absolute
+    values of their components.
     """
 
     argument: str
@@ -93,23 +93,23 @@ LAWS = {
     "from_pose": Law("T", (4, 4), "homogeneous matrix of a rotation and a translation", _pose),
     "from_screw": Law("line", (6,), "unit dual vector", _line),
 }
-"""By function of poses, of that argument which not every array can be."""
+"""Conditions by function of poses, each of one argument."""
 
 ROTATION_LAWS = {
     "from_quaternion": Law("q", (4,), "unit quaternion", _unit),
     "from_tensor": Law("R", (3, 3), "orthogonal matrix of determinant 1", _rotation),
     "from_angle_axis": Law("u", (3,), "unit vector", _unit),
 }
-"""The same of rotations."""
+"""Conditions by function of rotations, each of one argument."""
 
 
 def require(law: Law, value: Any, axis: int) -> None:
-    """Check an argument.
+    """Require the condition of an argument.
 
     Raises
     ------
     ValueError
-        Naming the first element that is none, its largest violation, and what is allowed.
+        With the first element that violates it, its largest violation, and the allowed one.
     """
     allowed, components = _given(law, value, axis)
     with silent():
@@ -125,7 +125,7 @@ def require(law: Law, value: Any, axis: int) -> None:
 
 
 def _place(index: Shape, axis: int) -> str:
-    """An element of a batch, as one would write it."""
+    """Return the index of an element of a batch, as written after a name."""
     numbers = [*(["..."] if axis == 0 else []), *map(str, index)]
     return f"[{', '.join(numbers)}]" if index else ""
 

@@ -28,15 +28,12 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
 
 ORDER = 1
-
-
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
 
 
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
@@ -254,27 +251,11 @@ CHART = Chart(
     # the v·v halfway between branches, then the turn back from beyond it
     returns=(
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _natural, _unfolded, _reached, _coefficient,
+        _coefficient_of,
+    ),
     kernels=SHARED,
     programs="37bc9ef36c8d9d24",
 )

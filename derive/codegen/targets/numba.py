@@ -160,8 +160,7 @@ class Numba(python.PythonTarget):
         kernels = [loops(row, geometry(table)[name]) for name, row in table.kernels.items()]
         calls = sorted(["prange", *_called(program.forms for program in programs)])
         names = _lines([*(program.name for program in programs), *sorted(same)])
-        found: Data = {"programs": programs, "kernels": kernels, "calls": calls, "names": names}
-        return found if table is POSES else {**found, "same": sorted(same)}
+        return {"programs": programs, "kernels": kernels, "calls": calls, "names": names, "same": sorted(same)}
 
     def programs(self, facts: Facts) -> Data:
         programs = facts.lowered.scalars.items()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping
 
 from ...maps.chart import Chart
@@ -11,6 +12,7 @@ from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import python
+from .expression import WIDTH
 
 WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
@@ -53,7 +55,9 @@ class Numpy(python.PythonTarget):
 
     def programs(self, facts: Facts) -> Data:
         own = [] if facts.chart.base else python.printed_scalars(facts)
-        return {"scalars": own, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
+        names = textwrap.wrap(", ".join(f"_{program.name}" for program in own) + ",", WIDTH - 8)
+        found = {"scalars": own, "names": textwrap.indent("\n".join(names), " " * 8)}
+        return {**found, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
         return {"programs": fingerprint(facts, lowered)}

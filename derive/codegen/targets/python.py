@@ -211,9 +211,8 @@ def printed_geometry(table: Table) -> list[Printed]:
 
 
 def geometry(table: Table) -> Data:
-    """Return what the template of a geometry of plain functions is given."""
-    same = {} if table is POSES else {"same": sorted(shared_with_poses(table))}
-    return {"programs": printed_geometry(table), "rows": table.kernels, **same}
+    """Return what fills the template of a geometry of plain functions; rotations import programs that are the same."""
+    return {"programs": printed_geometry(table), "rows": table.kernels, "same": sorted(shared_with_poses(table))}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:

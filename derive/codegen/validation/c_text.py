@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -20,23 +20,18 @@ from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .decimals import Decimal
 from .errors import ValidationFailed
 from .run import chosen
-from .samples import Batch, same
+from .samples import Batch, compare, same
 from .vectors import Flat
 
 SEED = 1863
 
 
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Interpret the headers of a chart, one for each table; return how many calls equal the formula.
+    """Run the headers of a chart, one for each table; return how many calls equal the formula.
 
     Rational functions run on symbols, the others on numbers of 50 digits. With ``geometry`` all functions are called,
-    and on such numbers results are laid over arguments, which must not change a bit. Otherwise functions are called
-    that together read every result of the chart's own scalars.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, or the line that is no C, divides integers, leaves an array, reads an unset cell.
+    with results laid over arguments too. Otherwise functions are called that read the chart's own scalars.
+    `ValidationFailed` names the function, or the line that divides integers, leaves an array or reads an unset cell.
     """
     headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:
@@ -60,7 +55,7 @@ def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES
             cases = [case.arguments for case in batch.cases]
             for case, row in zip(batch.cases, kernel.rows(cases), strict=True):
                 for found in (kernel.plain(case.arguments), row):
-                    _compare(kernel.name, found, case.result, batch.agree)
+                    compare(kernel.name, found, case.result, batch.agree)
             count += 1 + len(cases) + (_layouts(kernel, chart, _samples(batch)) if layouts else 0)
     return count
 
@@ -130,13 +125,13 @@ def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) ->
     expected = [kernel.plain(arguments) for arguments in samples]
     room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):
-        _compare(f"{kernel.name}, overlapping", kernel.overlapping(samples[-1], start), expected[-1], same)
+        compare(f"{kernel.name}, overlapping", kernel.overlapping(samples[-1], start), expected[-1], same)
     turned = ((k + turns * chart.branches,) for k in kernel.branch for turns in (-1, 2))
     branches = [kernel.branch, *turned]
     for branch in branches:
         other = replace(kernel, branch=branch)
         for row, result in zip((other.plain(samples[0]), *other.rows(samples)), (expected[0], *expected), strict=True):
-            _compare(f"{kernel.name}, branch {branch}", row, result, same)
+            compare(f"{kernel.name}, branch {branch}", row, result, same)
     return room + 2 * len(branches)
 
 
@@ -166,10 +161,4 @@ def _require_macros(unit: Unit, chart: Chart, tables: Sequence[Table]) -> None:
         raise ValidationFailed(f"singular_angles does not return {len(angles)}")
     with mpmath.workdps(decimals.DIGITS):
         wanted = [mpmath.mpf(angle.evalf(decimals.DIGITS + 5)) for angle in chart.singular_angles]
-        _compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))
-
-
-def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Callable[[Any, Any], bool]) -> None:
-    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
-        if not agree(got, wanted):
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
+        compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))

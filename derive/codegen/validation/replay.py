@@ -91,12 +91,7 @@ def replay(
     """Call the functions of a package on floats; return how many calls agree with the formulas of a chart.
 
     With ``geometry`` all functions are called, and some in all ways that are the same for every chart. Otherwise
-    functions are called that read the chart's own scalars.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, how it was called, and the first component that is off.
+    functions are called that read the chart's own scalars. `ValidationFailed` names the first component that is off.
     """
     if not libraries:
         return 0
@@ -192,22 +187,23 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function, perhaps in all types; then also one of every kind in all ways."""
+        """Call every function; perhaps also one of every kind, as run-time parts tell them apart, in all ways."""
         kinds: dict[tuple[Any, ...], Group] = {}
-        dtypes = self.library.dtypes if in_all_ways else self.library.dtypes[:1]
         for group in groups:
             row, count = group.row, len(group.cases)
             kinds[len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real] = group
-            for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count):
+            many = np.arange(self.few + BLOCK) % count
+            for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count, many):
                 self.check(group, index)
-            for dtype, axis in itertools.product(dtypes, (-1, 0)):
-                self.check(group, np.arange(self.few + BLOCK) % count, dtype, axis)
+            self.check(group, many, axis=0)
             for name in row.aliases_in(chart):
                 self.check(group, np.array(0), name=name)
             for turns in (-1, 2) if group.branch else ():
                 self.check(group, np.array(0), branch=(group.branch[0] + turns * chart.branches,))
         for group in kinds.values() if in_all_ways else ():
             for count, axis in ((3, -1), (self.few + BLOCK, 0)):
+                for dtype in self.library.dtypes:
+                    self.check(group, np.arange(count) % len(group.cases), dtype, axis)
                 self._ways(group, np.arange(count) % len(group.cases), axis)
 
     def check(
@@ -216,9 +212,11 @@ class Caller:
         """Call a function on the cases at an index and compare the results with the formula; return them."""
         dtype = dtype or self.library.dtypes[0]
         results = self._run(group, group.given(index, dtype, axis), axis, **named)
-        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
-        if any((p.shape[-1], p.dtype) != (kind.size, dtype) for p, kind in zip(parts, group.row.results, strict=True)):
+        kinds = [kind.shape for kind in group.row.results]
+        shapes = [kind + index.shape if axis == 0 else index.shape + kind for kind in kinds]
+        if [(got.shape, got.dtype) for got in results] != [(shape, dtype) for shape in shapes]:
             raise self._failure(group, f"results of {dtype} are {[(got.dtype, got.shape) for got in results]}")
+        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
         found, wanted = np.concatenate(parts, axis=-1), group.results[index]
         with np.errstate(all="ignore"):
             size = np.max(abs(wanted), axis=-1, keepdims=True)

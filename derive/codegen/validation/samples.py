@@ -19,6 +19,7 @@ from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
 from . import decimals, formulas
+from .errors import ValidationFailed
 from .formulas import ALGEBRAIC, Expectation, rows_of_pose
 from .inverse_maps import MAPS, reached, value
 from .screws import covering, half_turns, steep, translation
@@ -108,6 +109,19 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
 def same(got: Any, expected: Any) -> bool:
     """Return whether two numbers are equal; NaN equals itself only."""
     return bool(got == expected or (got != got and expected != expected))
+
+
+def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[Any, Any], bool]) -> None:
+    """Raise `ValidationFailed` at the first component that is not the expected one."""
+    if len(found) != len(expected):
+        raise ValidationFailed(f"{where}: {len(found)} components, expected {len(expected)}")
+    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
+        try:
+            right = agree(got, wanted)
+        except TypeError as error:
+            raise ValidationFailed(f"{where}, component {index}: {error}") from error
+        if not right:
+            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
 
 
 def _require(kind: str, names: Iterable[str], found: Iterable[Batch]) -> None:

@@ -3,7 +3,7 @@
 =========  ==================================================================================
 symbols     symbols used throughout the paper, and the characters its text extraction lost
 operators   operators of its own
-definitions   what the symbols stand for: what the printed formulas are checked against
+definitions  definitions of symbols, which the printed formulas are checked against
 sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================

@@ -14,11 +14,11 @@ from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, T
 from ..numbers.fields import UndefinedError, innermost
 
 FAR = (40, 80)
-"""Two orders, beyond which the sequences at hand are constant if at all."""
+"""Orders at which a sequence must have the same value to count as constant."""
 
 
 def _positive(env: Env, a: Any) -> bool:
-    """Generic symbols are taken on the positive side."""
+    """Return whether a number is positive; generic symbols are."""
     return not env.field.ordered or bool(innermost(a) > 0)
 
 
@@ -29,7 +29,7 @@ no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
 
 
 def _limit(env: Env, index: Term, body: Term) -> Any:
-    """The limit of a sequence that is constant from some order on; of any other it is not known."""
+    """Return the limit of a sequence that is constant from some order on; raise for any other."""
     if not isinstance(index, Symbol):
         raise TypeError("only a symbol can tend to infinity")
     if not isinstance(env.value(index), int):
@@ -58,9 +58,9 @@ def _components(a: Any) -> int:
 
 equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
                       lambda env, a: _components(a))
-"""How many real numbers a dual quantity is, hence how many real equations its rate."""
+"""Number of real components of a dual quantity, hence of real equations for its rate."""
 
 
 def is_algebraic(*statements: Term) -> bool:
-    """Whether no transcendental function occurs in any of the statements."""
+    """Return whether no statement contains a transcendental function."""
     return not with_trait(Trait.TRANSCENDENTAL, *statements)

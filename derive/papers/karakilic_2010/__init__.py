@@ -5,7 +5,7 @@ The LaTeX of its text is legible but for arrows over symbols and a few stars: `s
 =========  ==================================================================================
 symbols   the symbols of the paper, and what its extraction keeps of a formula
 operators  operators of its own
-definitions   what the symbols stand for: what the printed formulas are checked against
+definitions  definitions of symbols, which the printed formulas are checked against
 sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================

@@ -1,4 +1,4 @@
-"""What the paper's symbols stand for, by their definitions: what its printed formulas are checked against.
+"""Definitions of the paper's symbols, which its printed formulas are checked against.
 
 Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
@@ -24,7 +24,7 @@ from ..numbers.fields import Decimal60
 
 
 def dual_vector(env: Env, *components: Any) -> Vector:
-    """The dual vector with these six real components."""
+    """Return the dual vector with these six real components."""
     return Vector.dual(components[:3], components[3:])
 
 
@@ -42,13 +42,13 @@ def skew_rodrigues(env: Env, A: Tensor) -> Tensor:
 
 
 def cross_matrix(env: Env, b: Vector) -> Tensor:
-    """The operator ``y -> b × y``, column by column."""
+    """Return the operator ``y -> b × y``, column by column."""
     columns = (b.cross(Vector(*row)) for row in Tensor.identity().rows)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 def cayley_map(env: Env) -> values.Map:
-    """Skew-symmetric to orthogonal matrices: every B with ``(I + B)(I − B)⁻¹ = A`` is ``(A − I)(A + I)⁻¹``."""
+    """Return the map from skew-symmetric to orthogonal matrices; the preimage of A is ``(A − I)(A + I)⁻¹``."""
 
     def preimages(A: Tensor) -> list[Tensor]:
         try:
@@ -63,12 +63,12 @@ def cayley_map(env: Env) -> values.Map:
 
 
 def screw_rodrigues(env: Env, angle: Any, axis: Vector) -> Vector:
-    """b̂ of the displacement with this angle and axis."""
+    """Return b̂ of the displacement with this angle and axis."""
     return rodrigues.rodrigues_vector(screw_tensor(env, angle, axis))
 
 
 def direction(env: Env, b: Vector) -> Vector:
-    """``b̂/‖b̂‖``."""
+    """Return ``b̂/‖b̂‖``."""
     return rodrigues.direction(b, env.field)
 
 
@@ -76,24 +76,24 @@ def direction(env: Env, b: Vector) -> Vector:
 
 
 def axis_of(env: Env, Q: Tensor) -> Vector:
-    """The third axis of a frame."""
+    """Return the third axis of a frame."""
     return Vector(*Q.transpose.rows[2])
 
 
 def across(env: Env, size: Any, Q: Tensor) -> Vector:
-    """A vector along the first axis, across the third."""
+    """Return a vector along the first axis, across the third."""
     side: Vector = Vector(*Q.transpose.rows[0]) * size
     return side
 
 
 def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
-    """A vector with components along the first and third axes: up to the choice of the frame, every one."""
+    """Return a vector with components along the first and third axes, which is any vector in a suitable frame."""
     point: Vector = across(env, size, Q) + axis_of(env, Q) * height
     return point
 
 
 def projected(env: Env, x: Vector, axis: Vector) -> Vector:
-    """The part of a vector across an axis."""
+    """Return the part of a vector across an axis."""
     rest: Vector = x - axis * x.dot(axis)
     return rest
 
@@ -102,7 +102,7 @@ def projected(env: Env, x: Vector, axis: Vector) -> Vector:
 
 
 def distance(env: Env, a: Vector, b: Vector) -> Any:
-    """Shortest distance of two lines."""
+    """Return the shortest distance of two lines."""
     normal = a.re.cross(b.re)
     if env.field.same(normal.dot(normal), 0):
         return lines.distance_of_parallels(a, b, env.field)
@@ -110,7 +110,7 @@ def distance(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def angle_between(env: Env, a: Vector, b: Vector) -> Any:
-    """The angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
+    """Return the angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
     apart, together = a.re - b.re, a.re + b.re
     size = together.dot(together)
     if env.field.same(size, 0):
@@ -122,7 +122,7 @@ def angle_between(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Unit dual vectors with one and with two real components zero, for ``also``."""
+    """Return unit dual vectors with one and with two real components zero, for ``also``."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         found = {}
@@ -138,7 +138,7 @@ def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]
 
 
 def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Lines at right angles, one through the other and one that passes it."""
+    """Return lines at right angles, one through the other and one that passes it."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         u, v = draw.unit(), draw.unit()

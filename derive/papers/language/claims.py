@@ -1,6 +1,6 @@
-"""Marks of claims in words: what has a value, what avoids a value, what is a rotation or a unit quaternion.
+"""Operators of claims in words: has a value, avoids a value, is a rotation, is a unit quaternion.
 
-A claim that no formula says is a symbol bound to a function that computes its truth (`proposition`).
+A claim that no formula states is a symbol whose definition computes its truth (`proposition`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def proposition(name: str, latex: str) -> Symbol:
-    """A symbol for a statement in words; its definition computes whether it is true."""
+    """Return a symbol for a statement in words; its definition computes its truth."""
     return Symbol(name, "proposition", rf"\text{{{latex}}}", name)
 
 
@@ -35,7 +35,7 @@ defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,
 
 
 def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
-    """Whether `a` differs from all multiples, index being every integer; generic symbols do."""
+    """Return whether `a` differs from a multiple for every integer index; generic symbols do."""
     if not env.field.ordered:
         return True
     first, second = (innermost(env.bound(index, k).value(multiple)) for k in (0, 1))
@@ -45,18 +45,18 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
 
 unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
                  lazy=True, traits=Trait.DELICATE)
-"""``unequal(Re(alpha), 2 * k * pi, k)``: for no integer k equal."""
+"""``unequal(Re(alpha), 2 * k * pi, k)``: equal for no integer k."""
 
 
 def is_orthogonal(env: Env, a: Any) -> bool:
-    """Whether a value is a proper orthogonal tensor."""
+    """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
     return values.equal(env.field, a @ a.transpose, Tensor.identity()) and values.equal(env.field, a.det(), 1)
 
 
 def is_unit(env: Env, a: Any) -> bool:
-    """Whether a value is a unit quaternion."""
+    """Return whether a value is a unit quaternion."""
     return isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1)
 
 
@@ -65,7 +65,7 @@ unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", R
 
 
 def homogeneous(env: Env, rotation: Tensor, displacement: Vector) -> Pose:
-    """The pose of a homogeneous matrix."""
+    """Return the pose of a homogeneous matrix."""
     return Pose(rotation, displacement)
 
 
@@ -74,7 +74,7 @@ pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "
 
 
 def fixes_a_point(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is a pure rotation: ρ is then across the axis, the kernel of ``Q − I``."""
+    """Return whether a displacement is a pure rotation: ρ is then across the axis, the kernel of ``Q − I``."""
     Q, rho = motion.rotation, motion.displacement
     if fixes_directions(env, motion):
         return values.equal(env.field, rho, 0 * rho)
@@ -82,12 +82,12 @@ def fixes_a_point(env: Env, motion: Pose) -> bool:
 
 
 def fixes_directions(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is a pure translation, the identity included."""
+    """Return whether a displacement is a pure translation, the identity included."""
     return values.equal(env.field, motion.rotation, Tensor.identity())
 
 
 def is_general(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is neither a pure rotation nor a pure translation."""
+    """Return whether a displacement is neither a pure rotation nor a pure translation."""
     return not fixes_a_point(env, motion) and not fixes_directions(env, motion)
 
 

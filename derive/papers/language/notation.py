@@ -1,7 +1,6 @@
-"""The table of notations: how each mark is typeset, what an extraction shows of it, and what it means.
+"""Table of operators: how each is typeset, what the text extraction shows of it, and its value.
 
-Functions below the table build terms, so that an entry reads ``equal(R, I + 2 * q * skew(q))``. A paper with a mark of
-its own adds a row with `define`.
+Operators are called to build terms: ``equal(R, I + 2 * q * skew(q))``. A paper adds operators of its own with `define`.
 """
 
 from __future__ import annotations
@@ -48,7 +47,7 @@ def define(
     lazy: bool = False,
     traits: Trait = Trait.NONE,
 ) -> Operator:
-    """Add a row to the table and return it: called, it builds terms."""
+    """Add an operator to the table and return it; a call builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
     OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits)
@@ -118,7 +117,7 @@ remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambd
 
 
 def words(latex: str, text: str) -> Symbol:
-    """Marks that say where the symbols live and carry no value: the second argument of `remark`."""
+    """Return printed words without a value, such as "a ∈ R": the second argument of `remark`."""
     return Symbol(f"words:{text}", "words", latex, text)
 
 
@@ -130,7 +129,7 @@ def _cases(env: Env, *arms: Term) -> Any:
 
 
 def cases(*arms: tuple[Any, Term]) -> Apply:
-    """A value by cases: ``cases((value, condition), ...)``."""
+    """Return a value by cases: ``cases((value, condition), ...)``."""
     name = f"cases{len(arms)}"
     if name not in OPERATORS:
         rows = range(0, 2 * len(arms), 2)
@@ -204,7 +203,7 @@ cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), la
 
 
 def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
-    """The products of a determinant, with their signs."""
+    """Yield the products of a determinant with their signs."""
     for i in range(3):
         for sign, step in ((1, 1), (-1, 2)):
             indices = (i, (i + step) % 3, (i + 2 * step) % 3)
@@ -267,7 +266,7 @@ sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)
 
 
 def _exponential(env: Env, a: Any) -> Any:
-    """Of numbers, and of skew tensors, vectors and pure quaternions through angle and axis."""
+    """Return the exponential of a number, or of a skew tensor, vector or pure quaternion by angle and axis."""
     if isinstance(a, Tensor):
         return tensor_exponential(a.vect(), env.field)
     return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
@@ -285,9 +284,9 @@ branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
     lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
 )
-"""Claims about a symbol that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
+"""Claims about a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
 
 
 def zero(a: Term | int) -> Apply:
-    """The condition ``a = 0``."""
+    """Return the condition ``a = 0``."""
     return equal(a, Number(0))

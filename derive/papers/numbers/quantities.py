@@ -1,4 +1,4 @@
-"""What a symbol may stand for: the table of quantities that all symbols come from.
+"""Table of quantities that a symbol may stand for, with special values.
 
 ``holds`` means at generic values and at every special value of every symbol: real part zero, a half turn, the
 identity, a full turn. So a statement that fails or has no value there cannot pass as ``holds``.
@@ -25,27 +25,27 @@ Make = Callable[[Draw], Any]
 
 
 class Role(Enum):
-    """What symbols of a quantity are to the choice of exact coordinates."""
+    """Role of a quantity in the choice of exact coordinates."""
 
     ANGLE = auto()
-    """An angle: sine and cosine of its parts are exact; where there are branches, α + 2kπ is the generic angle."""
+    """Angle with exact sine and cosine of its parts; on branch k the generic angle is α + 2kπ."""
     TURN = auto()
-    """A displacement, made of an angle and an axis."""
+    """Displacement, made of an angle and an axis."""
     VECTOR = auto()
-    """A frame may be chosen along it; the magnitude of the first is the tangent of an angle."""
+    """Vector along which a frame may be chosen; the magnitude of the first is the tangent of an angle."""
     TENSOR = auto()
-    """Its entries are generic in any frame, so none is chosen."""
+    """Tensor with generic entries, for which no frame is chosen."""
 
 
 @dataclass(frozen=True, eq=False)
 class Quantity:
-    """A row of the table.
+    """Row of the table.
 
     Attributes
     ----------
     name : str
     draw : callable, optional
-        Draws a 60-digit value as it is almost always; symbols of a quantity without must be defined.
+        Draws a 60-digit value that is not special; symbols of a quantity without it must be defined.
     special : dict of str to callable
         Values at which formulas tend to fail, by name.
     size : int
@@ -72,7 +72,7 @@ class Quantity:
     varies: bool = True
 
     def generic(self, draw: Draw) -> Any:
-        """A 60-digit value as it is almost always."""
+        """Return a 60-digit value that is not special."""
         if self.draw is None:
             raise ValueError(f"a symbol that is a {self.name} has no value of its own: define it")
         return self.draw(draw)
@@ -95,13 +95,13 @@ def _translation_quaternion(sign: int) -> Make:
 _ZERO = (0, 0, 0)
 
 ORDER = Quantity("order")
-"""n: the orders asked for, or all at once."""
+"""Order n: those asked for, or all at once."""
 BRANCH = Quantity("branch")
 """k = 0, 1 … n − 1."""
 PROPOSITION = Quantity("proposition", apart=True)
-"""What a claim in words says."""
+"""Claim in words."""
 SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
-"""±, for both sides of an equation at once."""
+"""Sign ±, the same on both sides of an equation."""
 
 _REAL = (
     Quantity(
@@ -249,7 +249,7 @@ _DEFINED = (
     Quantity("map"),
     PROPOSITION,
 )
-"""What only a definition can say; of a number it is not said whether it is dual."""
+"""Quantities whose value only a definition gives; a number may be dual or not."""
 
 _CONSTANT = (
     Quantity("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),
@@ -259,7 +259,7 @@ _CONSTANT = (
     Quantity("words", value=lambda field: None, varies=False),
     Quantity("index", varies=False),
 )
-"""What never varies; an index is bound by its operator."""
+"""Constants; an index is bound by its operator."""
 
 QUANTITIES: dict[str, Quantity] = {
     row.name: row for row in (ORDER, BRANCH, SIGN, *_REAL, *_NUMBERS, *_STRUCTURES, *_DEFINED, *_CONSTANT)

@@ -30,7 +30,7 @@ _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
 
 def plain(latex: str) -> str:
-    """The formula in one line."""
+    """Return the formula in one line."""
     line = _sequence(iter(_TOKENS.findall(latex)))
     return unicodedata.normalize("NFC", re.sub(r"\s+", " ", line).strip())
 

@@ -15,9 +15,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._chart import Chart
+from .._interface import exports
 from ..scaled2 import CHART as POSES
 from . import _geometry
-from ._interface import RotationKernels, exports
+from ._interface import RotationKernels
 
 ORDER = 2
 

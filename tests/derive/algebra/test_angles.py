@@ -25,7 +25,7 @@ def at_reference(element: Element) -> float:
     return float(at(element.numerator) / at(element.denominator))
 
 
-def test_the_reference_point_is_close_to_the_numbers_it_stands_for(field: AngleField) -> None:
+def test_reference_point_is_consistent(field: AngleField) -> None:
     values = {name: at_reference(field.symbol(name)) for name in field.names}
     assert values["pi"] == pytest.approx(math.pi, abs=1e-6)
     assert values["tan_alpha"] == pytest.approx(math.tan(values["alpha"] / (2 * STEPS)), rel=NEAR)
@@ -35,7 +35,7 @@ def test_the_reference_point_is_close_to_the_numbers_it_stands_for(field: AngleF
 
 @pytest.mark.parametrize("quarters", range(-1, 5))
 @pytest.mark.parametrize("k", range(-2 * STEPS, 2 * STEPS + 1))
-def test_sines_and_cosines_are_close_to_their_values(field: AngleField, k: int, quarters: int) -> None:
+def test_sine_and_cosine_at_the_reference_point(field: AngleField, k: int, quarters: int) -> None:
     angle = field.symbol("alpha") * Fraction(k, STEPS) + field.symbol("pi") * Fraction(quarters, 2)
     assert at_reference(field.sin(angle)) == pytest.approx(math.sin(at_reference(angle)), abs=NEAR)
     assert at_reference(field.cos(angle)) == pytest.approx(math.cos(at_reference(angle)), abs=NEAR)
@@ -43,13 +43,13 @@ def test_sines_and_cosines_are_close_to_their_values(field: AngleField, k: int, 
 
 
 @pytest.mark.parametrize("k", range(-2 * STEPS, 2 * STEPS + 1))
-def test_angles_are_found_from_their_points(field: AngleField, k: int) -> None:
+def test_atan2_inverts_sine_and_cosine(field: AngleField, k: int) -> None:
     angle = field.symbol("alpha") * Fraction(k, STEPS)
     length = field.symbol("a")
     assert field.atan2(length * field.sin(angle), length * field.cos(angle)) == angle
 
 
-def test_what_is_no_multiple_is_refused(field: AngleField) -> None:
+def test_other_angles_are_refused(field: AngleField) -> None:
     a, alpha = field.symbol("a"), field.symbol("alpha")
     for wrong in (a, alpha / (2 * STEPS), alpha * a, alpha + a, 1 / alpha, field.symbol("pi") / 3, field.constant(1)):
         with pytest.raises(NotExactError):
@@ -60,7 +60,7 @@ def test_what_is_no_multiple_is_refused(field: AngleField) -> None:
         field.atan2(-field.sin(alpha), a * field.cos(alpha))
 
 
-def test_arithmetic_is_that_of_its_values(field: AngleField) -> None:
+def test_arithmetic_agrees_at_the_reference_point(field: AngleField) -> None:
     a, b = field.symbol("a"), field.symbol("b")
     x, y = at_reference(a), at_reference(b)
     made = [

@@ -1,4 +1,4 @@
-"""What functions of printed modules say of their arguments can be looked up, as a reader's editor does."""
+"""Annotations of printed modules can be resolved."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from derive.codegen.validation.loading import loaded, module_of
 from derive.output import files
 
 
-def test_every_name_in_an_annotation_is_known(tmp_path: Path) -> None:
+def test_annotations_can_be_resolved(tmp_path: Path) -> None:
     charts = [*catalogue.charts([1]), *catalogue.charts((), ["breusing"])]
     files.write(tmp_path, print_package(charts, TARGETS["numpy"]).texts)
     with loaded(tmp_path) as package:

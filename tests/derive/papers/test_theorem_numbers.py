@@ -25,7 +25,7 @@ from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.statement import Equation
 
-LETTERS = {
+SYMBOLS = {
     "R": m.R, "I": m.I, "v": m.v, "n": m.n, "q": m.q_hat, "p_n": m.p, "q_n": m.q,
     "X": sympy.sqrt(m.x), "alpha": m.alpha, "u": m.u, "omega": m.omega, "omega_B": m.omega_body,
     "skew omega_B": m.skew(m.omega_body), "dcay_n": m.dcay, "dcay_n⁻¹": m.dcay_inv,
@@ -51,9 +51,9 @@ def converted(term: Term) -> Any:
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
-        if term.name not in LETTERS:
+        if term.name not in SYMBOLS:
             raise OtherWordsError(term.name)
-        return LETTERS[term.name]
+        return SYMBOLS[term.name]
     assert isinstance(term, Apply)
     first = term.arguments[0]
     if term.operator.name == "at":  # p_n(|v|)

@@ -8,13 +8,13 @@ import sympy
 from derive.algebra.element import Element
 from derive.proof.differential_ring import DifferentialRing
 from derive.proof.notation import Shifted, dot, n, p, q, v, x
-from derive.proof.setting import Letters, Setting
+from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import definition
 
 
 def ring(zeroed: sympy.Expr | None = None) -> DifferentialRing:
     values = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
-    return Setting(Letters((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
+    return Setting(Symbols((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
 
 
 def over(divisor: sympy.Expr, at: DifferentialRing) -> Element:
@@ -36,17 +36,17 @@ def test_certified(divisor: sympy.Expr) -> None:
 
 
 @pytest.mark.parametrize("divisor", [n - 3, p - q, q - n, x * (p - 1), n**2 - 5 * n + 6])
-def test_what_vanishes_at_some_order_is_not_certified(divisor: sympy.Expr) -> None:
+def test_factors_vanishing_at_an_order_are_not_certified(divisor: sympy.Expr) -> None:
     at = ring()
     assert not all(multiplier.nonzero for multiplier in at.multipliers(over(sympy.expand(divisor), at).denominator))
 
 
-def test_a_zeroed_unit_is_not_certified() -> None:
+def test_zeroed_factor_is_not_certified() -> None:
     at = ring(zeroed=1 + x)
     assert [multiplier.nonzero for multiplier in at.multipliers(over(1 + x, at).denominator)] == [False]
 
 
-def test_zero_divides_nothing() -> None:
+def test_division_by_zero_is_refused() -> None:
     at = ring()
     squares = sum((at.generator(sympy.Symbol(f"v_{i}")) ** 2 for i in (1, 2, 3)), at.constant(0))
     with pytest.raises(ZeroDivisionError):
@@ -66,7 +66,7 @@ def test_quotients_are_numbers() -> None:
 def test_derivation_is_a_derivation() -> None:
     at = ring()
     a, b = at.generator(x), at.generator(p)
-    rates = {at.letters[x]: at.constant(1), at.letters[p]: at.generator(q)}
+    rates = {at.symbols[x]: at.constant(1), at.symbols[p]: at.generator(q)}
 
     def rate(value: Element) -> Element:
         return value.derivative(rates)

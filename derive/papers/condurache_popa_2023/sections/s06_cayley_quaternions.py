@@ -45,7 +45,7 @@ projector = Q + transpose(Q) + (1 - trace(Q)) * identity
 
 
 def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation, ...]:
-    """When the Cayley transform of an order is a rotation, a translation, or neither.
+    """Return entries: when the Cayley transform of an order is a rotation, a translation, or neither.
 
     `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
     """

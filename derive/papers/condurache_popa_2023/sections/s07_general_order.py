@@ -26,24 +26,24 @@ R_of = Symbol("R(v)", "function", r"\underline{\mathbf{R}}", "R")
 
 POLYNOMIALS = (let(p, orders.p, n), let(q, orders.q, n))
 CAYLEY = (*POLYNOMIALS, let(q_hat, orders.cayley, n, v), let(R, orders.rotation, n, v))
-"""Checked against the definition (46)."""
+"""Definitions by (46)."""
 
 SCREW = (*POLYNOMIALS, let(q_hat, screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
-"""Checked against the displacement with the natural invariants α and u."""
+"""Definitions by the displacement with angle α and axis u."""
 
 SCREW_OF_V = (
     *POLYNOMIALS,
     let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
     let(R_of, cayley_maps.function_of(screw_tensor), alpha, u),
 )
-"""The same, written as functions of v."""
+"""Definitions by the displacement, written as functions of v."""
 
 
 def finite(angle: Term) -> Term:
-    """tan has a value."""
+    """Return the condition that the tangent of an angle has a value."""
     return nonzero(Re(cos(angle)))
 
 
 def full_turns(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Points at which q_3 or q_4 has real part 0."""
+    """Return points at which q_3 or q_4 has real part 0."""
     return {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}, "Re |v|² = 1": {v: draw.vector(re=(0, 1, 0))}}

@@ -42,7 +42,7 @@ one, two = (let(Symbol(f"order {i}", "number", str(i), str(i)), orders.at_order(
 
 
 def family(definition: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
-    """v of a family, and every factor a(v) that makes its Cayley map the displacement of α and u."""
+    """Return definitions of v of a family and of every factor a(v) for which its Cayley map is the displacement."""
     of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
     return (*((order,) if order else ()), let(v, definition, *arguments),

@@ -16,7 +16,7 @@ KNOWN = (*s06_cayley_quaternions.ENTRIES, *s07a_fractional_transform.ENTRIES, *s
 
 
 def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
-    """A sentence that takes something from an equation, which another one displays."""
+    """Return the entry for a sentence that names one equation and means another."""
     wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)
     )

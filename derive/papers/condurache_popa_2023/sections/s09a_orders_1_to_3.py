@@ -13,7 +13,7 @@ from .s07_general_order import VV, I, R, V, finite, k, q_hat, x
 
 
 class Order:
-    """The symbols that belong to one order, and what they stand for."""
+    """Symbols of one order with their definitions."""
 
     def __init__(self, n: int) -> None:
         self.p, self.q = (Symbol(f"{f}{n}", "function", f"{f}_{{{n}}}", f"{f}{n}") for f in "pq")
@@ -30,12 +30,12 @@ class Order:
 
 
 def branch_of(n: int) -> Term:
-    """The angle of branch k, ``(α + 2kπ)/2n``."""
+    """Return the angle of branch k, ``(α + 2kπ)/2n``."""
     return (alpha + 2 * k * pi) / (2 * n)
 
 
 def branch_range(n: int) -> Term:
-    """The range of k as it is printed."""
+    """Return the range of k as it is printed."""
     return words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}")
 
 

@@ -23,11 +23,11 @@ PARTS = (
     let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(b_re, real_of, b_), let(b_du, dual_of, b_), let(u_re, real_of, u), let(u_du, dual_of, u),
 )
-"""The symbols; a half turn has no b."""
+"""Definitions of the symbols; a half turn has no b."""
 
 
 def _components(i: int) -> tuple[Equation, Equation]:
-    """(126) to (128) and (129) to (131): one component of the real and of the dual part."""
+    """Return one of (126) to (128) and one of (129) to (131): a component of the real and of the dual part."""
     b_i, b0_i = (Symbol(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
     u_i, u0_i = (Symbol(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
     whole = ((b_i, b_re), (b0_i, b_du), (u_i, u_re), (u0_i, u_du))

@@ -9,7 +9,7 @@ from ..operators import is_algebraic
 from . import s07a_fractional_transform, s07c_parameterizations, s07d_families, s08b_tangent_operators
 
 DIRECT = ("50", "57", "88", "89", "62", "65")
-"""The maps from v to displacements and twists."""
+"""Equations of the maps from v to displacements and twists."""
 
 direct = proposition("maps from v", "no transcendental function in the maps from v: (50), (57), (62), (65), (88), (89)")
 every = proposition("all maps", "no transcendental function in any display of sections 7 and 8 about maps")

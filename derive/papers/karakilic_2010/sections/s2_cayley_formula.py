@@ -27,7 +27,7 @@ no_half_turn = nonzero(Re(det(A + I)))
 
 
 def reflections(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Orthogonal with determinant −1."""
+    """Return an orthogonal tensor with determinant −1."""
     return {"reflection": {A: -QUANTITIES["orthogonal tensor"].generic(draw)}}
 
 

@@ -120,7 +120,7 @@ DUAL_PARTS = (
                    b / length(b) + e * group(b_ / length(b) - (dot(b, b_) / length(b)**3) * b)),
              where=(*ANY, *PARTS), condition=nonzero(b),
              fixed_by="(8)-(10), which are its components",
-             remark="The extraction of the display shows most symbols under its arrows as r."),
+             remark="The extraction of the display shows most letters under its arrows as r."),
 )
 
 ENTRIES = (*EQUATIONS, *RHOMBUS, *DUAL_PARTS)

@@ -1,6 +1,6 @@
 """Section 3, the substitutions that lead to (19)-(22): lines 230-245.
 
-Nothing but the equations named is used: the unknown is solved from them, and all other symbols are free.
+Only the equations named are used: the unknown is solved from them, and all other symbols are free.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ COMPONENTS = (
 
 
 def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
-    """The unknown of an equation in which it occurs to the first power."""
+    """Return the definition of an unknown by an equation that is linear in it."""
 
     def solution(env: Env, *_: Any) -> Any:
         at_0, at_1 = (env.bound(unknown, value).value(left - right) for value in (0, 1))
@@ -34,7 +34,7 @@ def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
 
 
 def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
-    """The claim that a numbered equation follows for the unknown."""
+    """Return the entry for the claim that a numbered equation follows."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
                     stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
