@@ -23,18 +23,6 @@ Completion in bash, likewise zsh_source and fish_source:
 """
 
 
-class Interrupted(click.ClickException):
-    """End by Ctrl-C, with a message of one line."""
-
-    exit_code = 130
-
-    def __init__(self) -> None:
-        super().__init__("interrupted")
-
-    def show(self, file: Any = None) -> None:
-        click.echo(f"dualcay: {self.message}", file, err=True)
-
-
 class Commands(click.Group):
     """Group of commands that may be interrupted."""
 
@@ -42,7 +30,8 @@ class Commands(click.Group):
         try:
             return super().invoke(ctx)
         except KeyboardInterrupt:  # for which Click would print an empty line
-            raise Interrupted from None
+            click.echo("dualcay: interrupted", err=True)
+            ctx.exit(130)
 
 
 def orders(text: str, required: bool = False) -> Decorator:
@@ -148,11 +137,6 @@ def run() -> int:
     """Run the command line and return its exit code; no bad input ends in a traceback."""
     try:
         code = cli.main(prog_name=options.program(), standalone_mode=False)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
-    except click.Abort:
-        Interrupted().show()
-        return Interrupted.exit_code
     except click.ClickException as error:
         error.show()
         return error.exit_code

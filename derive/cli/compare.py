@@ -21,7 +21,7 @@ from ..maps.any_phi.stretch import POINTS, Stretch, best, bound, stretch
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..output import render
-from ..output.tables import Column, Grid, columns
+from ..output.tables import columns, figures
 from . import options
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
@@ -36,6 +36,9 @@ MEASURED = ("pose", "tangent", "from_pose")
 TIMED = ("pose", "from_pose")
 """Functions whose times were measured."""
 
+MEASUREMENTS = "docs/parameterizations.json"
+"""File of measurements in a checkout."""
+
 PLOT_MAX = 4 * math.pi
 """Largest angle of a plotted curve."""
 
@@ -47,7 +50,7 @@ PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float
 }
 """Title of each panel of a plot, with its figure, given the singular value at 0, and the limits of its axis."""
 
-Rows: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
+Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
 """Headings, and a row for each chart."""
 
 
@@ -88,17 +91,11 @@ class Compared:
         return measurements().get(self.chart.name)
 
 
-def measurements_file() -> Path | None:
-    """Return the file that ``python -m benchmarks.charts`` writes in a checkout."""
-    root = about.checkout()
-    return root / "docs" / "parameterizations.json" if root else None
-
-
 @cache
 def measurements() -> Mapping[str, Any]:
-    """Read errors and times by chart; empty outside a checkout."""
-    file = measurements_file()
-    found: dict[str, Any] = json.loads(file.read_text(encoding="utf-8")) if file and file.is_file() else {}
+    """Read errors and times by chart, which ``python -m benchmarks.charts`` writes; empty outside a checkout."""
+    root = about.checkout()
+    found: dict[str, Any] = json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")) if root else {}
     return found
 
 
@@ -129,41 +126,42 @@ def number(value: float | None) -> str:
     return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
-def errors(compared: Sequence[Compared]) -> Rows:
+def _measured(compared: Sequence[Compared], what: str, functions: Sequence[str], place: str) -> Table:
+    """Return what was measured, by function and by place: an angle or a number of poses."""
+    found = {row.chart.name: row.measured[what] for row in compared if row.measured}
+    places = {(f, at): None for f in functions for values in found.values() for at in values[f]}
+    rows = [[chart, *(number(values[f].get(at)) for f, at in places)] for chart, values in found.items()]
+    return ["chart", *(f"{f} {place}{at}" for f, at in places)], rows
+
+
+def errors(compared: Sequence[Compared]) -> Table:
     """Return errors in eps, by function and angle."""
-    found = {row.chart.name: row.measured["errors"] for row in compared if row.measured}
-    places = [(name, angle) for name in MEASURED for angle in ANGLES if any(angle in m[name] for m in found.values())]
-    headings = ["chart", *(f"{name} {angle}" for name, angle in places)]
-    return headings, [[chart, *(number(m[name].get(angle)) for name, angle in places)] for chart, m in found.items()]
+    return _measured(compared, "errors", MEASURED, "")
 
 
-def times(compared: Sequence[Compared]) -> Rows:
+def times(compared: Sequence[Compared]) -> Table:
     """Return nanoseconds for a pose, by function and number of poses."""
-    found = {row.chart.name: row.measured["nanoseconds"] for row in compared if row.measured}
-    sizes = dict.fromkeys(size for m in found.values() for size in m[TIMED[0]])
-    places = [(name, size) for name in TIMED for size in sizes]
-    headings = ["chart", *(f"{name} N = {size}" for name, size in places)]
-    return headings, [[chart, *(number(m[name][size]) for name, size in places)] for chart, m in found.items()]
+    return _measured(compared, "nanoseconds", TIMED, "N = ")
+
+
+def cost(compared: Sequence[Compared]) -> Table:
+    """Return operations by function."""
+    return ["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]
 
 
 def _text(compared: Sequence[Compared]) -> str:
     """Return tables with condition numbers only: a line is too short for every singular value."""
     headings = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED]
     rows = []
-    for row in compared:
+    for row, (name, *counts) in zip(compared, cost(compared)[1], strict=True):
         conditions = [number(found.condition if found else None) for found in row.stretches.values()]
-        counts = map(number, row.operations.values())
-        rows.append([row.chart.name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
+        rows.append([name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
     tables = (
         ("condition of Re T by angle, and operations", (headings, rows)),
         ("errors in eps by angle, as measured", errors(compared)),
         ("nanoseconds for a pose of N, as measured", times(compared)),
     )
-    return "".join(_grid(title, *table).text(columns()) for title, table in tables if table[1])
-
-
-def _grid(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> Grid:
-    return Grid(title, [Column(headings[0]), *(Column(name, number=True) for name in headings[1:])], rows)
+    return "".join(figures(title, *table).text(columns()) for title, table in tables if table[1])
 
 
 def _json(compared: Sequence[Compared]) -> str:
@@ -194,11 +192,10 @@ def _json(compared: Sequence[Compared]) -> str:
 
 def _page(compared: Sequence[Compared]) -> str:
     """Return docs/parameterizations.md."""
-    cost = [[row.chart.name, *map(number, row.operations.values())] for row in compared]
     return render(
         "report/parameterizations.md.j2",
         shape=_table(*_shape(compared)),
-        cost=_table(["chart", *COUNTED], cost),
+        cost=_table(*cost(compared)),
         errors=_table(*errors(compared)),
         times=_table(*times(compared)),
         points=POINTS,
@@ -206,7 +203,7 @@ def _page(compared: Sequence[Compared]) -> str:
     )
 
 
-def _shape(compared: Sequence[Compared]) -> Rows:
+def _shape(compared: Sequence[Compared]) -> Table:
     of_angles = [f"{name} {what}" for name in ANGLES for what in ("1/φ′", "across", "cond")]
     rows = []
     for row in compared:
@@ -218,7 +215,7 @@ def _shape(compared: Sequence[Compared]) -> Rows:
     return ["chart", "φ", "edge/π", "|v| there", *of_angles, "singular angles/π"], rows
 
 
-def _best() -> Rows:
+def _best() -> Table:
     rows = []
     for name, angle in ANGLES.items():
         rows.append([name, "any (bound)", "", f"{bound(angle):.5f}"])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -23,44 +22,31 @@ PAUSE_MAX = 60.0
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
     """Show a progress bar on a terminal, a line now and then elsewhere; each call names the step that begins."""
-    with _bar(total) if sys.stderr.isatty() else _lines(total) as step:
-        yield step
-
-
-@contextmanager
-def _bar(total: int) -> Iterator[Callable[[str], None]]:
+    if not sys.stderr.isatty():
+        yield _lines(total)
+        return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True, highlight=False), transient=True) as bar:
         task = bar.add_task("", total=total, completed=-1)
-
-        def step(line: str) -> None:
-            bar.update(task, description=line, advance=1)
-
-        yield step
+        yield lambda line: bar.update(task, description=line, advance=1)
 
 
-@contextmanager
-def _lines(total: int) -> Iterator[Callable[[str], None]]:
-    """Print lines from a thread, since one step may be long."""
-    begun, ended, lines, stream = time.monotonic(), threading.Event(), ["beginning"], sys.stderr
+def _lines(total: int) -> Callable[[str], None]:
+    begun, pause, done = time.monotonic(), FIRST_PAUSE, -1
+    due = begun + pause
 
-    def report() -> None:
-        pause = FIRST_PAUSE
-        while not ended.wait(pause):
-            done = max(len(lines) - 2, 0)
-            print(f"{time.monotonic() - begun:.0f} s: {done}/{total}  {lines[-1]}", file=stream, flush=True)
+    def step(line: str) -> None:
+        nonlocal pause, due, done
+        done, now = done + 1, time.monotonic()
+        if now >= due:
+            click.echo(f"{now - begun:.0f} s: {done}/{total}  {line}", err=True)
             pause = min(2 * pause, PAUSE_MAX)
+            due = now + pause
 
-    thread = threading.Thread(target=report, daemon=True)
-    thread.start()
-    try:
-        yield lines.append
-    finally:
-        ended.set()
-        thread.join()
+    return step
 
 
 def differences(found: list[Difference], command: str) -> None:

@@ -12,7 +12,7 @@ from ..codegen import Package, catalogue, generate_charts, publish
 from ..codegen.build import with_geometry
 from ..maps.chart import Chart
 from ..maps.named import described
-from ..output.tables import Column, Grid, columns
+from ..output.tables import Grid, columns, figures
 from ..workers import cores
 from . import display, options
 
@@ -22,7 +22,7 @@ WRITE_STEPS, CHECK_STEPS = 4, 2
 SERIAL_MAX = 3
 """Largest number of charts for which worker processes do not pay."""
 
-HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
+HEADINGS = ("module", "theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
 
 
 def generate(
@@ -81,4 +81,4 @@ def summary(package: Package, folder: Path) -> Grid:
         general = sum(proof.scope == "all n" for proof in proofs)
         called = (counts.validated, counts.replayed or "-", counts.tested or "-")
         rows.append((module.name, *map(str, (general, len(proofs) - general, *called, module.text.count("\n")))))
-    return Grid(f"kernels in {folder}", [Column("module"), *(Column(name, number=True) for name in HEADINGS)], rows)
+    return figures(f"kernels in {folder}", HEADINGS, rows)

@@ -33,11 +33,8 @@ LETTERS_MAX = 600
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
-HASH_COMMENTS = (".txt", ".cmake", ".py", ".toml", ".build", ".options")
+HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
 """Suffixes of files whose comments begin with #, in every target."""
-
-
-# ---- records --------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,18 +69,15 @@ class Module:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """All files of a package of kernels by name, and the modules among them."""
+    """Files that all modules of a package share, by name, and the modules."""
 
-    texts: dict[str, str]
+    shared: Mapping[str, str]
     modules: tuple[Module, ...]
 
-    @classmethod
-    def of(cls, shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
-        """Join the files that all modules share with those of each module."""
-        texts = dict(shared)
-        for module in modules:
-            texts |= module.texts
-        return cls(texts, tuple(modules))
+    @property
+    def texts(self) -> dict[str, str]:
+        """All files by name."""
+        return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
         return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
@@ -128,10 +122,8 @@ class Facts:
 
     def definitions(self, indent: str) -> dict[str, str]:
         """Formulas of the maps in LaTeX, broken into lines."""
-        return {
-            f.name: f"\n{indent}".join(textwrap.wrap(f"{f.symbol} = {f.definition}", WIDTH, break_long_words=False))
-            for f in self.maps
-        }
+        texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
+        return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
 
     @property
     def domain(self) -> dict[str, str]:
@@ -163,9 +155,6 @@ class Facts:
         general = f" and {shared} theorems for every n" if shared else ""
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
         return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
-
-
-# ---- comments -------------------------------------------------------------------------------------------------
 
 
 def command(target: str, *charts: Chart) -> str:
@@ -217,9 +206,6 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
     return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C
 
 
-# ---- fingerprint ----------------------------------------------------------------------------------------------
-
-
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Digest of the programs of a chart and of the geometry; equal in two packages that compute the same."""
     lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
@@ -245,30 +231,24 @@ def _statement_line(statement: Statement) -> str:
     return f"{statement.name} {statement.op} {statement.args}"
 
 
-# ---- rendering ------------------------------------------------------------------------------------------------
-
-
 Data = Mapping[str, Any]
 """Values for the names in a template, but for ``header``."""
 
 
 class Printer(Protocol):
-    """The part of a target that makes texts; `name` is its template folder too."""
+    """The part of a target that makes texts."""
 
-    @property
-    def name(self) -> str: ...
+    name: str
+    """Name of its template folder too."""
 
-    @property
-    def extension(self) -> str:
-        """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
+    extension: str
+    """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
 
-    @property
-    def entry(self) -> str:
-        """The shared file that is read before any other."""
+    entry: str
+    """The shared file that is read before any other."""
 
-    @property
-    def comment(self) -> str:
-        """Beginning of a comment line."""
+    comment: str
+    """Beginning of a comment line."""
 
     def shared(self) -> Mapping[str, Data]:
         """Files that every package of the target holds, each from the template of its name."""
@@ -284,13 +264,7 @@ class Printer(Protocol):
 
 
 def shared_texts(target: Printer) -> dict[str, str]:
-    """Render the files that every package of a target holds, such as ``_geometry.py``.
-
-    Raises
-    ------
-    ValueError
-        If they define other functions than the table.
-    """
+    """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"

@@ -39,16 +39,16 @@ def generate(
     families : iterable of str
         Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
     phi : str, optional
-        φ of a further parameterization, such as ``"alpha/(1 + alpha**2/40)"``; an order is then the n in it.
+        φ of a further one, such as ``"alpha/(1 + alpha**2/40)"``; an order is then the n in it.
     name : str, optional
-        Name of the module for ``phi``.
+        Name of its module.
     force : bool
         Overwrite files that do not bear the generated header.
     progress : callable, optional
         Called with a line of text before each step.
     processes : int
-        Number of worker processes that check printed charts; the result is the same. They are spawned, so a script
-        that asks for more than one calls `generate` under ``if __name__ == "__main__":``.
+        Number of worker processes that check printed charts. They are spawned: a script that asks for more than one
+        calls `generate` under ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -59,21 +59,18 @@ def generate(
     ------
     ValueError, TypeError
         For a target, an order or a family that does not exist, or a missing folder where no default applies.
-    ProofFailed, ValidationFailed
-        If a formula or a printed kernel fails; nothing is written.
+    ProofFailed, ValidationFailed, ChildProcessError
+        If a formula or a printed kernel fails, or a worker process dies; nothing is written.
     RefusedError
-        If a file in the way is not a generated one, the folder holds kernels of another target, or it cannot be
-        written; nothing is written.
-    ChildProcessError
-        If a worker process dies; nothing is written.
+        If a file in the way is not generated, the folder holds another target, or it cannot be written.
 
     Examples
     --------
     >>> import derive, tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     package = derive.generate([1], output=f"{folder}/kernels")
-    >>> package
-    <Package of cayley1.py: 18 files>
+    >>> [module.name for module in package.modules]
+    ['cayley1.py']
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return generate_charts(asked, target, output, force=force, progress=progress, processes=processes)
@@ -146,8 +143,7 @@ def check_charts(
     folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Progress | None = None
 ) -> list[files.Difference]:
     """Return the differences of a folder from the modules of charts; ``unmade`` are the reasons of `expected`."""
-    package = print_package(charts, _target(target), progress)
-    return list(files.compare(folder, package.texts, unmade))
+    return list(files.compare(folder, print_package(charts, _target(target), progress).texts, unmade))
 
 
 def _target(name: str) -> Target:

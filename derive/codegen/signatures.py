@@ -10,7 +10,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
-from .rows import Array, Function, Recipe, Table
+from .lowering.point import Recipe
+from .rows import Array, Function, Table
 
 
 def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:

@@ -1,7 +1,7 @@
-r"""From branch to branch of a Cayley map: the axis of the principal angle, and the step of kπ/n in θ = α/2n.
+r"""Branches of a chart of order n: the axis of the principal angle, and turns of θ = α/2n by kπ/n.
 
-One formula serves values and programs. v_k = r_k u comes from v = r u by ``r_k = (r cos + sin)/(cos − r sin)`` with the
-cosine and sine of ``kπ/n``, CP23 (49).
+For the Cayley map v_k = r_k u follows from v = r u by ``r_k = (r cos + sin)/(cos − r sin)``, with the cosine and sine
+of ``kπ/n``, CP23 (49). The same formulas serve values and programs.
 """
 
 from __future__ import annotations
@@ -17,15 +17,22 @@ from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .cayley_scalars import CayleyScalars
 
-NOISE = 16
-"""A term that is lost beside another when divided by this is below 8 eps of it: 0 but for rounding.
+Derivatives = tuple[Coefficient, Coefficient, Coefficient]
+"""A value with its first and second derivatives."""
 
-A vector of half a turn is off by up to 4 eps of its length, so its α by 4π eps at most and ``cot(α/2)`` by 2π eps.
+NOISE = 16
+"""Divisor for noise: a term that vanishes beside another after division by it is 0 but for rounding.
+
+The term is then below 8 eps of the other. A vector of half a turn has an error up to 4 eps of its length, α one of 4π
+eps, and ``cot(α/2)`` one of 2π eps.
 """
 
 
 def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return sign(p q): u = sign(p q) v/|v|. Where p = 0 that of q, where q = 0 the translation along v decides."""
+    """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
+
+    Where p = 0 it is the sign of q; where q = 0 that of the translation along v.
+    """
     sign, _ = _direction(n, at, y, r, m)
     return sign
 
@@ -33,9 +40,9 @@ def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arit
 def _direction(
     n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
 ) -> tuple[Coefficient, Coefficient]:
-    """The direction, and ``r |q|``, both NaN where p or that has overflowed (for n = 1, x) and signs say nothing.
+    """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
 
-    At half a turn, where q > 0, p is 0 but for rounding: then the side that v is on stands.
+    At half a turn p is 0 but for rounding, and q > 0: then the direction of v is kept.
     """
     sine = m.name("rq", r * m.abs(at.q))
     either = at.x if n == 1 else m.name("either", sine + at.p)
@@ -57,17 +64,28 @@ def natural(
     return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
 
 
-def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-    """Return ``(r cos + sin)/(cos − r sin)`` and its derivative ``1/(cos − r sin)²``."""
+def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+    """Return ``r_k = (r cos + sin)/(cos − r sin)``, ``dr_k/dr = 1/(cos − r sin)²`` and the derivative of that."""
     cosine, sine = turn
     inverse = m.name("iden", m.div(1, cosine - r * sine))
-    return m.name("rk", (r * cosine + sine) * inverse), m.name("slope", inverse * inverse)
+    slope = m.name("slope", inverse * inverse)
+    return m.name("rk", (r * cosine + sine) * inverse), slope, m.name("bend", 2 * (sine * inverse) * slope)
+
+
+def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
+    """Return r_k with its derivatives by r, from φ with its derivatives by the angle at r and at r_k."""
+    _, slope, bend = before
+    slope = m.name("before", slope)
+    rk, slope_k, bend_k = after
+    ratio = m.name("slope", m.div(slope_k, slope))
+    change = m.name("slopeo", m.div(bend_k - ratio * bend, slope))
+    return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
 
 
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit it lies beyond."""
     first, *others = table[::3]
-    # at half a turn, but for rounding, v is on the first branch
+    # at half a turn, within rounding, v is on the first branch
     limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
@@ -84,14 +102,14 @@ def turn(n: int, branch: int) -> tuple[Any, Any]:
 
 
 def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
-    """By steps of π/n, the ``tan²((2j − 1)π/2n)`` beyond which θ goes back by one more, and its turn."""
+    """Return for each step of π/n back the limit ``tan²((2j − 1)π/2n)`` of x, and the cosine and sine of the turn."""
     for j in range(1, n // 2 + 1):
         half = mpmath.mpf(2 * j - 1) / (2 * n)
         yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
 
 
 class BranchesOfOrder:
-    """A chart of order n, up to |Re α| = nπ; from each of its n branches to the next θ turns by π/n."""
+    """Edge and branches of a chart of order n: |Re α| < nπ, and θ turns by π/n from one of n branches to the next."""
 
     order: int
 
@@ -105,7 +123,7 @@ class BranchesOfOrder:
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Re α > 0 where T loses rank (2πk), then the edge, where v or T is infinite (nπ)."""
+        """Return the Re α > 0 where T loses rank, 2πk, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
     def beyond(

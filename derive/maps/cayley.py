@@ -1,4 +1,4 @@
-r"""`Cayley(n)`: everything the Cayley map of order n defines, as formulas in ``x = v · v``, and the chart it is.
+r"""The Cayley map of order n: its formulas in ``x = v · v``, and its chart.
 
 This is the Cayley map of unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), equally of 6x6
 adjoint matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation and another translation.
@@ -26,7 +26,7 @@ from .parameterized import Parameterized
 from .polynomials import FIELD, rational, require_order, x
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
-"""The general equation of each map."""
+"""Numbers of the general equations of each map in CP23."""
 
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 """First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
@@ -174,7 +174,7 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
             ),
         )
 
-    # --- as a chart (see `Chart`) -----------------------------------------------------------------------------
+    # --- chart (see `Chart`) ----------------------------------------------------------------------------------
 
     @property
     def title(self) -> str:
@@ -232,7 +232,7 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(r, 1)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
         return branches.turned(r, turn, m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:

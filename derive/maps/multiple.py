@@ -1,7 +1,7 @@
 r"""Charts with a scale: ``v = K w``, w the vector of a base chart.
 
 ``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is that of w at ``x/K²``, divided by a power of K
-(`POWERS`), and everything else follows from the base chart too:
+(`POWERS`); its inverse maps and branches are those of the base chart:
 
 .. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
     f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}
@@ -21,6 +21,7 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
+from .branches import Derivatives
 from .chart import Chart, Scalars
 from .parameterized import Parameterized
 from .polynomials import x
@@ -82,7 +83,7 @@ class Multiple(Parameterized):
     """
 
     name: str
-    base: Chart = field()  # the default of Parameterized is none of this class
+    base: Chart = field()  # without the default of Parameterized
     factor: Fraction = field()
     selection: tuple[str, str] = ("", "")
     title: str = ""
@@ -171,14 +172,12 @@ class Multiple(Parameterized):
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
         return angle, divided(slope, self.factor, m), sign
 
-    # --- branches ---------------------------------------------------------------------------------------------------
-
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.unfolded(self._square(x, m), self._length(r, m), m)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        rk, slope = self.base.turned(self._length(r, m), turn, m)
-        return self._times(rk, m, "rk_v"), slope
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+        rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
+        return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

@@ -1,4 +1,4 @@
-"""Charts that have names, and the chart of a user's φ: one of these or a multiple of one, where φ has its form."""
+"""Charts by name, and the chart of a user's φ: a named chart, a multiple of one, or another."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def family(name: str) -> Named:
 
 
 def recognized(phi: sympy.Expr) -> Named | None:
-    """Return the chart of a name, or the multiple of one, that φ is in any form; decided exactly."""
+    """Return the known chart that a φ describes, or a multiple of one; None for another φ. The decision is exact."""
     if phi == Breusing().phi:
         return Breusing()
     form = multiple_of_known(phi)
@@ -109,7 +109,7 @@ def described(chart: Chart) -> str:
 
 
 def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
-    """Return the chart of a φ: that of a known name under the given one, where φ has its form.
+    """Return the chart of a φ under the given name; a known chart where φ describes one.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
     expression = parsed(phi, order) if isinstance(phi, str) else phi
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
-    if expression != 0 and parity(expression) != -1:  # for 0 the error is that of the slope
+    if expression != 0 and parity(expression) != -1:  # φ = 0 is refused for its slope
         raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
     with_n = f" -n {order}" if order is not None else ""
     selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")

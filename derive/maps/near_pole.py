@@ -1,7 +1,7 @@
-r"""Angles next to nπ, where φ of a chart of order n has its pole: by how far it is from there.
+r"""Angles near nπ, the pole of φ in a chart of order n, by their distance γ = nπ − α from it.
 
-An angle of a few turns is known to some eps of itself, and so is what is left of it to nπ, however little that is. Of
-sine and cosine of α/2 all digits of it can be had: with ``γ = nπ − α``
+The rounding error of α is relative to α, so that ``nπ − α`` has few digits near the pole. Sine and cosine of α/2 give
+all digits of γ:
 
 .. math:: \tan\tfrac\gamma2 = -\tan\tfrac\alpha2 \quad \text{for even } n \qquad \cot\tfrac\alpha2 \quad \text{for odd}
 """
@@ -18,9 +18,9 @@ Sides = tuple[Any, Coefficient, Coefficient]
 
 
 def sides(n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Sides:
-    """Return whether |α| is next to nπ, the rest γ where it is and |α| elsewhere, and the sign of α.
+    """Return whether |α| is near nπ, then γ there and |α| elsewhere, and the sign of α.
 
-    ``sine >= 0`` and cosine are those of α/2 but for their length and a common sign.
+    ``sine >= 0`` and cosine are those of α/2 up to a common factor.
     """
     side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
     size = m.name("size", m.abs(angle))

@@ -1,6 +1,6 @@
 r"""Charts of order n, θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``, CP23 (60) with ``a = cos θ/σ``.
 
-A subclass says what φ makes of θ. Steps between branches are turns of θ by ``kπ/n``, brought back to |θ| < π/2.
+A subclass defines φ as a function of θ. Branches differ by turns of θ by ``kπ/n``, brought back to |θ| < π/2.
 """
 
 from __future__ import annotations
@@ -15,44 +15,42 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import branches
+from .branches import Derivatives
 from .families import alpha
-from .gains import has_ladder
+from .gains import half_cosine, half_sine, has_ladder
 from .parameterized import QuaternionChart
 
 
 class OrderChart(branches.BranchesOfOrder, QuaternionChart):
-    """A chart v = φ(α) u of order n, φ a function of θ = α/2n with its edge at θ = π/2."""
+    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
-        """φ and dφ/dθ from sine and cosine of θ; a mark tells several apart."""
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        """Return φ and its first two derivatives by θ, from sine and cosine of θ; a mark tells names apart."""
 
     @abstractmethod
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """cos θ and ``σ = sin θ/|v|`` at x."""
+        """Return cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """φ/sin θ, above and below."""
+        """Return numerator and denominator of ``φ/sin θ``."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Of the angle brought into (−nπ, nπ]: on by 2nπ sine and cosine of θ are the opposite ones."""
+        """Return φ and φ′ at the angle brought into (−nπ, nπ], where cos θ ≥ 0."""
         return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         further = m.name("further", cosine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
-        r, slope = self.sized(m.name("sin", side * sine), m.name("cos", side * further), m)
+        r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))
 
-    # --- way back ---------------------------------------------------------------------------------------------------
+    # --- inverse map ------------------------------------------------------------------------------------------------
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """``φ/sin(α/2)``: by half angles where they lead from α/2 to θ."""
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+        """Return ``φ/sin(α/2)``, by half-angle formulas where n is a power of two."""
+        negative, cosine = half_cosine(q, m, positive)
         sign = m.where(negative, -1, 1)
         found = self._by_halves if has_ladder(self.order) else self._by_angle
         above, below = found(q, cosine, size, m)
@@ -72,10 +70,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     def _by_angle(
         self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        square = m.name("ss", q.vector.dot(q.vector))
-        still = m.name("still", m.equal(square, 0))
-        # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
-        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        still, _, sine = half_sine(q, cosine, m)
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
         above, below = self.over_sine(m.name("costheta", cos), m)
@@ -91,26 +86,25 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         c, sigma = self.cosine(x, m)
         return 2 * self.order * m.atan2(r * sigma, c)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c, sigma = self.cosine(rr, m)
         s = m.name("s", r * sigma)
         further = m.name("further", c * cosine - s * sine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
-        _, before = self.sized(s, c, m)
-        after, slope = self.sized(m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further), m, "k")
-        return m.name("rk", after), m.name("slope", m.div(slope, before))
+        sine_k, cosine_k = m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further)
+        return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))
 
     def _square(self, angle: sympy.Expr) -> Any:
-        """φ² of an angle, in the working precision of mpmath."""
+        """Return φ² of an angle, in the working precision of mpmath."""
         return mpmath.mpf(self.phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 
 def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-    """Sine and cosine of twice the angle whose tangent is t."""
+    """Return sine and cosine of twice the angle whose tangent is t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)
     return 2 * t / below, (1 - tt) / below

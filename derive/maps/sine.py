@@ -19,16 +19,18 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .evaluation import horner
 from .families import alpha
 from .order_charts import OrderChart, double_angle
 from .polynomials import RING, RING_X, ring_pair
+from .scalar import scalar
 
 
 @lru_cache(maxsize=64)
 def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
-    """S, W, H and B of an order, elements of Z[y]."""
+    """Return S, W, H and B of an order, elements of Z[x]."""
     p, q = ring_pair(n)
     S, W = _homogeneous(p, n // 2), _homogeneous(q, (n - 1) // 2)
     sine = W if n % 2 else (1 - RING_X) * W
@@ -36,13 +38,13 @@ def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
 
 
 def _homogeneous(polynomial: Any, degree: int) -> Any:
-    """``Σ a_j y^j (1 − y)^(degree − j)``."""
+    """Return ``Σ a_j x^j (1 − x)^(degree − j)``."""
     terms = (c * RING_X**j * (1 - RING_X) ** (degree - j) for (j,), c in polynomial.terms())
     return sum(terms, RING.zero)
 
 
 class SineScalars(DependentScalars):
-    """The scalars at x = sin² θ."""
+    """Scalars at x = sin² θ."""
 
     def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
@@ -50,14 +52,8 @@ class SineScalars(DependentScalars):
         self.odd = order % 2 == 1
         self.S, self.W, self.H, self.B = polynomials_of(order)
 
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", 1 - self.x)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """cos θ."""
-        return self.m.name("c", self.m.sqrt(self.cc))
+    cc = scalar(lambda at: 1 - at.x)
+    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ.
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, self._value(polynomial))
@@ -68,25 +64,11 @@ class SineScalars(DependentScalars):
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self._with_root(self._value(self.S), self.odd))
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", self._with_root(self._value(self.W), not self.odd))
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", self.m.div(2 * self.order, self.c))
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.rate / self.cc)
-
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", self._value(self.H) / self.c)
+    s = scalar(lambda at: at._with_root(at._value(at.S), at.odd))
+    w = scalar(lambda at: at._with_root(at._value(at.W), not at.odd))
+    rate = scalar(lambda at: at.m.div(2 * at.order, at.c), "rho")
+    ratey = scalar(lambda at: at.rate / at.cc, "rhoy")
+    h = scalar(lambda at: at._value(at.H) / at.c)
 
     @cached_property
     def hy(self) -> Coefficient:
@@ -94,9 +76,7 @@ class SineScalars(DependentScalars):
         direct = 2 * self._at("dH", self.H.diff(RING_X)) / self.c
         return self.m.name("hy", direct + self.h / self.cc)
 
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        return self.m.name("rhoyy", 3 * (self.ratey / self.cc))
+    rateyy = scalar(lambda at: 3 * (at.ratey / at.cc), "rhoyy")
 
     @cached_property
     def hyy(self) -> Coefficient:
@@ -106,14 +86,8 @@ class SineScalars(DependentScalars):
         direct = (4 * second - self.m.div(2 * first, self.cc)) / self.c
         return self.m.name("hyy", direct + 3 * self.hy / self.cc)
 
-    @cached_property
-    def _below(self) -> Coefficient:
-        """``n w``."""
-        return self.m.name("below", self.order * self.w)
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        return self.m.name("hi", self.m.div(self._with_root(self._at("B", self.B), self.odd), self._below))
+    _below = scalar(lambda at: at.order * at.w, "below")  # n w
+    hi = scalar(lambda at: at.m.div(at._with_root(at._at("B", at.B), at.odd), at._below))
 
     @cached_property
     def hiy(self) -> Coefficient:
@@ -134,14 +108,14 @@ class SineScalars(DependentScalars):
         return self.m.name("hiyy", self._quotient(change, rest))
 
     def _quotient(self, change: Coefficient, rest: Coefficient) -> Coefficient:
-        """``(change − n rest)/(n w)``."""
+        """Return ``(change − n rest)/(n w)``."""
         return self.m.div(change - self.order * rest, self._below)
 
 
 class SineAtAngle(SineScalars):
-    """The same where f_i and cos θ are known."""
+    """Scalars where f_i and cos θ are known."""
 
-    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # made of f_i: T⁻¹ along the axis is φ′, whatever f_i is
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis is φ′ for any error of f_i
 
     def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart.order, x, m)
@@ -150,13 +124,13 @@ class SineAtAngle(SineScalars):
         self.cc = m.name("cc", self.c * self.c)
 
     def _value(self, polynomial: Any) -> Coefficient:
-        """In powers of cos² θ, of which next to the edge one term counts."""
+        """Return a polynomial in powers of cos² θ, which loses no digits near the edge."""
         return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
 
 
 @dataclass(frozen=True)
 class Sine(OrderChart):
-    """v = sin(α/2n) u, up to |Re α| = nπ."""
+    """Chart v = sin(α/2n) u, up to |Re α| = nπ."""
 
     name: str
     order: int = 1
@@ -175,15 +149,13 @@ class Sine(OrderChart):
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # its sign changes every 2nπ
 
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
-        return sine, cosine
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Beyond the edge the cosine is another number, which nothing uses."""
+        """Return cos θ and 1; beyond the edge another number, which is not used."""
         return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

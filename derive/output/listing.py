@@ -27,10 +27,9 @@ class Listing(list[T]):
     def _repr_html_(self) -> str:
         rows = [item.cells() for item in self]
         lines = [_row("th", rows[0])] if rows else []
-        lines += [_row("td", row.values()) for row in rows]
-        return "\n".join(["<table>", *lines, "</table>"])
+        return "\n".join(["<table>", *lines, *(_row("td", row.values()) for row in rows), "</table>"])
 
 
 def _row(kind: str, texts: Iterable[str]) -> str:
-    cells = "".join(f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
-    return f"<tr>{cells}</tr>"
+    cells = (f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
+    return f"<tr>{''.join(cells)}</tr>"

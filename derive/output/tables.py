@@ -6,9 +6,9 @@ import io
 import shutil
 import textwrap
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
-from rich.console import Console, JustifyMethod
+from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
 
@@ -18,8 +18,7 @@ WIDTH = 120
 INDENT = "  "
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(NamedTuple):
     """A column: numbers are aligned to the right; a width is fixed, or a share (``ratio``) of the rest."""
 
     heading: str
@@ -28,20 +27,11 @@ class Column:
     ratio: int | None = None
 
 
-@dataclass(frozen=True)
-class Grid:
-    """A table before it has a width.
+class Grid(NamedTuple):
+    """A table before it has a width; the first cell of a row is its name.
 
-    Parameters
-    ----------
-    title, columns, rows
-        The first cell of a row is its name.
-    least : int, optional
-        Smallest width of a ruled table; by default that of its longest words.
-    ruled : bool
-        Rules between rows.
-    remarks : collection of str
-        Names of rows that comment on the row before: their cells get no heading.
+    Below the width ``least``, by default that of its longest words, it becomes lines; ``ruled`` puts rules between
+    rows. Rows named in ``remarks`` comment on the row before: their cells get no heading.
     """
 
     title: str
@@ -53,21 +43,18 @@ class Grid:
 
     def text(self, width: int = WIDTH) -> str:
         """Return the table within a width."""
-        screen = Console(file=io.StringIO(), width=width, highlight=False, color_system=None, markup=False, emoji=False)
-        table = self._table()
+        output, table = io.StringIO(), self._table()
+        screen = Console(file=output, width=width, highlight=False, color_system=None, markup=False, emoji=False)
         least = Measurement.get(screen, screen.options.update(width=10**6), table).minimum
         if width < (least if self.least is None else self.least):
             return "\n".join(self._lines(width)) + "\n"
         screen.print(table)
-        output = screen.file
-        assert isinstance(output, io.StringIO)
         return "\n".join(line.rstrip() for line in output.getvalue().splitlines()) + "\n"
 
     def _table(self) -> Table:
         table = Table(title=self.title, title_justify="left", show_lines=self.ruled)
-        for column in self.columns:
-            justify: JustifyMethod = "right" if column.number else "left"
-            table.add_column(column.heading, justify=justify, width=column.width, ratio=column.ratio)
+        for heading, number, width, ratio in self.columns:
+            table.add_column(heading, justify="right" if number else "left", width=width, ratio=ratio)
         for row in self.rows:
             table.add_row(*row)
         return table
@@ -80,6 +67,11 @@ class Grid:
             for heading, cell in zip(headings, cells, strict=True):
                 line = " ".join([*([] if name in self.remarks else [f"{heading}:"]), *cell.split()])
                 yield from textwrap.wrap(line, width, initial_indent=INDENT, subsequent_indent=2 * INDENT)
+
+
+def figures(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> Grid:
+    """Return a table whose columns, but the first, are numbers."""
+    return Grid(title, [Column(headings[0]), *(Column(heading, number=True) for heading in headings[1:])], rows)
 
 
 def columns() -> int:

@@ -1,19 +1,19 @@
-"""Every equation of two papers, decided: `verify` computes the status of each.
+"""Equations of two papers: `verify` computes the status of each.
 
 =====================  ========================================================================
-numbers                the numbers that formulas are executed on, and the values symbols take
-language               how a formula is written down: terms, operators, values, execution
+numbers                numbers that formulas are executed on, and values of symbols
+language               formulas: terms, operators, values, execution
 equation               an entry
-result                 what came out for it
+result                 verdicts and status of an entry
 paper                  a paper, its sections and the inventory of its text
 condurache_popa_2023   the entries of CP23, a module for each section
 karakilic_2010         those of K10
 poles                  where the denominators of a formula vanish
-sharp                  whether a condition is sharp, by the denominators
-counterexample         what a false statement comes to at a point
-explore                a statement at seeded points, special ones and poles
+sharp                  sharpness of a condition, by the denominators
+counterexample         numbers of a false statement at a point
+explore                values of a statement at seeded points, special ones and poles
 decide                 from an entry to its status
-mutation               mutants of a statement, and how they fare
+mutation               mutants of a statement, executed
 report                 the results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 

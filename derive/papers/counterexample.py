@@ -1,8 +1,7 @@
-"""A point at which a statement fails, as numbers that anyone can put in."""
+"""Counterexamples: the numbers of symbols and sides at a point."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -24,15 +23,15 @@ SHOWN = 30
 
 
 def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Counterexample:
-    """What the free symbols of a statement are at a point, and the sides that differ there."""
+    """Return the free symbols of a statement at a point, and the sides that differ there."""
     with mpmath.workdps(DIGITS):
         symbols = {latex(symbol): shown(env.value(symbol)) for symbol in entry.free(statement)
-                   if is_value(env.value(symbol))}  # fmt: skip
+                   if is_value(env.value(symbol))}
         return Counterexample(point, symbols, _different(env, statement))
 
 
 def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
-    """The first two sides of one equation that are not equal."""
+    """Return the first two sides of an equation that are not equal."""
     if not isinstance(statement, Apply):
         return ()
     if Trait.JOINS in statement.operator.traits:
@@ -48,27 +47,15 @@ def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
     return ()
 
 
-def sides(env: Env, statement: Term) -> Iterator[Any]:
-    """The values of both sides of each equation in a statement."""
-    if not isinstance(statement, Apply):
-        return
-    if Trait.JOINS in statement.operator.traits:
-        for part in statement.arguments:
-            yield from sides(env, part)
-    elif statement.operator is equal:
-        for side in statement.arguments:
-            yield env.value(side)
-
-
 def is_value(value: Any) -> bool:
-    """Whether a value consists of numbers."""
+    """Return whether a value consists of numbers."""
     if isinstance(value, values.Either):
         return is_value(value.first)
     return isinstance(value, Structure | Pose | Dual | mpmath.mpf | int) and not isinstance(value, bool)
 
 
 def shown(value: Any, digits: int = SHOWN) -> list[str]:
-    """All parts of a value as decimal numbers."""
+    """Return all parts of a value as decimal numbers."""
     if isinstance(value, Pose):
         return [*shown(value.rotation, digits), *shown(value.displacement, digits)]
     return [mpmath.nstr(mpmath.mpf(part), digits) for part in values.coefficients(value)]

@@ -1,4 +1,4 @@
-"""Deciding an entry: refute at points, prove at generic values, compare both sides of a condition."""
+"""Decision of an entry: refute at points, prove at generic values, test both sides of a condition."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from math import lcm
 
-from derive.proof.ratio import NotExactError
+from derive.algebra.element import NotExactError
 
 from .counterexample import counterexample
 from .equation import Equation, Reading, UndecidedError, faithful
@@ -41,7 +41,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     Raises
     ------
     UndecidedError
-        If what the entry says of itself does not fit what is computed.
+        If the entry's condition, correction or claim contradicts the computation.
     """
     lost += entry.lost
     if entry.argument and entry.because is None:
@@ -59,7 +59,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
     sharp = entry.condition is not None and is_sharp(entry.condition, decided)
     result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if verdicts[0].true and not _speaks_for_a_false_one(entry, listed):
+    if verdicts[0].true and not _is_ambiguous(entry, listed):
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
     if verdicts[0].true:
         return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
@@ -75,15 +75,15 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     return result(Status.ERRATUM, f"{verdicts[0].method}; correction {correction.method}")
 
 
-def _speaks_for_a_false_one(entry: Equation, listed: Sequence[Verdict]) -> bool:
-    """Whether a legible place supports a false reading, or a claim in words can be understood both ways."""
+def _is_ambiguous(entry: Equation, listed: Sequence[Verdict]) -> bool:
+    """Return whether a legible place supports a false reading, or a claim in words has a true and a false one."""
     truths = {verdict.true for verdict in listed}
     supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
     return supported or (not entry.extract and len(truths) > 1)
 
 
 def _support(entry: Equation, identity: Term) -> None:
-    """Require that the supporting identity is proved; where it has no value it says nothing."""
+    """Require that the supporting identity is proved; points where it has no value do not count."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
     refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
@@ -93,7 +93,7 @@ def _support(entry: Equation, identity: Term) -> None:
 
 
 def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
-    """Execute one reading: at the points first, which refute, then exactly."""
+    """Execute one reading: first at points, which refute, then exactly."""
     verdict = partial(Verdict, reading.statement, reading.note)
     outcomes = list(explore(entry, reading.statement, orders))
     inside = [outcome for outcome in outcomes if outcome.inside]
@@ -109,7 +109,7 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 
 
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """A point outside the condition at which a statement happens to be true, for two symbols are special there.
+    """Return a point outside the condition where a statement is true because two symbols are special.
 
     Raises
     ------
@@ -126,14 +126,14 @@ def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Out
 
 
 def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
-    """Where a statement fails, with numbers of few digits if it fails at those too."""
+    """Return a point where a statement fails, with short numbers if it fails at those too."""
     short = explore(entry, statement, orders, SHORT)
     shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
     return counterexample(shown.point, shown.env, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
-    """How a true statement is known. What is more than an identity can still fail where symbols are special."""
+    """Return how a true statement was decided. A delicate one can still fail at special values of symbols."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
     if exact is None and entry.argument:
@@ -185,13 +185,13 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 
 def _steps(statement: Term) -> int:
-    """The integer M such that only multiples of angle/M occur."""
+    """Return the integer M such that only multiples of angle/M occur."""
     divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
 def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
-    """Whether the statement was checked: generic values outside its domain say nothing about it."""
+    """Check a statement at generic values; return False if they lie outside its domain."""
     if not _within(entry, values):
         return False
     if not _env(entry, values).value(statement):
@@ -204,7 +204,7 @@ def _env(entry: Equation, values: Generic) -> Env:
 
 
 def _within(entry: Equation, values: Generic) -> bool:
-    """Whether generic values (of one order and branch) lie in the claimed domain and fulfil the condition."""
+    """Return whether generic values (of one order and branch) lie in the claimed domain and fulfil the condition."""
     domain = [part for part in (entry.claimed, entry.condition) if part is not None]
     try:
         return all(_env(entry, values).value(part) for part in domain)

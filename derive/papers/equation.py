@@ -1,4 +1,4 @@
-"""One equation or claim of a paper, and how it is decided.
+"""Entry for an equation or claim of a paper, and the rules by which it is decided.
 
 An `Equation` is an entry: what is printed, and what the symbols stand for. Nothing in it says whether it is true.
 `decide` executes it and returns a `Result`:
@@ -6,7 +6,7 @@ An `Equation` is an entry: what is printed, and what the symbols stand for. Noth
 * every reading is evaluated at seeded 60-digit points, the special values of every symbol among them. One failure
   refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
   an n. Where that is not possible the method says that the points are evidence, not proof;
-* every reading must be faithful: its marks, less the kinds that the extraction lost, are the extracted text;
+* every reading must be faithful: its characters, without those that the extraction loses, are the extracted text;
 * readings are listed by hand, the most charitable first;
 * ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
   and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
@@ -30,7 +30,7 @@ Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 
 
 class UndecidedError(Exception):
-    """An entry cannot be given a status: it lacks a condition, a correction, or a faithful reading."""
+    """Error of an entry without a status: it lacks a condition, a correction or a faithful reading."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Equation:
-    """An entry of the report. Use `equation` to make one.
+    """Entry of the report. Use `equation` to make one.
 
     Attributes
     ----------
@@ -65,11 +65,11 @@ class Equation:
     line : int
         Line of the extraction where it stands.
     extract : str
-        Its marks there, empty for a claim in words.
+        Characters of the text there, empty for a claim in words.
     readings : tuple of Reading
         Readings listed by hand, the most charitable first.
     where : tuple of Definition
-        What the defined symbols stand for; all others are free and vary over their quantity.
+        Definitions of symbols; all others are free and take values of their quantity.
     claimed : Term, optional
         The domain that the paper states; points outside it are not tested.
     stated : tuple of int and str, optional
@@ -77,23 +77,23 @@ class Equation:
     condition : Term, optional
         The domain that was found.
     corrected : Term, optional
-        What an erratum should say.
+        Correction of an erratum.
     because : Term, optional
-        An identity that proves what the points alone only show: that a missed element is missed.
+        Identity that supports a statement which points alone cannot prove.
     argument : str
-        Where the words stand that lead from that identity to the statement at all points: then it is proved.
+        Place of the argument that leads from this identity to the statement, which is then proved.
     also : callable, optional
         Further points: from a `numbers.draw.Draw` to values of free symbols, by name.
     moving : bool
         Whether the symbols are functions of time.
     orders : tuple of int, optional
-        The only orders it is about.
+        Orders that it is about, if not all.
     branches : int, optional
-        How many values a branch symbol takes, where that is not n.
+        Number of values of a branch symbol, where that is not n.
     components : bool
         Whether single components occur, so that no frame may be chosen along the vectors.
     lost : str
-        Further marks that the extraction lost in this display.
+        Further characters that the extraction lost in this display.
     fixed_by : str
         The legible place that decides between readings, where one does.
     said : str
@@ -129,11 +129,11 @@ class Equation:
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
-        """The definitions by symbol."""
+        """Return the definitions by symbol."""
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
-        """The symbols that vary in a statement: its own and those its definitions rest on."""
+        """Return the symbols that vary in a statement: its own and those that its definitions use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
         seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
         queue = list(seen)
@@ -148,19 +148,19 @@ class Equation:
         return f"<Equation ({self.number}): {self.title}>"
 
     def reading(self, statement: Term) -> Equation:
-        """The same entry with this one reading: a correction or a mutant put in place of what is printed."""
+        """Return the entry with one reading in place of the printed ones: a correction or a mutant."""
         return replace(self, readings=(Reading(statement),), extract="")
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
-    """An entry; `printed` is the statement, or its readings."""
+    """Return an entry; `printed` is the statement, or its readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
     rest["where"] = tuple(rest.get("where", ()))
     return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:
-    """Whether a reading has exactly the surviving marks of the extract, in order.
+    """Return whether a reading has exactly the characters that survive in the extract, in order.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
     """
     drop = str.maketrans("", "", lost + " ")
 
-    def marks(line: str) -> str:
+    def characters(line: str) -> str:
         return re.sub(r"~(\d+)", r"\1~", line.translate(drop))
 
-    return marks(text(reading)) == marks(extract)
+    return characters(text(reading)) == characters(extract)

@@ -1,4 +1,4 @@
-"""A statement at seeded points: symbols generic, real, and special one by one and two by two; and poles."""
+"""Values of a statement at seeded points: generic, real, with one or two special symbols, and at poles."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ GENERIC_POINTS = 2
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a statement was at one point: true, false, or without a value."""
+    """Truth of a statement at one point; None without a value."""
 
     point: str
     inside: bool
     truth: bool | None
     env: Env
     pair: bool = False
-    """Whether two symbols have special values at once."""
+    """True if two symbols have special values at once."""
 
     @property
     def place(self) -> str:
-        """The point, in words."""
+        """Point and truth in words."""
         return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
 
 
 def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Outcome]:
-    """The statement at all points of the entry's claimed domain."""
+    """Execute a statement at all points of the entry's claimed domain."""
     with mpmath.workdps(DIGITS):
         for point in points(entry, statement, orders, digits):
             if entry.claimed is not None and not _truth(point.env, entry.claimed):
@@ -51,7 +51,7 @@ def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int
 
 @dataclass(frozen=True)
 class Point:
-    """Values of all symbols, and what is special about them."""
+    """Values of all symbols, with a label that says what is special."""
 
     label: str
     env: Env
@@ -59,7 +59,7 @@ class Point:
 
 
 def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Point]:
-    """Seeded points: symbols generic, special, as the entry says, all real; poles; two symbols special at once."""
+    """Yield seeded points: generic, special, chosen by the entry, all real, at poles, and with two special symbols."""
     free = entry.free(statement)
     order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
     others = [symbol for symbol in free if symbol.quantity not in (ORDER, BRANCH)]
@@ -97,14 +97,14 @@ def _variations(draw: Draw, free: Sequence[Symbol], entry: Equation) -> Iterator
 
 
 def _all_real(draw: Draw, free: Sequence[Symbol]) -> Iterator[dict[Symbol, object]]:
-    """All symbols without their dual parts, if any has one."""
+    """Yield values without dual parts, if any symbol has one."""
     values = {symbol: symbol.quantity.generic(draw) for symbol in free}
     if any(isinstance(value, Dual | Structure) for value in values.values()):
         yield {symbol: _real(value) for symbol, value in values.items()}
 
 
 def _real(value: Any) -> Any:
-    """The same without its dual part."""
+    """Return a value without its dual part."""
     if isinstance(value, Structure):
         return value.map(_real)  # type: ignore[attr-defined]
     return Dual(value.re, 0 * value.du) if isinstance(value, Dual) else value
@@ -119,7 +119,7 @@ def _pairs(draw: Draw, free: Sequence[Symbol]) -> Iterator[tuple[str, dict[Symbo
 
 
 def _special(free: Sequence[Symbol]) -> list[tuple[Symbol, str, Make]]:
-    """Every special value of every symbol."""
+    """Return every special value of every symbol."""
     return [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
 
 

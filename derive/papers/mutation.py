@@ -1,101 +1,72 @@
-"""Mutants of a statement or of its domain: one mark changed. What is checked at all must not survive them.
-
-The mutants come from the tree that is printed and executed: integers are raised by one, and every mark says how its
-terms can be changed (`language.changes`). `try_mutants` executes them.
-"""
+"""Mutants of a statement or of its domain: one operator, integer or claim changed. Execution must refute them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from typing import Any
 
 from .decide import ORDERS
 from .equation import Equation
 from .explore import explore
 from .language.notation import negated
-from .language.terms import Apply, Number, Symbol, Term, text
+from .language.terms import RELATION, Apply, Number, Symbol, Term, text
 from .numbers.quantities import PROPOSITION
 from .result import Result
 
 UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
-"""What combining things raises that have no such operation."""
+"""Exceptions of operands that have no such operation."""
 
-
-@dataclass(frozen=True)
-class Survivor:
-    """A mutant that is as true as what it was made from."""
-
-    number: str
-    change: str
-    statement: str
+REPLACED = {
+    "plus": "minus", "minus": "plus", "Re": "Du", "Du": "Re", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan",
+    "sin²": "cos²", "cos²": "sin²", "tan²": "sin²", "K10 Sin": "K10 Cos", "K10 Cos": "K10 Sin", "K10 Tan": "cot",
+    "K10 Tan2": "K10 Tan3", "K10 Tan3": "K10 Tan2", "K10 sum over i and j": "K10 sum over i ≤ j",
+    "K10 sum over i ≤ j": "K10 sum over i < j", "K10 sum over i < j": "K10 sum over i and j",
+}
+"""Operator to the one that takes its place."""
+SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2", "commutator", "K10 parts", "K10 column")
+"""Operators whose arguments change places."""
+DROPPED = (*REPLACED, "times", "negative", "root", "negated", "transpose", "conjugate", "arctan", "K10 power 1/2")
+"""Operators that leave only their first argument."""
 
 
 @dataclass
 class Score:
-    """How the mutants of some entries fared.
-
-    Attributes
-    ----------
-    killed : int
-        Those that are false somewhere, or true outside of their condition.
-    meaningless : int
-        Those that do not count, for they combine things which have no such operation.
-    survivors : list of Survivor
-        Those that are as true as what they were made from.
-    """
+    """Counts of refuted and of meaningless mutants, and the survivors in words."""
 
     killed: int = 0
     meaningless: int = 0
-    survivors: list[Survivor] = field(default_factory=list)
-
-    @property
-    def share(self) -> float:
-        """The share of the mutants that were killed."""
-        tried = self.killed + len(self.survivors)
-        return self.killed / tried if tried else 1.0
-
-    def __add__(self, other: Score) -> Score:
-        survivors = [*self.survivors, *other.survivors]
-        return Score(self.killed + other.killed, self.meaningless + other.meaningless, survivors)
+    survivors: list[str] = field(default_factory=list)
 
 
 def true_statements(result: Result) -> tuple[Term, ...]:
-    """What was found true: the readings that are, else the correction."""
+    """Return the true readings, else the correction."""
     true = tuple(verdict.statement for verdict in result.verdicts if verdict.true)
     return true or (() if result.equation.corrected is None else (result.equation.corrected,))
-
-
-def try_mutants(result: Result, every: int = 1, orders: Sequence[int] = ORDERS) -> Score:
-    """Execute the mutants of what was found true.
-
-    Parameters
-    ----------
-    every : int
-        Take each mutant, or only every second, third …
-    """
-    score = Score()
-    for statement in true_statements(result):
-        for i, (_, trial) in enumerate(trials(result.equation, statement, orders)):
-            if i % every == len(result.equation.number) % every:
-                score += trial()
-    return score
 
 
 def trials(
     entry: Equation, statement: Term, orders: Sequence[int] = ORDERS
 ) -> Iterator[tuple[str, Callable[[], Score]]]:
-    """What can be changed in a statement of an entry and in its domain, and the way to execute it changed."""
+    """Yield every change of a statement and of its domain, with a function that executes it."""
     for change, mutant in mutants(statement):
-        yield change, partial(try_mutant, entry, change, mutant, orders)
+        yield change, partial(try_mutant, entry, mutant, orders)
     for change, changed in domains(entry):
-        yield change, partial(try_domain, entry, changed, change, statement, orders)
+        yield change, partial(try_domain, changed, change, statement, orders)
 
 
-def try_domain(
-    entry: Equation, changed: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS
-) -> Score:
-    """Execute a statement on another domain than the one of its entry: true inside, nowhere outside of a condition."""
+def try_mutant(entry: Equation, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
+    """Execute a mutant of a statement."""
+    try:
+        alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
+    except UNCOMBINABLE:
+        return Score(meaningless=1)
+    return Score(survivors=[text(mutant)]) if alive else Score(killed=1)
+
+
+def try_domain(changed: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS) -> Score:
+    """Execute a statement on a changed domain: it must be true inside and nowhere outside a condition."""
     inside = outside = 0
     try:
         for outcome in explore(changed, statement, orders):
@@ -108,42 +79,27 @@ def try_domain(
         return Score(meaningless=1)
     if not inside or not (outside or changed.condition is None):
         return Score(killed=1)
-    return Score(survivors=[Survivor(entry.number, change, text(statement))])
-
-
-def try_mutant(entry: Equation, change: str, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
-    """Execute one mutant of a statement of an entry."""
-    try:
-        alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
-    except UNCOMBINABLE:  # a vector where a number belongs
-        return Score(meaningless=1)
-    return Score(survivors=[Survivor(entry.number, change, text(mutant))]) if alive else Score(killed=1)
+    return Score(survivors=[change])
 
 
 def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
-    """The entry with its condition or the domain that it claims changed, or without it."""
-    if entry.condition is not None:
-        yield "condition dropped", replace(entry, condition=None)
-        for change, mutant in _changed(entry.condition):
-            yield f"condition: {change}", replace(entry, condition=mutant)
-    if entry.claimed is not None:
-        yield "claimed domain dropped", replace(entry, claimed=None)
-        for change, mutant in _changed(entry.claimed):
-            yield f"claimed domain: {change}", replace(entry, claimed=mutant)
-
-
-def _changed(domain: Term) -> Iterator[tuple[str, Term]]:
-    yield "negated", negated(domain)
-    yield from (found for found in mutants(domain) if found[1] != negated(domain))
+    """Yield the entry with its condition or its claimed domain changed or dropped."""
+    for name, title in (("condition", "condition"), ("claimed", "claimed domain")):
+        domain = getattr(entry, name)
+        if domain is not None:
+            others = {f"{title}: {change}": mutant for change, mutant in mutants(domain) if mutant != negated(domain)}
+            changed: dict[str, Any] = {f"{title} dropped": None, f"{title}: negated": negated(domain), **others}
+            for change, mutant in changed.items():
+                yield change, replace(entry, **{name: mutant})
 
 
 def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
-    """All mutants with a description, each once."""
+    """Yield all mutants with a description, each once."""
     seen = {statement}
-    for what, mutant in _mutants(statement):
+    for change, mutant in _mutants(statement):
         if mutant not in seen:
             seen.add(mutant)
-            yield what, mutant
+            yield change, mutant
 
 
 def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
@@ -153,9 +109,28 @@ def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
         yield f"{node.name} negated", negated(node)
     if not isinstance(node, Apply):
         return
-    for change in node.operator.changes:
-        yield change.what.format(node.operator.name), change.made(node)
+    yield from _changed(node)
     arguments = node.arguments
     for i, argument in enumerate(arguments):
-        for what, mutant in _mutants(argument):
-            yield what, node.operator(*arguments[:i], mutant, *arguments[i + 1 :])
+        for change, mutant in _mutants(argument):
+            yield change, node.operator(*arguments[:i], mutant, *arguments[i + 1 :])
+
+
+def _changed(node: Apply) -> Iterator[tuple[str, Term]]:
+    """Yield what one change of the outermost operator makes of a term."""
+    operator, arguments = node.operator, node.arguments
+    name = operator.name
+    if name in REPLACED:
+        yield f"{name} made {REPLACED[name]}", Apply(REPLACED[name], *arguments)
+    if name in SWAPPED:
+        yield f"arguments of {name} swapped", operator(*reversed(arguments))
+    if name in DROPPED and name not in ("Re", "Du") and not name.startswith("K10 sum"):
+        yield f"{name} dropped" if len(arguments) == 1 else f"second part of {name} dropped", arguments[0]
+    if name in ("plus", "times", "implies", "iff"):
+        yield f"first part of {name} dropped", arguments[1]
+    if name == "minus":
+        yield "first part of minus dropped", -arguments[1]
+    if name in ("implies", "iff"):
+        yield f"second part of {name} negated", operator(arguments[0], negated(arguments[1]))
+    if operator.level == RELATION and name not in ("equal", "negated") and len(arguments) > 0:
+        yield f"{name} negated", negated(node)

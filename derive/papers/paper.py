@@ -1,4 +1,4 @@
-"""A paper: its entries by section, and an inventory of its text."""
+"""Paper: its entries by section, and an inventory of its text."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from .equation import Equation
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper whose equations are entries.
+    """Paper whose equations are entries.
 
     Attributes
     ----------
     slug, short, citation : str
     lost : str
-        Marks that the extraction of its text lost.
+        Characters that the extraction of its text lost.
     package : str
         Its package, with an ``inventory`` and the modules of ``sections``.
     sections : tuple of str
@@ -35,14 +35,19 @@ class Paper:
     doi: str = ""
 
     def entries(self) -> tuple[Equation, ...]:
-        """All entries in the paper's order, each with the module that holds it."""
+        """Return all entries in the paper's order, each with the module that holds it."""
         modules = [importlib.import_module(f"{self.package}.sections.{section}") for section in self.sections]
         return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
-        """By line of the text: the entries that decide what it says, or why it claims nothing."""
-        lines: dict[int, tuple[str, ...] | str] = importlib.import_module(f"{self.package}.inventory").LINES
-        return lines
+        """Return by line of the text: the entries that decide what it says, or why it claims nothing."""
+        module = importlib.import_module(f"{self.package}.inventory")
+        lines: dict[int, tuple[str, ...] | str] = {}
+        for entry in self.entries():
+            lines[entry.line] = (*lines.get(entry.line, ()), entry.number)
+        for line, numbers in module.CLAIMS.items():
+            lines[line] = (*lines.get(line, ()), *numbers.split())
+        return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}
 
 
 def _path(module: ModuleType) -> str:

@@ -1,4 +1,4 @@
-"""Points at which a denominator of a formula vanishes, found from the formula itself."""
+"""Points at which a denominator of a formula vanishes."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .language.terms import Apply, Symbol, Term, symbols, text, walk
 from .numbers.fields import innermost
 
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
-"""The multiples of a symbol between which a change of sign is looked for."""
+"""Multiples of a symbol between which a change of sign is searched."""
 SCALED = ("dual vector", "dual number", "argument")
 
 
 def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
-    """For each denominator the first multiple of a symbol, where all others stay, at which its real part is 0."""
+    """Yield for each denominator and symbol the first multiple at which its real part is 0, all other symbols fixed."""
     for below in dict.fromkeys(denominators(statement)):
         for symbol in symbols(below):
             if symbol.quantity.name in SCALED and symbol not in env.definitions:
@@ -30,7 +30,7 @@ def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]
 
 
 def denominators(statement: Term) -> Iterator[Term]:
-    """What stands under a fraction bar or a negative exponent, unless it is a mere numeral."""
+    """Yield the denominators of fractions that contain symbols."""
     for node in walk(statement):
         if isinstance(node, Apply) and node.operator.name == "over" and symbols(node.arguments[1]):
             yield node.arguments[1]
@@ -40,7 +40,7 @@ def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
     def real_part(scale: Any) -> Any:
         values = {a: v for a, v in env.values.items() if a not in env.definitions}
         moved = Env(env.field, {**values, symbol: _scaled(env.values[symbol], scale)}, env.definitions, env.dual,
-                    env.moving)  # fmt: skip
+                    env.moving)
         return innermost(moved.value(below))
 
     try:

@@ -1,4 +1,4 @@
-"""What came out for an entry: a verdict for each reading, and the status."""
+"""Result for an entry: a verdict for each reading, and the status."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .language.terms import Term, latex
 
 
 class Status(StrEnum):
-    """What can be said of a printed equation."""
+    """Status of a printed equation."""
 
     HOLDS = "holds"
     HOLDS_IF = "holds-if"
@@ -23,12 +23,12 @@ class Status(StrEnum):
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A point at which a statement is false.
+    """Point at which a statement is false.
 
     Attributes
     ----------
     point : str
-        What is special about it.
+        Description of the point.
     symbols : dict of str to list of str
         LaTeX of each free symbol to the numbers it consists of: real parts, then dual parts.
     sides : tuple of list of str
@@ -40,13 +40,13 @@ class Counterexample:
     sides: tuple[list[str], ...]
 
     def as_json(self) -> dict[str, Any]:
-        """As plain data."""
+        """Return plain data."""
         return {"point": self.point, "letters": dict(self.symbols), "sides": list(self.sides)}
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came out for one reading.
+    """Verdict on one reading.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Verdict:
     true : bool
         Whether it is true wherever it should be.
     method : str
-        How that is known.
+        Method by which it was decided.
     counterexample : Counterexample, optional
         Of a false one.
     """
@@ -68,13 +68,13 @@ class Verdict:
 
     @property
     def latex(self) -> str:
-        """The reading, typeset."""
+        """Return the reading as LaTeX."""
         return latex(self.statement)
 
 
 @dataclass(frozen=True)
 class Result:
-    """An equation with its computed status.
+    """Equation with its computed status.
 
     Attributes
     ----------
@@ -99,7 +99,7 @@ class Result:
 
     @property
     def printed(self) -> str:
-        """LaTeX of the (first) reading."""
+        """LaTeX of the first reading."""
         return self.verdicts[0].latex
 
     @property
@@ -120,22 +120,22 @@ class Result:
 
     @property
     def counterexample(self) -> Counterexample | None:
-        """Where an erratum fails."""
+        """Counterexample of an erratum."""
         return self.verdicts[0].counterexample if self.status is Status.ERRATUM else None
 
     @property
     def section(self) -> str:
-        """The number of the section of the paper, from the module of the entry."""
+        """Number of the section of the paper, from the module of the entry."""
         found = re.search(r"/s0?(\d+)(?:_(\d))?", self.equation.source)
         return ".".join(part for part in found.groups() if part) if found else ""
 
     @property
     def anchor(self) -> str:
-        """The name of the entry in pages; it never changes."""
+        """Permanent name of the entry in pages."""
         return f"{self.paper}-{self.equation.number}"
 
     def as_json(self) -> dict[str, Any]:
-        """The result as plain data, for ``--format json``."""
+        """Return plain data for ``--format json``."""
         example = self.counterexample
         return {
             "paper": self.paper,
@@ -164,7 +164,7 @@ class Result:
         }
 
     def cells(self) -> dict[str, str]:
-        """Its row in a table."""
+        """Return its row in a table."""
         corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
         return {
             "paper": self.paper,

@@ -1,4 +1,4 @@
-"""Whether a condition is sharp: where it is not fulfilled, a denominator of the formula has the real part 0."""
+"""Sharpness of a condition: outside it a denominator of the formula has the real part 0."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .language.terms import Apply, Number, Term, Trait
 
 
 def is_sharp(condition: Term, statement: Term) -> bool:
-    """Whether a statement has no value where a condition is not fulfilled, as its form shows.
+    """Return whether the form of a statement shows that it has no value outside a condition.
 
     Each part of the condition has to say that the real part of something is not 0, and that has to stand where the
     statement divides by it, in a part that is always evaluated. A no means that the form does not show it.
@@ -29,7 +29,7 @@ def _parts(condition: Term) -> Iterator[Term]:
 
 
 def _subject(part: Term) -> Term | None:
-    """What is not to vanish: where it is 0, its real part is."""
+    """Return the term whose real part a condition requires to be nonzero."""
     if not (isinstance(part, Apply) and part.operator is nonzero):
         return None
     (subject,) = part.arguments
@@ -37,7 +37,7 @@ def _subject(part: Term) -> Term | None:
 
 
 def _needed(node: Term) -> Iterator[Term]:
-    """What must have a real part other than 0 for a statement to have a value."""
+    """Yield the terms whose real part must not be 0 for a statement to have a value."""
     if not isinstance(node, Apply) or (node.operator.lazy and node.operator.name != "power"):
         return
     if node.operator is over:
@@ -54,7 +54,7 @@ def _needed(node: Term) -> Iterator[Term]:
 
 
 def _factors(below: Term) -> Iterator[Term]:
-    """A denominator and all of which it is made by products, powers and magnitudes: its real part is 0 if theirs is."""
+    """Yield a denominator and its factors, also in powers and magnitudes: its real part is 0 if theirs is."""
     yield below
     if not isinstance(below, Apply):
         return

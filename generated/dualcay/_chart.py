@@ -16,7 +16,8 @@ import numpy as np
 from ._kernel import Kernel, Result
 from ._native import Compiled
 from ._native import functions as native_functions
-from ._recorder import Program, record
+from ._program import Program
+from ._recorder import record
 
 Table: TypeAlias = tuple[tuple[str, ...], ...]
 
@@ -68,7 +69,7 @@ class Chart:
 
     @cached_property
     def native(self) -> Mapping[str, Compiled]:
-        """The compiled functions that run instead of kernels, by name."""
+        """Compiled functions that run instead of kernels, by name."""
         return native_functions(self.module, self.programs)
 
     def recorded(self, name: str, dtype: np.dtype[Any], table: int) -> Program:
@@ -79,3 +80,8 @@ class Chart:
             sizes = [*(prod(part) for _, part in kernel.arguments), *([table] if table else ())]
             self._recorded[key] = record(lambda m, *arguments: kernel.plain(m, self.plain, *arguments), sizes, dtype)
         return self._recorded[key]
+
+
+def by_name(*programs: Callable[..., Result]) -> dict[str, Callable[..., Result]]:
+    """Return scalar programs by their names without the leading underscore."""
+    return {program.__name__[1:]: program for program in programs}

@@ -24,7 +24,33 @@ JACOBIAN, QUATERNION = (6, 6), 8
 SPACE, BODY, SPACE_INV, BODY_INV = ("1",), ("-1",), ("1", "0.5"), ("-1", "-0.5")
 
 
-class PoseKernels:
+class Kernels:
+    """Functions of a kernel module, as methods of an instance with the chart of the module."""
+
+    def __init__(self, chart: Chart) -> None:
+        self._chart = chart
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {self._chart.module}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return kernels_of, (self._chart.module,)
+
+
+def kernels_of(module: str) -> Kernels:
+    """Return the instance of a kernel module."""
+    kernels: Kernels = importlib.import_module(module).KERNELS
+    return kernels
+
+
+def exports(kernels: Kernels, *further: str) -> dict[str, Any]:
+    """Return the functions of a kernel module by name, with its ``__all__`` and ``__dir__``, which list further names."""
+    functions = {name: getattr(kernels, name) for name in dir(kernels) if not name.startswith("_")}
+    names = sorted((*functions, *further))
+    return {**functions, "__all__": names, "__dir__": lambda: names}
+
+
+class PoseKernels(Kernels):
     """Maps of one chart v = φ(α) u between Rodrigues dual vectors and poses, their twists, wrenches and screws.
 
     α is the dual angle (rotation angle + ε translation along the axis). u is the unit dual vector of the screw axis.
@@ -49,15 +75,6 @@ class PoseKernels:
     ValueError
         If the component axes of an argument have another length, or axis is neither -1 nor 0.
     """
-
-    def __init__(self, chart: Chart) -> None:
-        self._chart = chart
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} of {self._chart.module}>"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return kernels_of, (self._chart.module,)
 
     # --- poses ------------------------------------------------------------------------------------------------------
 
@@ -696,7 +713,7 @@ class PoseKernels:
         >>> np.allclose(cayley2.tensor(cayley2.shadow(v)), cayley2.tensor(v))
         True
         """
-        return shifted(self._chart, branch, v, axis, out)
+        return shifted(self._chart, branch, axis, out, v)
 
     def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``.
@@ -726,7 +743,7 @@ class PoseKernels:
         >>> np.allclose(rate, cayley2.rate(cayley2.shadow(v), omega))
         True
         """
-        return shifted_jacobian(self._chart, branch, v, axis, out)
+        return shifted_jacobian(self._chart, branch, axis, out, v)
 
     def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the shadow of smallest rotation angle, in [0, π]; v itself at a tie.
@@ -751,7 +768,7 @@ class PoseKernels:
         >>> np.allclose(cayley2.principal(cayley2.shadow(v)), v)
         True
         """
-        return returned(self._chart, v, axis, out)
+        return returned(self._chart, axis, out, v)
 
     def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the angle α of ``v = φ(α) u`` on the branch of v, not folded to [0, π].
@@ -980,7 +997,7 @@ class PoseKernels:
         Returns
         -------
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
             Defined for every v.
 
         Examples
@@ -999,7 +1016,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1081,7 +1098,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the space frame: angular part (rad/s²), then linear part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1136,7 +1153,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1306,7 +1323,7 @@ class PoseKernels:
         Returns
         -------
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
             Defined for every v.
 
         Examples
@@ -1325,7 +1342,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1407,7 +1424,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the body frame: angular part (rad/s²), then linear part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1462,7 +1479,7 @@ class PoseKernels:
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1614,16 +1631,3 @@ class PoseKernels:
         True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
-
-
-def kernels_of(module: str) -> PoseKernels:
-    """Return the instance of a kernel module."""
-    kernels: PoseKernels = importlib.import_module(module).KERNELS
-    return kernels
-
-
-def exports(kernels: PoseKernels, *further: str) -> dict[str, Any]:
-    """Return the functions of a kernel module by name, with its ``__all__`` and ``__dir__``, which list further names."""
-    functions = {name: getattr(kernels, name) for name in dir(kernels) if not name.startswith("_")}
-    names = sorted((*functions, *further))
-    return {**functions, "__all__": names, "__dir__": lambda: names}

@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ._recorder import Program
+from ._program import Program
 
 Array: TypeAlias = NDArray[Any]
 Components: TypeAlias = Sequence[Any]
@@ -49,13 +49,13 @@ class Kernel:
 
 
 class Scratch:
-    """Memory kept between calls, one piece for each call that runs at the same time."""
+    """Memory that is kept between calls, one piece for each call that runs at the same time."""
 
     def __init__(self) -> None:
         self._free: list[Array] = []
 
     def take(self, size: int) -> Array:
-        """Bytes that begin on a cache line; a call within a call (of a signal handler) gets memory of its own."""
+        """Return bytes that begin on a cache line; a call within a call, as in a signal handler, gets other memory."""
         memory = self._free.pop() if self._free else np.empty(0, np.uint8)
         if memory.size < size:
             memory = np.empty(size + CACHE_LINE, np.uint8)
@@ -87,7 +87,7 @@ def run(kernel: Kernel, program: Program, arguments: Rows, table: Rows, result: 
 
 
 class _Loop:
-    """One block after another: gather, compute, scatter."""
+    """The loop over blocks of a batch: gather, compute, scatter."""
 
     def __init__(self, kernel: Kernel, program: Program, rows: Rows, table: Rows, target: Array) -> None:
         self.shape = kernel.shape
@@ -142,7 +142,7 @@ class _Loop:
 
 
 def blocks(batch: Shape, size: int) -> Iterator[tuple[Any, ...]]:
-    """Indices that cut a batch into pieces of at most ``size`` elements, near to equal: inner axes stay whole."""
+    """Yield indices that cut a batch into nearly equal pieces of at most ``size`` elements; inner axes stay whole."""
     axis, inner = len(batch), 1
     while axis and inner * batch[axis - 1] <= size:
         axis -= 1
@@ -160,7 +160,7 @@ def blocks(batch: Shape, size: int) -> Iterator[tuple[Any, ...]]:
 
 @cache
 def components(part: Shape) -> tuple[Shape, ...]:
-    """Indices of the components of an argument or a result, in C order."""
+    """Return the indices of the components of an argument or a result, in C order."""
     return tuple(np.ndindex(part))
 
 
@@ -169,7 +169,7 @@ def _batch_of(array: Array, part: Shape, axis: int) -> Shape:
 
 
 def _rows(array: Array, part: Shape, axis: int, batch: Shape) -> Array:
-    """A view of shape ``part + batch``."""
+    """Return a view of shape ``part + batch``."""
     if axis == -1:
         order = (*range(array.ndim - len(part), array.ndim), *range(array.ndim - len(part)))
         array = array.transpose(order)
@@ -180,12 +180,12 @@ def _rows(array: Array, part: Shape, axis: int, batch: Shape) -> Array:
 
 
 def _unit_stride(rows: Array, dtype: np.dtype[Any], broadcast: bool = False) -> bool:
-    """Whether components can be read (if broadcast, also a single value repeated) or written where they are."""
+    """Tell whether components can be used where they are; with ``broadcast``, also a single value repeated."""
     return rows.dtype == dtype and (rows.strides[-1] == dtype.itemsize or (broadcast and not rows.strides[-1]))
 
 
 def _padded(cells: int, dtype: np.dtype[Any]) -> int:
-    """Elements of a row of scratch, so that the next one begins on a cache line."""
+    """Return the elements of a row of scratch, so many that the next row begins on a cache line."""
     return -(-cells * dtype.itemsize // CACHE_LINE) * CACHE_LINE // dtype.itemsize
 
 

@@ -28,7 +28,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -36,10 +36,7 @@ from ._kernel import Result
 ORDER = 2
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 30: 9 +, 12 *, 6 /, 1 neg, 2 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -58,7 +55,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-# operations 26: 10 +, 9 *, 5 /, 2 sqrt
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -77,7 +74,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h
 
 
-# operations 46: 15 +, 22 *, 7 /, 2 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -104,7 +101,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-# operations 80: 24 +, 43 *, 11 /, 2 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     below = x + m.sqrt(x * x + 4)
@@ -141,7 +138,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 24: 7 +, 11 *, 4 /, 2 sqrt
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -158,14 +155,14 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-# operations 7: 2 +, 2 *, 1 /, 2 sqrt
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     hi = m.sqrt(9 * below / 32)
     return fe, hi
 
 
-# operations 10: 4 +, 2 *, 2 /, 2 sqrt
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -174,7 +171,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 29: 7 +, 12 *, 7 /, 1 neg, 2 sqrt
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -192,7 +189,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 31: 8 +, 12 *, 8 /, 1 neg, 2 sqrt
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -213,7 +210,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 59: 15 +, 26 *, 14 /, 2 neg, 2 sqrt
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -245,7 +242,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# operations 24: 8 +, 9 *, 5 /, 2 sqrt
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -264,7 +261,7 @@ def _ray(m: Any, x: Any) -> Result:
     return above, b, size, f, g, h
 
 
-# operations 11: 1 +, 2 *, 2 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# v = gain vec q, for a unit quaternion q
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -273,7 +270,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 17: 4 +, 7 *, 3 /, 3 sqrt
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos0 = e0 / size
@@ -282,7 +279,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 14: 1 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -293,7 +290,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 28: 9 +, 3 *, 3 /, 1 neg, 2 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -309,7 +306,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# operations 38: 10 +, 8 *, 4 /, 1 neg, 2 abs, 2 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -329,7 +326,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-# operations 11: 4 +, 3 *, 1 /, 2 sqrt, 1 atan2
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -338,7 +335,7 @@ def _unfolded(m: Any, x: Any, r: Any) -> Result:
     return own,
 
 
-# operations 14: 5 +, 3 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -350,7 +347,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 35: 8 +, 14 *, 8 /, 3 sqrt, 1 lt, 1 where
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     below = rr + m.sqrt(rr * rr + 4)
@@ -359,22 +356,27 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     s = r * sigma
     further = c * cos - s * sin
     side = m.where(further < 0, -1, 1)
-    iroot = 1 / sigma
     sk = side * (s * cos + c * sin)
     ck = side * further
+    square = c * c
+    iroot = 1 / sigma
+    before = (1 + square) / c * iroot / 2
+    squarek = ck * ck
     irootk = 1 / m.sqrt(ck)
     rk = sk * irootk
-    slope = (1 + ck * ck) / ck * irootk / 2 / ((1 + c * c) / c * iroot / 2)
-    return rk, slope
+    slope = (1 + squarek) / ck * irootk / 2 / before
+    slopeo = ((3 - squarek) * sk / squarek * irootk / 4 - slope * ((3 - square) * s / square * iroot / 4)) / before
+    bend = slopeo / before
+    return rk, slope, bend
 
 
-# operations 4: 2 +, 1 /, 1 lt
+# truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
-# operations 21: 3 +, 7 *, 7 /, 1 sqrt, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 8)
     tt = t * t
@@ -383,13 +385,14 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     side = m.where(further < 0, -1, 1)
     sin = side * (2 * t / below)
     cos = side * further
+    square = cos * cos
     iroot = 1 / m.sqrt(cos)
     r = sin * iroot
-    slope = (1 + cos * cos) / cos * iroot / 2 / 4
+    slope = (1 + square) / cos * iroot / 2 / 4
     return r, slope
 
 
-# operations 37: 4 +, 10 *, 8 /, 1 neg, 2 abs, 1 sqrt, 1 tan, 1 atan2, 3 lt, 6 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
@@ -405,9 +408,10 @@ def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     side = m.where(further < 0, -1, 1)
     sin = side * (sideof * m.where(nextto, crest, srest))
     cos = side * further
+    square = cos * cos
     iroot = 1 / m.sqrt(cos)
     r = sin * iroot
-    slope = (1 + cos * cos) / cos * iroot / 2 / 4
+    slope = (1 + square) / cos * iroot / 2 / 4
     return r, slope
 
 
@@ -426,32 +430,13 @@ CHART = Chart(
         "0.0",
         "-1.0",
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "direction": _direction,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "turned": _turned,
-        "beyond": _beyond,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
+        _turned, _beyond, _coefficient, _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="300fda24e472b060",
+    programs="a5f18c0fa3296441",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -32,7 +32,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -40,10 +40,8 @@ from ._kernel import Result
 ORDER = 1
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 6: 1 +, 1 *, 3 /, 1 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (95)
 def _quaternion(m: Any, x: Any) -> Result:
     N = 1 + x
     root = m.sqrt(N)
@@ -53,7 +51,9 @@ def _quaternion(m: Any, x: Any) -> Result:
     return r, r, sy, sy
 
 
-# operations 6: 3 +, 1 *, 2 /
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
+# f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (96),
+#     (88), (97)
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
@@ -61,7 +61,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return r, r, 0
 
 
-# operations 9: 3 +, 2 *, 3 /, 1 neg
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (97)
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
@@ -72,7 +72,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return r, r, 0, fy, fy, 0
 
 
-# operations 14: 4 +, 5 *, 4 /, 1 neg
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     N = 1 + x
@@ -87,7 +87,8 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return r, r, 0, fy, fy, 0, fyy, fyy, 0
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 neg
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# rate = 2n/(1 + x)
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 2 / x1
@@ -96,61 +97,62 @@ def _rate(m: Any, x: Any) -> Result:
     return e, ey
 
 
-# operations 0
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
+# fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89), (98)
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return 1, 1
 
 
-# operations 0
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return 1,
 
 
-# operations 0
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return 1, 1, 0, 0
 
 
-# operations 2: 2 +
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (98)
 def _tangent_inv(m: Any, x: Any) -> Result:
-    zero = x - x
-    one = zero + 1
-    return one, one, zero, 0
+    return 1, 1, 0, 0
 
 
-# operations 2: 2 +
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
-    zero = x - x
-    one = zero + 1
-    return one, one, zero, 0, 0, 0
+    return 1, 1, 0, 0, 0, 0
 
 
-# operations 4: 1 +, 1 *, 2 /
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
     N = 1 + x
     r = 2 * (N / N / N)
-    return 1, 1, 1, r, r, 0
+    zero = x - x
+    one = zero + 1
+    return one, one, one, r, r, 0
 
 
-# operations 1: 1 /
+# v = gain vec q, for a unit quaternion q
+# gain = tan(alpha/2n)/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# operations 1: 1 /
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# operations 1: 1 /
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# operations 7: 3 +, 2 *, 1 /, 1 atan2
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     zero = x - x
     one = zero + 1
@@ -159,13 +161,13 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, one
 
 
-# operations 2: 1 *, 1 atan2
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 2 * m.atan2(r, 1)
     return own,
 
 
-# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -176,14 +178,14 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 tan
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 2)
     slope = (1 + r * r) / 2
     return r, slope
 
 
-# operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
@@ -207,29 +209,13 @@ CHART = Chart(
     # the v·v halfway between branches, then the turn back from beyond it
     returns=(
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _natural, _unfolded, _reached, _coefficient,
+        _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="1864021bb84a52d5",
+    programs="77712105220512ae",
 )
 
 KERNELS = PoseKernels(CHART)

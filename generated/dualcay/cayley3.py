@@ -32,7 +32,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -40,10 +40,8 @@ from ._kernel import Result
 ORDER = 3
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 17: 5 +, 8 *, 3 /, 1 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (109)
 def _quaternion(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -59,7 +57,9 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-# operations 16: 5 +, 9 *, 2 /
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
+# f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (110),
+#     (88), (111)
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - 3 * x
@@ -73,7 +73,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h
 
 
-# operations 25: 8 +, 13 *, 3 /, 1 neg
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (111)
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - 3 * x
@@ -94,7 +94,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-# operations 39: 14 +, 20 *, 4 /, 1 neg
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = 1 - 3 * x
@@ -121,7 +121,8 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 neg
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# rate = 2n/(1 + x)
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 6 / x1
@@ -130,7 +131,8 @@ def _rate(m: Any, x: Any) -> Result:
     return e, ey
 
 
-# operations 8: 3 +, 3 *, 2 /
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
+# fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89), (112)
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -142,7 +144,7 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-# operations 5: 2 +, 1 *, 2 /
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = 11 - x
     q = 3 - x
@@ -152,7 +154,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 15: 4 +, 7 *, 3 /, 1 neg
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -166,7 +168,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 15: 4 +, 7 *, 3 /, 1 neg
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (112)
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -180,7 +182,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 22: 4 +, 12 *, 3 /, 3 neg
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -197,7 +199,8 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# operations 14: 3 +, 9 *, 2 /
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
@@ -207,10 +210,13 @@ def _ray(m: Any, x: Any) -> Result:
     f = p * q * r
     g = qq * r
     h = 16 * r
-    return p, q, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return p, q, one, f, g, h
 
 
-# operations 20: 2 +, 5 *, 2 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a unit quaternion q
+# gain = tan(alpha/2n)/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -221,7 +227,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 15: 2 +, 4 *, 2 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -230,7 +236,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 21: 2 +, 5 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -242,7 +248,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 22: 6 +, 3 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = 3 - x
     rq = r * m.abs(q)
@@ -256,7 +262,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# operations 28: 7 +, 5 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = 3 - x
     rq = r * m.abs(q)
@@ -272,13 +278,13 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-# operations 2: 1 *, 1 atan2
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 6 * m.atan2(r, 1)
     return own,
 
 
-# operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -291,28 +297,29 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 7: 2 +, 4 *, 1 /
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
-    rk = (r * cos + sin) * iden
     slope = iden * iden
-    return rk, slope
+    rk = (r * cos + sin) * iden
+    bend = 2 * (sin * iden) * slope
+    return rk, slope, bend
 
 
-# operations 4: 2 +, 1 /, 1 lt
+# truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 tan
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 6)
     slope = (1 + r * r) / 6
     return r, slope
 
 
-# operations 21: 2 +, 4 *, 4 /, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
@@ -341,32 +348,13 @@ CHART = Chart(
         "0.5",
         "-0.8660254037844386467637231707529361834714",
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "direction": _direction,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "turned": _turned,
-        "beyond": _beyond,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
+        _turned, _beyond, _coefficient, _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="e6d1952ee083db51",
+    programs="4d3c3a155c450690",
 )
 
 KERNELS = PoseKernels(CHART)

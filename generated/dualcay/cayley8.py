@@ -32,7 +32,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -40,10 +40,8 @@ from ._kernel import Result
 ORDER = 8
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 36: 15 +, 18 *, 3 /
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55)
 def _quaternion(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     ph = (x - 6) * x + 1
@@ -60,7 +58,8 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-# operations 38: 16 +, 20 *, 2 /
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
+# f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (88)
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -75,7 +74,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h
 
 
-# operations 64: 27 +, 34 *, 3 /
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88)
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -100,7 +99,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-# operations 96: 41 +, 51 *, 4 /
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -133,7 +132,8 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 neg
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# rate = 2n/(1 + x)
 def _rate(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 16 / x1
@@ -142,7 +142,8 @@ def _rate(m: Any, x: Any) -> Result:
     return e, ey
 
 
-# operations 23: 10 +, 11 *, 2 /
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
+# fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89)
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -154,7 +155,7 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fi, hi
 
 
-# operations 15: 6 +, 7 *, 2 /
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     d = ((272 - 16 * x) * x - 560) * x + 176
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -164,7 +165,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 51: 21 +, 26 *, 3 /, 1 neg
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -182,7 +183,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 51: 21 +, 26 *, 3 /, 1 neg
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89)
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -200,7 +201,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 78: 31 +, 42 *, 4 /, 1 neg
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -226,7 +227,8 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# operations 45: 18 +, 25 *, 2 /
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
@@ -243,7 +245,8 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, root, f, g, h
 
 
-# operations 16: 3 +, 4 *, 3 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# v = gain vec q, for a unit quaternion q
+# gain = tan(alpha/2n)/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -253,7 +256,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 22: 6 +, 9 *, 4 /, 3 sqrt
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos1 = e0 / size
@@ -263,7 +266,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 19: 3 +, 6 *, 4 /, 1 neg, 2 sqrt, 1 lt, 2 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -275,7 +278,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 32: 11 +, 8 *, 1 /, 1 neg, 1 abs, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     rq = r * m.abs(q)
@@ -289,7 +292,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# operations 38: 12 +, 10 *, 2 /, 1 neg, 2 abs, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     rq = r * m.abs(q)
@@ -305,13 +308,13 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, slope, sign
 
 
-# operations 2: 1 *, 1 atan2
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     own = 16 * m.atan2(r, 1)
     return own,
 
 
-# operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -324,15 +327,16 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 7: 2 +, 4 *, 1 /
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
-    rk = (r * cos + sin) * iden
     slope = iden * iden
-    return rk, slope
+    rk = (r * cos + sin) * iden
+    bend = 2 * (sin * iden) * slope
+    return rk, slope, bend
 
 
-# operations 13: 2 +, 1 /, 4 lt, 6 where
+# truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any, limit3: Any, cos3: Any, sin3: Any, limit4: Any, cos4: Any, sin4: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     beyond2 = limit2 < x
@@ -347,14 +351,14 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     return beyond1, cosine4, sine4
 
 
-# operations 5: 1 +, 1 *, 2 /, 1 tan
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     r = m.tan(alpha / 16)
     slope = (1 + r * r) / 16
     return r, slope
 
 
-# operations 22: 2 +, 4 *, 4 /, 1 neg, 2 abs, 1 tan, 1 atan2, 2 lt, 5 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     sideof = m.where(alpha < 0, -1, 1)
     size = m.abs(alpha)
@@ -397,32 +401,13 @@ CHART = Chart(
         "0.0",
         "-1.0",
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "direction": _direction,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "turned": _turned,
-        "beyond": _beyond,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
+        _turned, _beyond, _coefficient, _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="3450b3fe5ac8ce74",
+    programs="95198e1a05e1792f",
 )
 
 KERNELS = PoseKernels(CHART)

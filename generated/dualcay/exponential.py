@@ -28,7 +28,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -36,10 +36,7 @@ from ._kernel import Result
 ORDER = 1
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 96: 28 +, 28 *, 24 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 8 where
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -78,7 +75,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-# operations 96: 40 +, 24 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
@@ -116,7 +113,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h
 
 
-# operations 121: 49 +, 35 *, 23 /, 2 sqrt, 1 tan, 3 lt, 8 where
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
@@ -161,7 +158,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-# operations 153: 62 +, 48 *, 28 /, 2 sqrt, 1 tan, 3 lt, 9 where
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
@@ -211,14 +208,12 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 2: 2 +
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
-    zero = x - x
-    one = zero + 1
-    return one, zero
+    return 1, 0
 
 
-# operations 97: 29 +, 27 *, 25 /, 2 sqrt, 2 tan, 3 lt, 9 where
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -257,7 +252,7 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# operations 84: 27 +, 25 *, 19 /, 2 sqrt, 1 tan, 3 lt, 7 where
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -290,7 +285,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 114: 37 +, 38 *, 24 /, 1 neg, 2 sqrt, 1 tan, 3 lt, 8 where
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -331,7 +326,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 127: 39 +, 40 *, 30 /, 1 neg, 2 sqrt, 2 tan, 3 lt, 10 where
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -378,7 +373,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 170: 56 +, 58 *, 36 /, 2 neg, 2 sqrt, 2 tan, 3 lt, 11 where
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -432,7 +427,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# operations 94: 28 +, 26 *, 24 /, 2 sqrt, 2 tan, 3 lt, 9 where
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -466,10 +461,11 @@ def _ray(m: Any, x: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
-    return s, w, 1, f, g, h
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
-# operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a unit quaternion q
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -481,7 +477,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 15: 2 +, 6 *, 1 /, 1 sqrt, 1 atan2, 1 eq, 3 where
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -491,7 +487,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 20: 2 +, 7 *, 1 /, 1 neg, 1 sqrt, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -503,7 +499,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 68: 19 +, 17 *, 13 /, 1 neg, 2 sqrt, 1 tan, 5 lt, 1 eq, 1 and, 1 or, 7 where
+# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -531,7 +527,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# operations 73: 19 +, 19 *, 13 /, 1 neg, 2 abs, 2 sqrt, 1 tan, 1 atan2, 5 lt, 1 eq, 1 and, 1 or, 7 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near = x < 6
     zero = x - x
@@ -560,23 +556,23 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, 1, sign
 
 
-# operations 0
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     return r,
 
 
-# operations 0
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     return alpha,
 
 
-# operations 1: 1 +
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     alphak = r + sin
-    return alphak, 1
+    return alphak, 1, 0
 
 
-# operations 66: 19 +, 20 *, 14 /, 3 sqrt, 1 tan, 1 atan2, 3 lt, 5 where
+# truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
@@ -605,12 +601,12 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     return beyond1, cos1, back
 
 
-# operations 0
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     return alpha, 1
 
 
-# operations 0
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     return alpha, 1
 
@@ -629,32 +625,13 @@ CHART = Chart(
         "1.0",
         "0.0",
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "direction": _direction,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "turned": _turned,
-        "beyond": _beyond,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
+        _turned, _beyond, _coefficient, _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="3261f89cf07e6847",
+    programs="5dfeca55cefd29e2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -28,7 +28,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -36,10 +36,7 @@ from ._kernel import Result
 ORDER = 1
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 8: 2 +, 1 *, 3 /, 1 neg, 1 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -49,7 +46,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     return c, 1, sy, wy
 
 
-# operations 6: 3 +, 1 *, 1 /, 1 sqrt
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -59,7 +56,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h
 
 
-# operations 11: 5 +, 3 *, 2 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -72,7 +69,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy
 
 
-# operations 23: 9 +, 10 *, 3 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
@@ -88,7 +85,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 4: 1 +, 2 /, 1 sqrt
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -97,12 +94,12 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-# operations 0
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, 0
 
 
-# operations 11: 3 +, 2 *, 4 /, 1 abs, 1 tan
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 4)
     tt = t * t
@@ -113,7 +110,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 25: 7 +, 8 *, 7 /, 1 neg, 1 abs, 1 tan
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 4)
     tt = t * t
@@ -130,17 +127,16 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 6: 2 +, 2 /, 1 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    zero = x - x
-    return c, zero, fiy, 0
+    return c, 0, fiy, 0
 
 
-# operations 14: 4 +, 3 *, 4 /, 2 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -150,11 +146,10 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     f = 2 * c
     gy = f * h - 4
     fiyy = -((hy + fiy * gy) / 2)
-    zero = x - x
-    return c, zero, fiy, 0, fiyy, 0
+    return c, 0, fiy, 0, fiyy, 0
 
 
-# operations 6: 3 +, 1 *, 1 /, 1 sqrt
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -162,24 +157,25 @@ def _ray(m: Any, x: Any) -> Result:
     h = 2 / c
     zero = x - x
     one = zero + 1
-    return c, 1, one, f, 2, h
+    g = 2 * one
+    return c, one, one, f, g, h
 
 
-# operations 2: 1 lt, 1 where
+# v = gain vec q, for a unit quaternion q
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     gain = m.where(negative, -1, 1)
     return gain,
 
 
-# operations 9: 3 +, 4 *, 1 /, 1 sqrt
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     gain = 1 / size
     return gain,
 
 
-# operations 4: 1 *, 1 /, 1 lt, 1 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -187,7 +183,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 14: 4 +, 2 *, 1 /, 1 abs, 1 sqrt, 1 atan2, 2 lt, 2 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -199,14 +195,14 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-# operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 2 * m.atan2(r, c)
     return own,
 
 
-# operations 11: 3 +, 2 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -217,7 +213,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -230,7 +226,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -254,29 +250,13 @@ CHART = Chart(
     # the v·v halfway between branches, then the turn back from beyond it
     returns=(
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _natural, _unfolded, _reached, _coefficient,
+        _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="d4c4b5ca0d9f7944",
+    programs="5ab28975557a1d92",
 )
 
 KERNELS = PoseKernels(CHART)

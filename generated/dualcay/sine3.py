@@ -28,7 +28,7 @@ from __future__ import annotations
 from math import pi
 from typing import TYPE_CHECKING, Any
 
-from ._chart import Chart
+from ._chart import Chart, by_name
 from ._geometry import KERNELS as SHARED
 from ._interface import PoseKernels, exports
 from ._kernel import Result
@@ -36,10 +36,7 @@ from ._kernel import Result
 ORDER = 3
 
 
-# --- scalar programs: functions of x = v·v, of angles and quaternions -----------------------------------------------
-
-
-# operations 20: 6 +, 8 *, 4 /, 1 neg, 1 sqrt
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
@@ -54,7 +51,7 @@ def _quaternion(m: Any, x: Any) -> Result:
     return s, w, sy, wy
 
 
-# operations 17: 7 +, 8 *, 1 /, 1 sqrt
+# R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
@@ -69,7 +66,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h
 
 
-# operations 29: 11 +, 13 *, 4 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
@@ -89,7 +86,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy
 
 
-# operations 46: 17 +, 20 *, 8 /, 1 sqrt
+# f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
@@ -114,7 +111,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# operations 4: 1 +, 2 /, 1 sqrt
+# T v = rate v: rate = 1/phi' = f + x h, with its slope
 def _rate(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -123,7 +120,7 @@ def _rate(m: Any, x: Any) -> Result:
     return rho, rhoy
 
 
-# operations 7: 2 +, 3 *, 1 /, 1 sqrt
+# T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse(m: Any, x: Any, fe: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -133,7 +130,7 @@ def _inverse(m: Any, x: Any, fe: Any) -> Result:
     return fe, hi
 
 
-# operations 20: 5 +, 8 *, 5 /, 1 abs, 1 tan
+# hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 12)
     tt = t * t
@@ -149,7 +146,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return hi,
 
 
-# operations 42: 11 +, 18 *, 10 /, 1 neg, 1 abs, 1 tan
+# fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     t = m.tan(angle / 12)
     tt = t * t
@@ -174,7 +171,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     return fe, hi, fiy, hiy
 
 
-# operations 29: 7 +, 12 *, 7 /, 2 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
@@ -193,7 +190,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy
 
 
-# operations 65: 15 +, 28 *, 16 /, 5 neg, 1 sqrt
+# fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
@@ -221,7 +218,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# operations 15: 5 +, 8 *, 1 /, 1 sqrt
+# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
@@ -232,10 +229,12 @@ def _ray(m: Any, x: Any) -> Result:
     ww = w * w
     g = 2 * ww
     h = ((32 * x - 64) * x + 38) / c
-    return s, w, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
-# operations 24: 3 +, 7 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a unit quaternion q
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -249,7 +248,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 19: 3 +, 6 *, 3 /, 1 sqrt, 1 tan, 1 atan2, 1 eq, 3 where
+# v = gain vec q, for a quaternion of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -261,7 +260,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# operations 24: 3 +, 7 *, 3 /, 1 neg, 1 sqrt, 1 tan, 1 atan2, 1 lt, 1 eq, 5 where
+# v = gain vec q, for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -275,7 +274,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# operations 21: 6 +, 3 *, 1 neg, 1 sqrt, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
@@ -289,7 +288,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# operations 27: 6 +, 5 *, 1 /, 1 neg, 2 abs, 1 sqrt, 1 atan2, 4 lt, 1 eq, 1 and, 1 or, 3 where
+# principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
@@ -305,14 +304,14 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     return angle, rho, sign
 
 
-# operations 6: 1 +, 1 *, 1 sqrt, 1 atan2, 1 lt, 1 where
+# angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
     c = m.sqrt(m.where(x < 1, 1 - x, x))
     own = 6 * m.atan2(r, c)
     return own,
 
 
-# operations 15: 5 +, 4 *, 1 /, 1 tan, 2 atan2, 1 lt, 1 where
+# alpha reduced by whole turns to the range of the chart
 def _reached(m: Any, alpha: Any) -> Result:
     zero = alpha - alpha
     one = 1 + zero
@@ -325,7 +324,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# operations 16: 3 +, 7 *, 1 /, 1 sqrt, 2 lt, 2 where
+# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
@@ -334,16 +333,18 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     sk = side * (r * cos + c * sin)
     ck = side * further
     slope = ck / c
-    return sk, slope
+    slopeo = (-sk - slope * -r) / c
+    bend = slopeo / c
+    return sk, slope, bend
 
 
-# operations 4: 2 +, 1 /, 1 lt
+# truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     return beyond1, cos1, sin1
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi'
 def _coefficient(m: Any, alpha: Any) -> Result:
     t = m.tan(alpha / 12)
     tt = t * t
@@ -356,7 +357,7 @@ def _coefficient(m: Any, alpha: Any) -> Result:
     return sin, slope
 
 
-# operations 13: 2 +, 4 *, 4 /, 1 tan, 1 lt, 1 where
+# r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size
 def _coefficient_of(m: Any, alpha: Any, sine: Any, cosine: Any) -> Result:
     t = m.tan(alpha / 12)
     tt = t * t
@@ -385,32 +386,13 @@ CHART = Chart(
         "0.5",
         "-0.8660254037844386467637231707529361834714",
     ),
-    functions={
-        "quaternion": _quaternion,
-        "pose": _pose,
-        "tangent": _tangent,
-        "tangent_dot": _tangent_dot,
-        "rate": _rate,
-        "inverse": _inverse,
-        "inverse_at": _inverse_at,
-        "tangent_inv_at": _tangent_inv_at,
-        "tangent_inv": _tangent_inv,
-        "tangent_inv_dot": _tangent_inv_dot,
-        "ray": _ray,
-        "gain_unit": _gain_unit,
-        "gain_positive": _gain_positive,
-        "gain_product": _gain_product,
-        "direction": _direction,
-        "natural": _natural,
-        "unfolded": _unfolded,
-        "reached": _reached,
-        "turned": _turned,
-        "beyond": _beyond,
-        "coefficient": _coefficient,
-        "coefficient_of": _coefficient_of,
-    },
+    functions=by_name(
+        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
+        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
+        _turned, _beyond, _coefficient, _coefficient_of,
+    ),
     kernels=SHARED,
-    programs="81dda54d1abdb326",
+    programs="9f4384b58a7fcbb2",
 )
 
 KERNELS = PoseKernels(CHART)

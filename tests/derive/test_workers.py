@@ -82,7 +82,7 @@ if __name__ == "__main__":
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGKILL"])
 def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_path: Path, name: str):
-    """A terminal sends an interrupt to all of them, here to the first last."""
+    """Interrupt the workers before the main process, as a terminal interrupts all."""
     ending = signal.Signals[name]  # Windows has one of them only
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-c", BUSY, str(tmp_path)]

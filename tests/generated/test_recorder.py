@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from dualcay import _recorder, cayley3
-from dualcay._recorder import Number, Program, record
+from dualcay import _program, _recorder, cayley3
+from dualcay._program import Program
+from dualcay._recorder import Number, record
 
 Text = Callable[..., tuple[Any, ...]]
 DTYPES = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]
@@ -132,13 +133,13 @@ def test_equal_operations_are_entered_once() -> None:
 def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
     """Random texts agree with NumPy; rows freed one step early are noticed."""
     assert all(_agrees(seed) for seed in range(60))
-    release = _recorder._Rows._release
+    release = _program.Rows._release
 
     def early(self: Any, step: int, operands: Any, places: Any) -> None:
         release(self, step, [i for i in operands if self.last[i] == step], places)
         self.scratch.free += [row for kind, row in places.values() if kind == "scratch"][:1]
 
-    monkeypatch.setattr(_recorder._Rows, "_release", early)
+    monkeypatch.setattr(_program.Rows, "_release", early)
     assert not all(_agrees(seed) for seed in range(60))
 
 

@@ -1,4 +1,4 @@
-"""A target that other processes can be sent: it prints NumPy kernels, and counts what would be executed."""
+"""A target that can be sent to worker processes: it prints NumPy kernels and counts what would be executed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps.chart import Chart
 
 
 class Counting(Numpy):
-    """``failing`` are the charts whose text is wrong, of which the first is found out last."""
+    """Target whose charts named in ``failing`` fail validation, the first of them last."""
 
     def __init__(self, failing: tuple[str, ...] = ()) -> None:
         self.failing = failing
@@ -33,7 +33,7 @@ class Counting(Numpy):
 
 
 class Dying(Counting):
-    """Where a chart is executed, the process ends."""
+    """Target that ends the process when it validates."""
 
     def validate(self, *given: Any) -> int:
         os._exit(9)

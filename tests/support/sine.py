@@ -231,12 +231,13 @@ class Sine:
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 6 * m.atan2(r, self.scalars(x, m).c)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))
         further = m.name("further", c * cosine - r * sine)
         sign = m.name("side", m.where(m.less(further, 0), -1, 1))
-        return m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+        rk, slope = m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+        return rk, slope, m.name("bend", (slope * r - rk) / (c * c))
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
         return branches.beyond(x, table, m)

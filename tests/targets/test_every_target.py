@@ -33,7 +33,7 @@ def require_validated(name, folder):
     target, chart, proved = TARGETS[name], Cayley(3), prove(Cayley(3))
     facts = Facts(proved, lower(proved))
     files.write(folder, shared_texts(target) | module_texts(facts, target))
-    assert target.validate(folder, chart) > 100
+    assert target.validate(folder, chart, geometry=True) > 100
 
 
 @pytest.mark.parametrize(("target", "out"), [("numba", (None,)), ("array-api", ())])

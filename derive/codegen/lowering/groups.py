@@ -10,7 +10,7 @@ from ...algebra import Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
 from .calculus import matrix6
-from .forward import rotate_at, rotation_at, skew_product, tensor, tensor_at, translation_at
+from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
 from .point import Geometry
@@ -31,8 +31,9 @@ def dual_product(trace: Geometry) -> Program:
 
 def adjoint(trace: Geometry) -> Program:
     """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
-    v = trace.components("v", "v", 6)
-    return trace.program("adjoint", trace.apply(matrix6, "J{}", trace.apply(tensor, "R{}", v)))
+    point = trace.point()
+    R = trace.apply(tensor_at, "R{}", *point.scalars("pose"), point.components)
+    return trace.program("adjoint", trace.apply(matrix6, "J{}", R))
 
 
 def transform_point_jacobians(trace: Geometry) -> Program:
@@ -43,12 +44,10 @@ def transform_point_jacobians(trace: Geometry) -> Program:
     point, r = trace.point(), trace.real_vector("r")
     f, g, h, *slopes = point.scalars("tangent")
     v = point.components
-    Q = trace.apply(rotation_at, "Q{}", f, g, v)
-    rho = trace.apply(translation_at, "rho{}", f, g, h, v)
+    Q = flat(rotation(point, f, g))
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, v)
-    moved = Vector(*trace.apply(rotate_at, "Qr{}", f, g, v, r)) + Vector(*rho)
-    turned = trace.apply(skew_product, "M{}", moved, T[:9])
-    by_v = [slope - entry for slope, entry in zip(T[9:], turned, strict=True)]
+    moved = trace.vector("moved", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
+    by_v = [slope - entry for slope, entry in zip(T[9:], crossed(moved, rows_of(T[:9])), strict=True)]
     beside = (entry for i in (0, 3, 6) for entry in (*by_v[i : i + 3], *T[i : i + 3]))
     return trace.program("transform_point_jacobians", (*beside, *Q))
 
@@ -61,10 +60,9 @@ def transform_line_jacobians(trace: Geometry) -> Program:
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
     tensor = Tensor.dual(*map(Tensor.from_entries, (R[:9], R[9:])))
     moved = tensor @ Vector.dual(parts[:3], parts[3:])
-    direction, moment = trace.vector("Rl", moved.re), trace.vector("Rm", moved.du)
-    turned, along = (trace.apply(skew_product, letter, direction, B) for letter, B in (("K{}", T[:9]), ("L{}", T[9:])))
-    about = trace.apply(skew_product, "M{}", moment, T[:9])
-    by_v = (*opposite(turned), *(-(a + b) for a, b in zip(along, about, strict=True)))
+    back = trace.dual_vector("back", -moved)
+    turned = Tensor.skew(back) @ Tensor.dual(*map(Tensor.from_entries, (T[:9], T[9:])))
+    by_v = (*turned.re, *turned.du)
     by_line = trace.apply(matrix6, "by_line{}", R)
     return trace.program("transform_line_jacobians", (*trace.apply(matrix6, "by_v{}", by_v), *by_line))
 
@@ -90,7 +88,7 @@ def _by_factors(
 ) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
     """Return the derivatives of a product by its factors."""
     v = trace.apply(compose, "v{}", second, first)
-    back = trace.apply(tangent_inv, "I{}", v)
-    T2, T1 = trace.apply(tangent, "S{}", second), trace.apply(tangent, "T{}", first)
-    turned = trace.apply(dual_product, "RT{}", trace.apply(tensor, "R{}", second), T1)
-    return trace.apply(dual_product, "P{}", back, T2), trace.apply(dual_product, "N{}", back, turned)
+    back = trace.apply(tangent_inv, "back{}", v)
+    T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)
+    turned = trace.apply(dual_product, "R2T1{}", trace.apply(tensor, "R2{}", second), T1)
+    return trace.apply(dual_product, "D2{}", back, T2), trace.apply(dual_product, "D1{}", back, turned)

@@ -6,11 +6,13 @@ principal quaternion: scalar part >= 0, and where it is 0 the given vector part 
 
 from __future__ import annotations
 
+import itertools
+
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
 from .calculus import entries6
-from .forward import rotate_at, rows_of, translation_at
+from .forward import rotated, rows_of, translation
 from .kinematics import opposite
 from .point import TABLE, Geometry, Point
 
@@ -21,15 +23,14 @@ DISPLACEMENT = ("e0", "e1", "e2", "e3", "size", "f°", "g°", "rho1°", "rho2°"
 """Results of `displacement`."""
 
 
-# --- programs that others call --------------------------------------------------------------------------------
-
-
-def dual_part_at(trace: Geometry) -> Program:
-    """v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2, from the real part of v."""
-    fi, hi = trace.numbers("fi", "hi")
-    v, rho = trace.real_vector("v"), trace.real_vector("rho", dual="°")
+def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
+    """Return v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2."""
     along = trace.name("along", hi * v.dot(rho))
-    return trace.program("dual_part_at", (fi * rho - v.cross(rho) + along * v) / 2, ("1o", "2o", "3o"))
+    du: Vector = (fi * rho - v.cross(rho) + along * v) / 2
+    return du
+
+
+# --- programs that others call --------------------------------------------------------------------------------
 
 
 def vector_of(trace: Geometry) -> Program:
@@ -42,7 +43,7 @@ def vector_of(trace: Geometry) -> Program:
     rho = trace.real_vector("rho", dual="°")
     v = trace.vector("v", gain * Vector(*vector))
     fi, hi = trace.ask("inverse", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
-    return trace.program("vector_of", (*v, *trace.apply(dual_part_at, "v{}", fi, hi, v, rho)))
+    return trace.program("vector_of", (*v, *dual_part(trace, fi, hi, v, rho)))
 
 
 def quaternion_of(trace: Geometry) -> Program:
@@ -83,7 +84,7 @@ def displacement(trace: Geometry) -> Program:
     """
     point = trace.point()
     a, b, size, f, g, h = point.scalars("ray")
-    rho = trace.apply(translation_at, "rho{}", f, g, h, point.components)
+    rho = translation(point, f, g, h)
     return trace.program("displacement", (a, *(b * point.re), size, f, g, *rho), DISPLACEMENT)
 
 
@@ -98,7 +99,7 @@ def composed(trace: Geometry) -> Program:
     rho2 = trace.real_vector("rho2", "s", "°")
     e1 = Quaternion.from_components(trace.inputs("e1", [f"q{i}" for i in range(4)]))
     rho1 = trace.real_vector("rho1", "r", "°")
-    moved = Vector(*trace.apply(rotate_at, "Qr{}", f, g, v2, rho1))
+    moved = rotated(trace, Vector(*v2[:3]), f, g, rho1)
     names = ("e0", "e1", "e2", "e3", "rho1°", "rho2°", "rho3°")
     return trace.program("composed", (*(e2 * e1), *(rho2 + moved)), names)
 
@@ -203,19 +204,18 @@ def shadow_jacobian(trace: Geometry) -> Program:
     cosine, sine = _turn(trace)
     size, u, size_du, moment = _axis(trace, point)
     (sign,) = trace.ask("direction", (point.x, point.y, size))
-    length, slope = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
-    length_du = point.name("rko", size_du * slope)
-    across = trace.dual("across", Dual(length, length_du) / Dual(size, size_du))
-    # dr_k/dr is 1/φ′ of v by that of v_k: slopes of both make its dual part
-    (before, beforey), (after, aftery) = (
-        trace.ask("rate", (square,), mark) for square, mark in ((point.x, ""), (point.name("xk", length * length), "k"))
-    )
-    growth = point.y * (beforey / before) - point.name("yk", length * length_du) * (aftery / after)
-    spread = trace.dual("spread", Dual(slope, slope * growth) - across)
-    axis = Vector.dual(u, moment)
-    along = trace.dual_vector("su", spread * axis)
-    diagonal = Tensor(((across, 0, 0), (0, across, 0), (0, 0, across)))
-    return trace.program("shadow_jacobian", entries6(trace, Tensor.dyad(along, axis) + diagonal))
+    length, slope, bend = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
+    ratio = point.name("ratio", length / size)
+    spread = point.name("spread", slope - ratio)
+    # by division of each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows where r is small
+    change, along = point.name("change", spread * size_du), point.name("along", bend * size_du)
+    entries = []
+    for (i, (ui, mi)), (j, (uj, mj)) in itertools.product(enumerate(zip(u, moment), 1), repeat=2):
+        square = point.name(f"uu{i}{j}", ui * uj)
+        rest = point.name(f"p{i}{j}", int(i == j) - square)
+        du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
+        entries.append(trace.dual(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
+    return trace.program("shadow_jacobian", entries6(trace, Tensor.from_entries(entries)))
 
 
 def identity_jacobian(trace: Geometry) -> Program:
@@ -282,7 +282,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
 def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
     """Return the vector a turn on along u: its coefficient r becomes rk, with the slope of that in the dual part."""
     size, u, size_du, moment = axis
-    length, slope = trace.ask("turned", (size, cosine, sine))
+    length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)
     return (*(length * u), *(length * moment + length_du * u))
 

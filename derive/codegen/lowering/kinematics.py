@@ -29,7 +29,7 @@ def tangent_at(trace: Geometry) -> Program:
     point = trace.point()
     pairs = (("fo", f, fy), ("go", g, gy), ("ho", h, hy))
     f, g, h = (Dual(value, trace.name(letter, slope * point.y)) for letter, value, slope in pairs)
-    s, (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("gv", g * point.v), trace.dual_vector("hv", h * point.v), point.v
+    s, (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("gv", point.v * g), trace.dual_vector("hv", point.v * h), point.v
     tensor = assembled(trace, f, s, Vector(c1 * v1, c2 * v2, c3 * v3), (c1 * v2, c1 * v3, c2 * v3))
     return trace.program("tangent_at", (*tensor.re, *tensor.du))
 
@@ -45,9 +45,10 @@ def tangent_inverse_at(trace: Geometry) -> Program:
     fi, hi = (Dual(value, trace.name(letter, slope * point.y)) for letter, value, slope in pairs)
     # half of v, not of fi or hi: those of some charts are integers
     half = trace.dual_vector("half", point.v / 2)
-    (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("hv", hi * half), point.v
-    diagonal = Vector(*((fi + 2 * (c * v)) / 2 for c, v in ((c1, v1), (c2, v2), (c3, v3))))
-    tensor = assembled(trace, 0, -half, diagonal, (c1 * v2, c1 * v3, c2 * v3))
+    (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("hv", point.v * hi), point.v
+    _, second, third = half
+    diagonal = Vector(*((fi + c * v) / 2 for c, v in ((c1, v1), (c2, v2), (c3, v3))))
+    tensor = assembled(trace, 0, -half, diagonal, (c1 * second, c1 * third, c2 * third))
     return trace.program("tangent_inverse_at", (*tensor.re, *tensor.du))
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from ...algebra import Quaternion, Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .forward import translation_at
-from .inverse import composed, displacement, dual_part_at
+from .forward import translation
+from .inverse import composed, displacement, dual_part
 from .point import LAYOUTS, Geometry, Point
 from .retraction import exponential_scalars, local
 
@@ -28,14 +28,14 @@ def interpolate(trace: Geometry) -> Program:
     (t,) = trace.inputs("time", ("t",))
     delta = trace.apply(local, "d{}", v2, v1)
     step = [trace.name(f"td{place}", t * c) for place, c in zip(LAYOUTS[6], delta, strict=True)]
-    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", step)
+    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", step[:3])
     *first, _, _, _, r1, r2, r3 = trace.apply(displacement, "{}_1", v1)
     small = (s, *trace.vector("wd", w * Vector(*step[:3])))
-    rho = trace.apply(translation_at, "rhod{}", f, g, h, step)
+    rho = translation(Point(trace, step, "t"), f, g, h)
     found = trace.apply(composed, "{}", small, f, g, step, rho, first, (r1, r2, r3))
     before = Point(trace, v1, "a")
     followed = _Followed(trace, before, Quaternion.from_components(first), Vector(*delta[:3]), Vector(*step[:3]))
-    return trace.program("interpolate", followed.vector(Quaternion.from_components(found[:4]), found[4:]))
+    return trace.program("interpolate", followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:])))
 
 
 class _Followed:
@@ -72,7 +72,7 @@ class _Followed:
         sign = name("sign" + mark, trace.where(self.apart, self.side, 1))
         return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
 
-    def vector(self, z: Quaternion, rho: tuple[Number, ...]) -> tuple[Number, ...]:
+    def vector(self, z: Quaternion, rho: Vector) -> tuple[Number, ...]:
         """Where the quaternion is z."""
         trace, name, where = self.trace, self.trace.name, self.trace.where
         sine, half = self._half(z, "t")
@@ -91,4 +91,4 @@ class _Followed:
         re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))
         fi = name("fe", factor * z.scalar)
         (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle))
-        return (*re, *trace.apply(dual_part_at, "v{}", fi, hi, re, rho))
+        return (*re, *dual_part(trace, fi, hi, re, rho))

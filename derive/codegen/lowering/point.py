@@ -42,6 +42,9 @@ TABLE = "table"
 class Geometry(Trace):
     """A trace of geometry, which all charts share: scalars of a chart and further geometry programs are calls."""
 
+    real = False
+    """Whether dual parts are the constant 0."""
+
     def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
         """Return the results of a scalar program, under their own names and a mark."""
         row = SCALARS[function]
@@ -58,7 +61,8 @@ class Geometry(Trace):
     def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
         """Freeze what the outputs need; ``results`` are their names, by default those of `LAYOUTS`."""
         program = super().program(name, outputs)
-        names = tuple(results) or LAYOUTS.get(len(program.outputs), [f"{i}" for i in range(1, 1 + len(program.outputs))])
+        count = len(program.outputs)
+        names = tuple(results) or LAYOUTS.get(count, tuple(map(str, range(1, 1 + count))))
         return replace(program, results=tuple(result.rstrip("°") for result in names))
 
     # --- arguments ----------------------------------------------------------------------------------------------
@@ -124,6 +128,8 @@ class RealGeometry(Geometry):
         The places of the results that are kept; by default those that are neither dual parts, constants nor arguments.
     """
 
+    real = True
+
     def __init__(self, function: str = "", kept: Sequence[int] | None = None) -> None:
         super().__init__()
         self.function = function
@@ -142,24 +148,28 @@ class RealGeometry(Geometry):
         for (_, names), given in zip(traced(recipe).inputs, arguments, strict=True):
             values |= zip(names, given if isinstance(given, Iterable) else (given,), strict=True)
         program, found = traced_real(recipe)
-        passed = [values[argument] if names == (argument,) else tuple(values[name] for name in names)
-                  for argument, names in program.inputs]
-        names = [pattern.format(name) for name in program.results]
-        made = self.call_program(program, _list_name(pattern, program), names, passed) if names else ()
+        passed = [
+            values[argument] if names == (argument,) else tuple(values[name] for name in names)
+            for argument, names in program.inputs
+        ]
+        made: tuple[Number, ...] = ()
+        if program.outputs:
+            results = [pattern.format(name) for name in program.results]
+            made = self.call_program(program, _list_name(pattern, program), results, passed)
         return tuple(
             made[at.result] if at.result is not None else values[at.given] if at.given else at.constant for at in found
         )
 
     def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
-        """Freeze what the outputs that are kept need; a program that is only called drops arguments it does not read."""
+        """Freeze what the outputs that are kept need; one that is only called drops unread arguments."""
         given = tuple(outputs)
-        names = tuple(results) or LAYOUTS.get(len(given), ("",) * len(given))
-        kept = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
-        unique = {given[i].index: i for i in reversed(kept)}
-        places = {index: n for n, index in enumerate(sorted(unique, key=unique.__getitem__))}
+        names = results or LAYOUTS.get(len(given), ("",) * len(given))
+        made = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
+        first = {given[i].index: i for i in reversed(made)}
+        places = {index: n for n, index in enumerate(sorted(first, key=first.__getitem__))}
         pairs = zip(given, names, strict=True)
         self.found = tuple(self._found(value, name, places) for value, name in pairs)
-        kept = sorted(unique.values()) if self.kept is None else self.kept
+        kept = sorted(first.values()) if self.kept is None else self.kept
         title = self.function or REAL_NAMES.get(name, name)
         program = super().program(title, [given[i] for i in kept], [names[i] for i in kept])
         read = program.operands
@@ -205,7 +215,7 @@ def traced_kernel(recipe: Recipe, function: str, kept: Sequence[int]) -> Program
 
 
 def _with_contract(program: Program, recipe: Recipe, real: bool = False) -> Program:
-    contract, *dual = inspect.getdoc(recipe).split("\n\n")
+    contract, *dual = (inspect.getdoc(recipe) or "").split("\n\n")
     return replace(program, contract=contract if real else "\n".join([contract, *dual]))
 
 

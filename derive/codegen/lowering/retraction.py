@@ -5,17 +5,34 @@ The exponential's own scalars are the same in every chart.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
+from ..programs.value import Number
 from .calculus import matrix6
-from .forward import tensor_at, translation_at
+from .forward import tensor_at, translation
 from .groups import dual_product
-from .inverse import composed, displacement, dual_part_at, product
+from .inverse import composed, displacement, dual_part, product
 from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
 from .point import Geometry, Point
 
 EXPONENTIAL = Exponential()
+
+
+def retracted(
+    trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
+) -> tuple[Vector, Number, Number, Vector]:
+    """Return the vector nearest v of R = exp(δ) R(v), or of R(v) exp(δ), its factor times e0, its angle, and ρ."""
+    s, w, f, g, h = scalars
+    *large, _, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
+    small = (s, *(w * Vector(*delta[:3])))
+    rho = translation(Point(trace, delta, "d"), f, g, h)
+    space, back = (small, f, g, delta, rho, large, (r1, r2, r3)), (large, f1, g1, v, (r1, r2, r3), small, rho)
+    found = trace.apply(composed, "{}", *(back if body else space))
+    *re, fe, angle = trace.apply(nearest, "{}", v[:3], found[:4])
+    return Vector(*re), fe, angle, Vector(*found[4:])
 
 
 # --- programs that others call --------------------------------------------------------------------------------
@@ -23,14 +40,15 @@ EXPONENTIAL = Exponential()
 
 def exponential_scalars(trace: Geometry) -> Program:
     """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
-    at = EXPONENTIAL.scalars(trace.point("delta", "d").x, trace)
+    delta = trace.real_vector("delta", "d")
+    at = EXPONENTIAL.scalars(Point(trace, (*delta, 0, 0, 0)).x, trace)
     names = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
     return trace.program("exponential_scalars", [getattr(at, name) for name in names], names)
 
 
 def nearest(trace: Geometry) -> Program:
     """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
-    point = trace.point()
+    point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
     e = Quaternion.from_components(trace.components("e", "e", 4))
     ss = trace.name("ss", e.vector.dot(e.vector))
     still, resting = trace.name("still", trace.equal(ss, 0)), trace.name("resting", trace.equal(point.x, 0))
@@ -53,23 +71,7 @@ def nearest(trace: Geometry) -> Program:
     rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
     factor = trace.name("factor", trace.where(still, rest, size / length))
     results = (*(factor * e.vector), factor * e.scalar, alpha)
-    return trace.program("nearest", results, ("v1", "v2", "v3", "fe", "angle"))
-
-
-def retracted(trace: Geometry) -> Program:
-    """The vector of e = exp(δ) e(v) nearest v, its factor times e0, and its angle.
-
-    ρ is that of R = exp(δ) R(v).
-    """
-    s, w = trace.numbers("s", "w")
-    f, g, h = (trace.inputs(name, [name + "°"])[0] for name in ("f", "g", "h"))
-    delta, v = trace.components("delta", "d", 6), trace.components("v", "v", 6)
-    *first, _, _, _, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
-    small = (s, *(w * Vector(*delta[:3])))
-    rho = trace.apply(translation_at, "rho{}", f, g, h, delta)
-    found = trace.apply(composed, "{}", small, f, g, delta, rho, first, (r1, r2, r3))
-    names = ("w1", "w2", "w3", "fe", "angle", "rho1°", "rho2°", "rho3°")
-    return trace.program("retracted", (*trace.apply(nearest, "{}", v, found[:4]), *found[4:]), names)
+    return trace.program("nearest", results, ("w1", "w2", "w3", "fe", "angle"))
 
 
 def logarithm(trace: Geometry) -> Program:
@@ -83,7 +85,7 @@ def logarithm(trace: Geometry) -> Program:
     re = trace.vector("d", factor * e.vector)
     at = PrincipalScalars(Point(trace, (*re, 0, 0, 0)).x, trace)
     fe = trace.name("fe", factor * e.scalar)
-    return trace.program("logarithm", (*re, *trace.apply(dual_part_at, "d{}", fe, at.hi, re, rho)))
+    return trace.program("logarithm", (*re, *dual_part(trace, fe, at.hi, re, rho)))
 
 
 # --- functions ------------------------------------------------------------------------------------------------
@@ -91,31 +93,34 @@ def logarithm(trace: Geometry) -> Program:
 
 def retract(trace: Geometry) -> Program:
     """v of exp(δ) R(v), of its branches the one nearest v."""
-    v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
-    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta)
-    *re, fe, angle, r1, r2, r3 = trace.apply(retracted, "{}", s, w, f, g, h, delta, v)
-    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    return trace.program("retract", (*re, *trace.apply(dual_part_at, "w{}", fe, hi, re, (r1, r2, r3))))
+    return _retract(trace, "retract", body=False)
 
 
 def body_retract(trace: Geometry) -> Program:
-    """v of R(v) exp(δ), of its branches the one nearest v: its inverse is exp(−δ) R(−v)."""
+    """v of R(v) exp(δ), of its branches the one nearest v."""
+    return _retract(trace, "body_retract", body=True)
+
+
+def _retract(trace: Geometry, name: str, body: bool) -> Program:
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
-    return trace.program("body_retract", opposite(trace.apply(retract, "w{}", opposite(v), opposite(delta))))
+    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
+    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v, body)
+    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
+    return trace.program(name, (*re, *dual_part(trace, fe, hi, re, rho)))
 
 
 def retract_jacobians(trace: Geometry) -> Program:
     """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
-    s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta)
-    *re, fe, angle, r1, r2, r3 = trace.apply(retracted, "{}", s, w, f, g, h, delta, v)
+    s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
+    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
     fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    du = trace.apply(dual_part_at, "w{}", fi, hi, re, (r1, r2, r3))
-    back = trace.apply(tangent_inverse_at, "I{}", fi, hi, fiy, hiy, (*re, *du))
+    du = dual_part(trace, fi, hi, re, rho)
+    back = trace.apply(tangent_inverse_at, "back{}", fi, hi, fiy, hiy, (*re, *du))
     R = trace.apply(tensor_at, "R{}", f, g, h, delta)
     turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))
-    dexp = trace.apply(tangent_at, "D{}", f, g, h, *slopes, delta)
-    by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("P{}", turned), ("N{}", dexp)))
+    dexp = trace.apply(tangent_at, "dexp{}", f, g, h, *slopes, delta)
+    by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("D1{}", turned), ("D2{}", dexp)))
     results = (*trace.apply(matrix6, "by_v{}", by_v), *trace.apply(matrix6, "by_delta{}", by_delta))
     return trace.program("retract_jacobians", results)
 

@@ -89,8 +89,8 @@ def all_results(call: Call) -> tuple[str, ...]:
 class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
 
-    Rounding makes no difference to values that are ``corrected`` afterwards. Geometry programs that are ``called`` stand
-    beside it; one that others call has names for its ``results``. The ``contract`` says what it returns.
+    Rounding makes no difference to values that are ``corrected`` afterwards. Geometry programs that it calls are
+    ``called``; one that others call has names for its ``results``. The ``contract`` says what it returns.
     """
 
     name: str

@@ -182,7 +182,7 @@ class Trace(Folding):
 
         finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
         found = (self._statement(index, labels, label) for index in sorted(uses))
-        statements = tuple(filter(None, found))
+        statements: tuple[Statement, ...] = tuple(filter(None, found))
         corrected = frozenset(labels[index] for index in self._corrected & labels.keys())
         functions = dict.fromkeys(statement.function for statement in statements if isinstance(statement, Call))
         called = tuple(self._programs[function] for function in functions if function in self._programs)

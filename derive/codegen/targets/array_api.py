@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 
 import numpy as np
 
-from ..lowered import Lowered
 from ..package import Data, Facts
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
@@ -40,6 +39,7 @@ class ArrayApi(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
             "_checks.py": {},
             "_runtime.py": {},
@@ -47,11 +47,10 @@ class ArrayApi(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        return {"programs": python.printed_geometry(table), "rows": table.kernels}
+        return python.geometry(table)
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [python.printed_scalar(program) for name, program in lowered.scalars.items() if name not in known]
-        return {"scalars": scalars}
+    def programs(self, facts: Facts) -> Data:
+        return {"scalars": python.printed_scalars(facts)}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

@@ -17,7 +17,7 @@ from typing import Any
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from ..lowered import Lowered, geometry, lower_chart
+from ..lowered import Lowered, geometry, lower_chart, printed_geometry
 from ..lowering.scalars import SCALARS, table_names
 from ..package import Data, Facts, numbers
 from ..programs.program import Program
@@ -26,7 +26,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.float_cases import Case, cases
 from . import c99
-from .said import SAID
 from .target import require_functions
 
 GEOMETRY = "geometry.h"
@@ -38,7 +37,7 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)), ("rate", (1, 0)))
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate", (1, 0)))
 }
 """What stands for scalars that geometry names and a chart never comes to."""
 
@@ -100,16 +99,18 @@ def _components(program: Program, argument: str) -> tuple[str, ...]:
 
 
 def level(program: Program) -> int:
-    """What a program needs of ``math.h``, calls not looked into."""
-    return max((LEVELS.get(op, 0) for op in program.operations), default=0)
+    """Return what a program needs of ``math.h``, scalars not looked into."""
+    own = (LEVELS.get(op, 0) for op in program.operations)
+    return max((*own, *map(level, program.called)), default=0)
 
 
 def levels(lowered: Lowered) -> dict[str, int]:
-    """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
-    found = {}
-    for name, program in geometry(lowered.table).items():
-        called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
-        found[name] = max(map(level, [program, *called]))
+    """Return what every geometry program of a chart needs of ``math.h``, with the scalars that it calls."""
+    found: dict[str, int] = {}
+    for name, program in printed_geometry(lowered.table).items():
+        scalars = (lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars)
+        called = (found[other.name] for other in program.called)
+        found[name] = max((level(program), *map(level, scalars), *called))
     return found
 
 
@@ -121,17 +122,24 @@ def scalars(lowered: Lowered) -> Mapping[str, Program]:
 
 def shared_geometry(table: Table) -> Data:
     """What the template of a geometry is given."""
-    programs, (v,) = geometry(table), table.sources["shadow"].arguments
+    (v,) = table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
     return {
         "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
-        "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
+        "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
         "functions": {name: interface(row, table) for name, row in table.public.items()},
         "poses": table is POSES,
-        "said": SAID[table.name],
     }
+
+
+def _made(program: Program, table: Table) -> tuple[Array, ...]:
+    """Return the arrays that a geometry program makes: one for each result of a function, or one list."""
+    if program.name in table.kernels:
+        return table.kernels[program.name].results
+    count = len(program.outputs)
+    return (Array("made", (count,), (0,) * count),)
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:

@@ -20,6 +20,9 @@ _BREAKS = {"+", "-", "*", "/", "&", "|", "<", "==", "?", ":"}
 Text = tuple[str, int]
 """Source text and the binding strength of its outermost operator."""
 
+Texts = list[str | list[str]]
+"""A right-hand side alone, or the arguments of a call: numbers and names of lists, and lists of numbers."""
+
 
 @dataclass(frozen=True, slots=True)
 class Operator:
@@ -97,31 +100,33 @@ class Dialect:
         text = self.literal(int(operand))
         return text, NEGATION if text.startswith("-") else ATOM
 
-    def statements(self, program: Program, lists: Lists) -> tuple[list[tuple[Statement, str]], list[str]]:
-        """Return named steps with their right-hand sides, calls with their arguments, and the texts of the outputs."""
+    def statements(self, program: Program, lists: Lists) -> tuple[list[tuple[Statement, Texts]], list[str]]:
+        """Return named steps with their right-hand sides, calls with their arguments, and the texts of the outputs.
+
+        A list that is used as a whole is told by its name; among outputs a star stands before that.
+        """
         inlined: dict[str, Text] = {}
-        assignments: list[tuple[Statement, str]] = []
+        assignments: list[tuple[Statement, Texts]] = []
 
         def text(operand: Operand) -> str:
             return self.operand(operand, inlined)[0]
 
+        def passed(group: Operand | tuple[Operand, ...]) -> str | list[str]:
+            if not isinstance(group, tuple):
+                return self.passed(text(group))
+            return lists.whole.get(group) or [self.passed(text(operand)) for operand in group]
+
         for statement in program.statements:
             if isinstance(statement, Call):
-                assignments.append((statement, ", ".join(self._passed(group, lists, text) for group in statement.groups)))
+                assignments.append((statement, list(map(passed, statement.groups))))
                 continue
             found = self.expression(statement, inlined)
             if statement.inline:
                 inlined[statement.name] = found
             else:
-                assignments.append((statement, found[0]))
-        return assignments, [
-            f"*{lists.whole[group]}" if isinstance(group, tuple) else text(group) for group in lists.outputs
-        ]
-
-    def _passed(self, group: Operand | tuple[Operand, ...], lists: Lists, text: Callable[[Operand], str]) -> str:
-        if not isinstance(group, tuple):
-            return self.passed(text(group))
-        return lists.whole.get(group) or f"({', '.join(map(text, group))}{',' * (len(group) == 1)})"
+                assignments.append((statement, [found[0]]))
+        outputs = (f"*{lists.whole[group]}" if isinstance(group, tuple) else text(group) for group in lists.outputs)
+        return assignments, list(outputs)
 
 
 class Lists:
@@ -132,7 +137,7 @@ class Lists:
     whole : dict
         The names of those that are used as a whole, by their components.
     outputs : list
-        The outputs of the program, in place of whole lists among them their components.
+        The outputs of the program, components of a list that follow each other as one tuple.
     read : set
         The components that are used one by one.
     returned : Call or None
@@ -140,13 +145,16 @@ class Lists:
     """
 
     def __init__(self, program: Program) -> None:
+        named: dict[tuple[Operand, ...], str]
         named = {names: argument for argument, names in program.inputs if names != (argument,)}
-        named |= {call.names: call.result for call in program.calls if call.result}
+        made: dict[tuple[Operand, ...], str]
+        made = {call.names: call.result for call in program.calls if call.result}
+        named |= made
         groups = [group for call in program.calls for group in call.groups]
-        self.outputs = list(_with_lists(program.outputs, named))
+        self.outputs = list(_with_lists(program.outputs, made))
         used = [*groups, *self.outputs]
         self.whole = {group: named[group] for group in used if isinstance(group, tuple) and group in named}
-        self.read = {arg for step in program.steps for arg in step.args}
+        self.read: set[Operand] = {arg for step in program.steps for arg in step.args}
         for group in used:
             if group not in self.whole:
                 self.read.update(group if isinstance(group, tuple) else (group,))
@@ -189,7 +197,8 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
         args = tuple(map(new, old.args))
         if isinstance(old, Call):
             truths = frozenset(names.get(name, name) for name in old.truths)
-            return replace(old, names=tuple(names.get(name, name) for name in old.names), args=args, truths=truths)
+            results = tuple(names.get(name, name) for name in old.names)
+            return replace(old, names=results, args=args, truths=truths, result=names.get(old.result, old.result))
         return replace(old, name=names.get(old.name, old.name), args=args)
 
     return replace(

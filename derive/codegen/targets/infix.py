@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, left_associative
@@ -45,14 +45,15 @@ def body(
     dialect: Dialect = PLAIN,
     alone: bool = False,
     ask: Callable[[Call, str], str] = ask_namespace,
+    first: Iterable[str] = (),
 ) -> str:
     """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
     A program that stands `alone` has its components for parameters: nothing is unpacked. `ask` is the text of a call,
-    from that of its arguments.
+    from that of its arguments; ``first`` are lines of text before the statements.
     """
     lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement, indent)]
-    return "\n".join([*_docstring(program.contract, indent), *lines])
+    return "\n".join([*_docstring(program.contract, indent), *first, *lines])
 
 
 def _docstring(contract: str, indent: str) -> list[str]:
@@ -78,7 +79,8 @@ def _statements(
         if names != (argument,):
             yield from lists.unpacked(names, argument)
     statements = dialect.statements(program, lists)
-    for statement, text in statements[0]:
+    for statement, texts in statements[0]:
+        text = ", ".join(t if isinstance(t, str) else f"({', '.join(t)}{',' * (len(t) == 1)})" for t in texts)
         if not isinstance(statement, Call):
             yield f"{statement.name} = {text}"
         elif not statement.result:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+import textwrap
+from collections.abc import Mapping
 
 from ...maps.chart import Chart
 from ..lowered import Lowered, lower_chart
@@ -11,6 +12,7 @@ from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Machinery
 from . import python
+from .expression import WIDTH
 
 WORDS = python.Words(
     options="*, axis: int = -1, out: Array | None = None",
@@ -42,19 +44,23 @@ class Numpy(python.PythonTarget):
             "_kernel.py": {},
             "_multiple.py": {},
             "_native.py": {},
+            "_program.py": {},
             "_recorder.py": {},
             "_runtime.py": {},
             "_tools.py": {},
         }
 
     def geometry(self, table: Table) -> Data:
-        return {"programs": python.printed_geometry(table), "rows": table.kernels}
+        return python.geometry(table)
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        base = facts.chart.base
-        own = {} if base else {name: p for name, p in lowered.scalars.items() if name not in known}
-        found = {"scalars": list(map(python.printed_scalar, own.values())), "programs": fingerprint(facts, lowered)}
-        return {**found, **_multiple(facts.chart)} if lowered.table is POSES else found
+    def programs(self, facts: Facts) -> Data:
+        own = [] if facts.chart.base else python.printed_scalars(facts)
+        names = textwrap.wrap(", ".join(f"_{program.name}" for program in own) + ",", WIDTH - 8)
+        found = {"scalars": own, "names": textwrap.indent("\n".join(names), " " * 8)}
+        return {**found, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        return {"programs": fingerprint(facts, lowered)}
 
 
 def _multiple(chart: Chart) -> Data:

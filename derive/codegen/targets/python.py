@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -14,10 +14,11 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..lowered import Lowered, lower_chart
+from ..lowered import Lowered, lower_chart, shared_with_poses
 from ..lowered import printed_geometry as lowered_geometry
-from ..package import Data, Facts, numbers
-from ..programs.program import Program, summary
+from ..lowering.scalars import FORMULAS
+from ..package import Data, Facts, comment, numbers
+from ..programs.program import Program
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
@@ -66,12 +67,12 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters, text of the body, and a summary of its operations."""
+    """A program as its template shows it: parameters, text of the body, and its formula as a comment."""
 
     name: str
     parameters: tuple[str, ...]
     forms: Any
-    summary: str = ""
+    formula: str = ""
 
 
 class PythonTarget(ABC):
@@ -116,19 +117,22 @@ class PythonTarget(ABC):
         """Return what fills the template of a geometry."""
 
     @abstractmethod
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        """Return what fills the template of a chart with its programs, without the scalar programs already known."""
+    def programs(self, facts: Facts) -> Data:
+        """Return what fills the template of a chart with its scalar programs."""
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        """Return what fills the template of a chart for rotations, besides its description."""
+        return {}
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts), **self.programs(facts, facts.lowered)}
+        return {**described(facts), **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the modules of the chart for further tables; they use the scalar programs of the module for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            described = described_rotations(facts, lowered)
-            data = {**described, **self.programs(facts, lowered, facts.lowered.scalars)}
+            data = {**described_rotations(facts, lowered), **self.rotations(facts, lowered)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
 
@@ -202,7 +206,13 @@ def printed_geometry(table: Table) -> list[Printed]:
     return [
         Printed(name, _parameters(program, name in table.kernels), infix.body(program))
         for name, program in lowered_geometry(table).items()
+        if name not in shared_with_poses(table)
     ]
+
+
+def geometry(table: Table) -> Data:
+    """Return what fills the template of a geometry of plain functions; rotations import programs that are the same."""
+    return {"programs": printed_geometry(table), "rows": table.kernels, "same": sorted(shared_with_poses(table))}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
@@ -212,11 +222,25 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*context, *given)
 
 
-def printed_scalar(program: Program) -> Printed:
-    """Return a scalar program as a plain function of numbers."""
-    parameters = tuple(name for _, names in program.inputs for name in names)
-    operations = f"operations {summary(program.operations)}"
-    return Printed(program.name, parameters, infix.body(program, alone=True), operations)
+def printed_scalars(facts: Facts) -> list[Printed]:
+    """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
+    return [
+        Printed(
+            name,
+            tuple(name for _, names in program.inputs for name in names),
+            infix.body(program, alone=True),
+            formula_of(name, facts.chart),
+        )
+        for name, program in facts.lowered.scalars.items()
+    ]
+
+
+def formula_of(scalar: str, chart: Chart) -> str:
+    """Return the formula of a scalar program as a comment: for every chart, then of order n, with equation numbers."""
+    general, of_order, maps = FORMULAS[scalar]
+    texts = [general, of_order] if of_order and chart.cayley else [general]
+    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:

@@ -1,4 +1,4 @@
-"""What a target is: a language, its files, its texts, and how what was printed is executed again."""
+"""Protocol of a target: a language, its files and texts, and how printed text is executed."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from ..rows import Table
 
 
 class Target(Printer, Protocol):
-    """A language kernels are printed in."""
+    """A language in which kernels are printed."""
 
     @property
     def unproved(self) -> str:
-        """What of its text is not executed when it is validated."""
+        """Parts of the text that validation does not execute."""
 
     @property
     def tables(self) -> Sequence[Table]:
-        """Whose functions it prints, a module of every chart for each, that of poses first."""
+        """Tables whose functions are printed, poses first; every chart has a module for each."""
 
     @property
     def imports_bases(self) -> bool:
@@ -29,21 +29,21 @@ class Target(Printer, Protocol):
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Execute the text of a module in a folder; return how many calls equal the formula.
 
-        ``geometry`` asks for all functions, which shows the text that charts share; else for those that are its own.
+        With ``geometry`` all functions are executed, and so the text that charts share; else the chart's own ones.
         """
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Call the functions of a module on floats; return how many calls agree with the formula.
 
-        ``geometry`` asks for all functions, in all ways; else for those that are the chart's own.
+        With ``geometry`` all functions are called, in all ways; else the chart's own ones.
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
+        """Compile and run the tests among its companions; return how many calls agree, None without a compiler."""
 
 
 def require_functions(where: str, found: Iterable[str], table: Table) -> None:
-    """Compare the functions that a text defines with the public ones of a table.
+    """Compare the functions of a text with the public ones of a table.
 
     Raises
     ------

@@ -14,24 +14,20 @@ from ...maps.chart import Chart
 
 DIGITS = 50
 
-CONSTANTS = mpmath.mpf(10) ** -40
-"""What constants of as many digits are off by."""
+CONSTANTS_ERROR = mpmath.mpf(10) ** -40
+"""Error of printed constants, which have as many digits."""
 
-CONDITION = mpmath.mpf(10) ** 8
-"""What errors of constants and scalars grow by, at most, in the results of the seeded cases."""
-
+CONDITION_MAX = mpmath.mpf(10) ** 8
+"""Factor by which errors of constants and scalars grow, at most, in the results of seeded cases."""
 
 NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
-"""What is not defined is NaN, and a quotient by zero infinite, for a selection computes both sides, and the one not
-taken may divide by zero. Zeros have no sign that counts."""
+"""Undefined results are NaN, and a quotient by zero is infinite, for a selection computes the side not taken too."""
 
 ONE, TWO = decimal.Decimal(1), decimal.Decimal(2)
-NAN = decimal.Decimal("NaN")
-LESS, GREATER = decimal.Decimal(-1), decimal.Decimal(1)
 
 
 def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -> Callable[[Decimal, object], Decimal]:
-    """An operation with an exact partner; each step of a kernel is one, so it makes its result without more calls."""
+    """Return an operation with an exact partner; each step of a kernel is one, so no further call is made."""
 
     def operation(self: Decimal, other: object) -> Decimal:
         value = other.value if type(other) is Decimal else _partner(other)
@@ -43,6 +39,8 @@ def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -
 
 
 def _partner(other: object) -> decimal.Decimal:
+    if isinstance(other, Decimal):
+        return other.value
     if isinstance(other, int):
         return _integer(other)
     if isinstance(other, Fraction):
@@ -55,10 +53,7 @@ _integer = lru_cache(maxsize=256)(NUMBERS.create_decimal)
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels.
-
-    These but for ``sqrt`` are to as many digits as mpmath works with.
-    """
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
 
     __slots__ = ("value",)
 
@@ -74,13 +69,13 @@ class Decimal:
         return Decimal(NUMBERS.minus(self.value))
 
     def __lt__(self, other: object) -> bool:
-        return NUMBERS.compare(self.value, _value(other)) == LESS
+        return NUMBERS.compare(self.value, _partner(other)) == -1
 
     def __gt__(self, other: object) -> bool:
-        return NUMBERS.compare(self.value, _value(other)) == GREATER
+        return NUMBERS.compare(self.value, _partner(other)) == 1
 
     def __eq__(self, other: object) -> bool:
-        return self.value == _value(other)
+        return self.value == _partner(other)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -93,33 +88,27 @@ class Decimal:
     def sqrt(self) -> Decimal:
         return Decimal(NUMBERS.sqrt(self.value))
 
-    def tan(self) -> Decimal:
-        if not self.value.is_finite():  # mpmath would raise a flag that NumPy warns of
-            return Decimal(NAN)
-        return _computed(mpmath.tan, mpmath.mp.prec, self.value)
+    def tan(self) -> Decimal:  # of an infinite number mpmath would raise a flag that NumPy warns of
+        return _computed(mpmath.tan, mpmath.mp.prec, self.value) if self.value.is_finite() else Decimal(mpmath.nan)
 
     def arctan2(self, other: object) -> Decimal:
-        return _computed(mpmath.atan2, mpmath.mp.prec, self.value, _value(other))
+        return _computed(mpmath.atan2, mpmath.mp.prec, self.value, _partner(other))
 
     def expm1(self) -> Decimal:
         return _computed(mpmath.expm1, mpmath.mp.prec, self.value)
 
     def log1p(self) -> Decimal:
-        return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(NAN)
+        return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(mpmath.nan)
 
 
-@lru_cache(maxsize=4096)  # every form of a program, in every layout, asks for the same
+@lru_cache(maxsize=4096)  # programs in every layout ask for the same
 def _computed(function: Callable[..., Any], precision: int, *values: decimal.Decimal) -> Decimal:
-    """A function of mpmath, which works with so many bits."""
+    """Return the value of a function of mpmath; ``precision`` is the working precision, a key of the cache."""
     return Decimal(function(*map(_binary, values)))
 
 
-def _value(other: object) -> decimal.Decimal:
-    return other.value if isinstance(other, Decimal) else _partner(other)
-
-
 def _of(value: Any) -> decimal.Decimal:
-    """A decimal number, an int, a Fraction or a number of mpmath; nothing else is to so many digits."""
+    """Return a decimal number, an int, a Fraction or a number of mpmath in decimals; no other has so many digits."""
     if isinstance(value, decimal.Decimal):
         return value
     if isinstance(value, int):
@@ -130,7 +119,7 @@ def _of(value: Any) -> decimal.Decimal:
         raise TypeError(f"no number of {DIGITS} digits: {type(value).__name__} {value!r}")
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa:
-        return decimal.Decimal(float(value))  # 0, infinite or none
+        return decimal.Decimal(float(value))  # 0, infinite or NaN
     digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # of its own type where gmpy2 is installed
     scale = _power_of_two(abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
@@ -140,28 +129,22 @@ _power_of_two = lru_cache(maxsize=1024)(partial(NUMBERS.power, TWO))
 
 
 def _binary(value: decimal.Decimal) -> Any:
-    """The same as a number of mpmath, which has the functions."""
+    """Return a decimal number as one of mpmath, which has the functions."""
     if not value.is_finite():
         return mpmath.mpf(float(value))
     places = DIGITS - value.adjusted()  # of a whole number with all its digits
-    return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / _power_of_ten(places, mpmath.mp.prec)
-
-
-@lru_cache(maxsize=256)
-def _power_of_ten(exponent: int, precision: int) -> Any:
-    """In the working precision, which is named for what is kept."""
-    return mpmath.mpf(10) ** exponent
+    return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / mpmath.mpf(10) ** places
 
 
 def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
-    """How far results of 50-digit numbers may be off, by 1 and their own size."""
-    return Decimal(CONDITION * max(CONSTANTS, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
+    """Return the largest error of results of 50-digit numbers, relative to 1 plus their size."""
+    return Decimal(CONDITION_MAX * max(CONSTANTS_ERROR, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
 
 
 def close(got: Any, expected: Any, tolerance: Decimal) -> bool:
-    """Whether a result of 50-digit numbers is the expected one."""
+    """Return whether a result of 50-digit numbers is the expected one."""
     value, wanted = (number.value if isinstance(number, Decimal) else _of(number) for number in (got, expected))
     if wanted.is_nan():
         return value.is_nan()
-    most = NUMBERS.multiply(tolerance.value, NUMBERS.add(ONE, NUMBERS.abs(wanted)))
-    return NUMBERS.compare(NUMBERS.abs(NUMBERS.subtract(value, wanted)), most) == LESS
+    bound = NUMBERS.multiply(tolerance.value, NUMBERS.add(ONE, NUMBERS.abs(wanted)))
+    return NUMBERS.compare(NUMBERS.abs(NUMBERS.subtract(value, wanted)), bound) == -1

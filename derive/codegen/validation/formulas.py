@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from typing import Any
 
-import mpmath
 import sympy
 
 from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Vector
 from ...maps import Formula, x
+from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
@@ -27,7 +26,7 @@ from ..signatures import POSES
 from .vectors import Flat, Vectors, dual, flat
 
 ROOTS_MAX = 2
-"""Square roots in a row up to which the inverse map is compared exactly; more would take too long."""
+"""Largest number of square roots with which the inverse map is compared exactly; more would take too long."""
 
 LETTERS = ("v", "w", "z")
 """Symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
@@ -49,43 +48,22 @@ class Expectation:
         return self.given() if callable(self.given) else self.given
 
 
-@dataclass(frozen=True, slots=True)
-class Numbers:
-    """Numbers in place of ring elements: evaluates formulas of a chart in the working precision of mpmath."""
-
-    chart: Vectors
-
-    def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int) -> Sequence[Any]:
-        """Return a formula and its derivatives at an exact number, rounded to the working precision."""
-        if alpha in expression.free_symbols:
-            return self.chart.derivatives(expression, value, order)
-        return _derivatives(expression, symbol, mpmath.mpf(value), order, mpmath.mp.dps)
-
-
-@lru_cache(maxsize=1024)  # points differ in other components more often than in x
-def _derivatives(expression: sympy.Expr, symbol: sympy.Symbol, value: Any, order: int, digits: int) -> tuple[Any, ...]:
-    sign, mantissa, exponent, _ = value._mpf_
-    at = sympy.Rational((-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent))
-    slopes = [expression]
-    for _ in range(order):
-        slopes.append(_derivative(slopes[-1], symbol))
-    return tuple(mpmath.mpf(slope.xreplace({symbol: at}).evalf(digits + 5)) for slope in slopes)
-
-
-@lru_cache(maxsize=256)
-def _derivative(expression: sympy.Expr, symbol: sympy.Symbol) -> sympy.Expr:
-    return expression.diff(symbol)
+@lru_cache(maxsize=256)  # to ask walks the tree
+def _has_angle(expression: sympy.Expr) -> bool:
+    return alpha in expression.free_symbols
 
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
-    """Formulas of a chart at ring elements or numbers; ``ring`` is a ring or `Numbers`."""
+    """Formulas of a chart at ring elements, or at numbers where the `Vectors` of the chart are given as ``ring``."""
 
     chart: Chart
     ring: Any
 
     def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
         """Return an algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        if isinstance(self.ring, Vectors) and not _has_angle(expression):
+            return evaluate(expression, x, at)
         order, plain = 0, at
         while isinstance(plain, Dual):
             order, plain = order + 1, plain.re
@@ -152,33 +130,29 @@ def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
     return matrix6([function(moving(v, Vector(*unit))).du for unit in units])
 
 
-Operator = Callable[..., Isotropic]
 Value = Callable[..., Flat]
+Operator = Callable[..., Isotropic]
+
+
+def _applied(operator: Operator, hand: int) -> Value:
+    """Return the function that applies an operator to the second argument."""
+    return lambda at, v, w: flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
+
+
+def _applied_jacobian(operator: Operator, hand: int) -> Value:
+    """Return the derivative by v of an operator applied to the second argument."""
+
+    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
+        fixed = moving(dual(w), 0 * dual(w))
+        return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
+
+    return expected
 
 
 def _tangent_dot(hand: int) -> Value:
     def expected(at: Formulas, v: Flat, v_dot: Flat) -> Flat:
         there = moving(dual(v), dual(v_dot))
         return flat(at.tangent(there, hand).tensor(there).du)
-
-    return expected
-
-
-def _applied(operator: Operator, hand: int = 1) -> Value:
-    """Return the function that applies an operator to the second argument."""
-
-    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
-        return flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
-
-    return expected
-
-
-def _applied_jacobian(operator: Operator, hand: int = 1) -> Value:
-    """Return the derivative by v of an operator applied to the second argument."""
-
-    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
-        fixed = moving(dual(w), 0 * dual(w))
-        return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
 
     return expected
 
@@ -234,44 +208,43 @@ BY_TENSORS: Mapping[str, Value] = {
     "transform_point_jacobians": _point_jacobians,
     "transform_line_jacobians": _line_jacobians,
     "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
-    "tangent": lambda at, v: flat(at.tangent(dual(v)).tensor(dual(v))),
-    "tangent_inv": lambda at, v: flat(at.tangent_inv(dual(v)).tensor(dual(v))),
-    "body_tangent": lambda at, v: flat(at.tangent(dual(v), -1).tensor(dual(v))),
-    "body_tangent_inv": lambda at, v: flat(at.tangent_inv(dual(v), -1).tensor(dual(v))),
     "inverse": lambda at, v: tuple(-c for c in v),
-    "twist": _applied(Formulas.tangent),
-    "rate": _applied(Formulas.tangent_inv),
-    "body_twist": _applied(Formulas.tangent, -1),
-    "body_rate": _applied(Formulas.tangent_inv, -1),
-    "tangent_dot": _tangent_dot(1),
-    "body_tangent_dot": _tangent_dot(-1),
-    "twist_dot": _twist_dot(1),
-    "body_twist_dot": _twist_dot(-1),
-    "rate_dot": _rate_dot(1),
-    "body_rate_dot": _rate_dot(-1),
-    "twist_jacobian": _applied_jacobian(Formulas.tangent),
-    "body_twist_jacobian": _applied_jacobian(Formulas.tangent, -1),
-    "rate_jacobian": _applied_jacobian(Formulas.tangent_inv),
-    "body_rate_jacobian": _applied_jacobian(Formulas.tangent_inv, -1),
     "cotangent": _applied(Formulas.tangent, -1),
-    "body_cotangent": _applied(Formulas.tangent),
+    "body_cotangent": _applied(Formulas.tangent, 1),
     "cotangent_jacobian": _applied_jacobian(Formulas.tangent, -1),
-    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent),
+    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent, 1),
 }
 
-ALGEBRAIC: Mapping[str, Value] = {**BY_QUATERNION, **BY_TENSORS}
+BY_HAND: Mapping[str, Callable[[int], Value]] = {
+    "tangent": lambda hand: lambda at, v: flat(at.tangent(dual(v), hand).tensor(dual(v))),
+    "tangent_inv": lambda hand: lambda at, v: flat(at.tangent_inv(dual(v), hand).tensor(dual(v))),
+    "twist": partial(_applied, Formulas.tangent),
+    "rate": partial(_applied, Formulas.tangent_inv),
+    "tangent_dot": _tangent_dot,
+    "twist_dot": _twist_dot,
+    "rate_dot": _rate_dot,
+    "twist_jacobian": partial(_applied_jacobian, Formulas.tangent),
+    "rate_jacobian": partial(_applied_jacobian, Formulas.tangent_inv),
+}
+"""Functions of the tangent operator, in space with hand 1 and in the body with hand −1."""
+
+FRAMES = {"": 1, "body_": -1}
+
+ALGEBRAIC: Mapping[str, Value] = {
+    **BY_QUATERNION,
+    **BY_TENSORS,
+    **{f"{frame}{name}": made(hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
+}
 """Values by kernel function, from the formulas of a chart and flat arguments."""
 
 
 def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
     """Yield every algebraic function of a table on symbols, and `from_quaternion` where roots alone lead back."""
-    for name in filter(table.sources.__contains__, BY_QUATERNION):
-        case = _on_symbols(chart, table.sources[name], chart.quaternion)
-        yield case
-        if _goes_back_by_roots(chart):
+    for name in filter(table.sources.__contains__, ALGEBRAIC):
+        maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
+        yield (case := _on_symbols(chart, table.sources[name], *maps))
+        if name in BY_QUATERNION and _goes_back_by_roots(chart):
             yield Expectation(f"from_{name}", (case.result,), case.arguments[0])
-    for name in filter(table.sources.__contains__, BY_TENSORS):
-        yield _on_symbols(chart, table.sources[name], chart.tensor, chart.tangent, chart.tangent_inv)
 
 
 def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:

@@ -11,11 +11,10 @@ import mpmath
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
-from ...maps.inverse import polar
-from ...maps.pose import Pose, Screw, tensor_from_pose
+from ...maps.pose import Pose, Screw, polar, tensor_from_pose
 from ...maps.sign_tests import orientation
 from ..rows import Function
-from .formulas import ALGEBRAIC, Formulas, Numbers, evaluated, matrix6
+from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, dual, flat
 
 
@@ -60,7 +59,7 @@ def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle, less whole turns while it is beyond the edge."""
+    """Return the angle minus as many whole turns as bring it below the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle
@@ -107,7 +106,7 @@ def _turning(precision: int, *delta: Any) -> Quaternion:
 
 
 def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
-    """Return exp(t δ) R(v1), on the sign of sin(α/2) that v1 has; about the axis of v1 itself the angle is followed."""
+    """Return exp(t δ) R(v1), on the branch reached continuously from that of v1."""
     if v1 == v2:
         return v1
     first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
@@ -145,7 +144,7 @@ def _local(body: bool) -> Callable[..., Flat]:
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
-    """Return the derivatives of a function by each of its dual vectors, as difference quotients of twice the digits."""
+    """Return the derivatives of a function by each of its dual vectors, as difference quotients with twice the digits."""
 
     def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
         with mpmath.workprec(2 * mpmath.mp.prec):
@@ -201,5 +200,5 @@ def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence
     """Return the value of any kernel function at given numbers."""
     zero = mpmath.mpf(0)
     if row.source in ALGEBRAIC:
-        return evaluated(row, Formulas(chart.chart, Numbers(chart)), arguments, zero)
+        return evaluated(row, Formulas(chart.chart, chart), arguments, zero)
     return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

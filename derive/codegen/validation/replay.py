@@ -1,6 +1,6 @@
 """Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not pass through.
 
-Public functions are called on seeded cases, one by one and in arrays, and compared with the formula to a share of the
+Public functions are called on seeded cases, one by one and in arrays, and compared with the formula to half of the
 digits; where a case is ill-conditioned, within its scale. Calls that are the same for every chart are made once for a
 package. Kernels of any Python target are replayed, in the arrays of any library.
 """
@@ -11,7 +11,7 @@ import importlib
 import itertools
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -23,9 +23,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...maps.chart import Chart
-from ..rows import Array as Kind
 from ..rows import Function, Table
-from ..signatures import CHECK, POSES, QUATERNION, SCALAR_FIRST
+from ..signatures import POSES
 from .decimals import DIGITS
 from .errors import ValidationFailed
 from .float_cases import Case, cases
@@ -40,20 +39,17 @@ FEW = 20
 BLOCK = 7
 """Block size of a replay, so that small batches have several blocks and a shorter last one."""
 
+CASES_MAX = 4
+"""Cases of a function and branch that are replayed; one takes each row of a rotation matrix."""
+
 TOLERANCE = 1 / 2
 """Share of the digits of a type in which well-conditioned results agree."""
 
 GATE = 16
 """Largest error of any result, in units of the machine epsilon and of its scale."""
 
-CASES_MAX = 4
-"""Cases of a function and branch that are replayed; one takes each row of a rotation matrix."""
-
-SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
-"""Components of a dual quaternion in the order of ``scalar_first=False``."""
-
-STRETCH = 1.01
-"""Factor that makes a unit array one that is refused."""
+TOLERANCE_SAME = 1e-6
+"""Relative difference of two calls on the same numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,14 +68,9 @@ NUMPY = Library("numpy", np.asarray, tuple(map(np.dtype, (np.float64, np.float32
 class Machinery:
     """Run-time parts of a target around its kernels.
 
-    Parameters
-    ----------
-    out : bool
-        Whether functions take ``out``.
-    silent : bool
-        Whether IEEE results at singular points come without a warning.
-    few, block : str
-        Places, ``module.NAME``, of the largest batch that runs pose by pose, and of the largest block.
+    ``out`` says whether functions take it, ``silent`` whether IEEE results at singular points come without a warning.
+    ``few`` and ``block`` are the places, ``module.NAME``, of the largest batch that runs pose by pose, and of the
+    largest block.
     """
 
     out: bool = True
@@ -97,26 +88,10 @@ def replay(
     *,
     geometry: bool,
 ) -> int:
-    """Call the functions of the modules of a chart on floats; return how many calls agree with its formulas.
+    """Call the functions of a package on floats; return how many calls agree with the formulas of a chart.
 
-    Parameters
-    ----------
-    folder : Path
-        The package.
-    chart : Chart
-    machinery : Machinery
-    libraries : sequence of Library
-        Array libraries that arguments are made in.
-    tables : sequence of Table
-        One module for each.
-    geometry : bool
-        Whether to call all functions, in all ways that are the same for every chart. Otherwise functions are called
-        that read the chart's own scalars.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, how it was called, and the first component that is off.
+    With ``geometry`` all functions are called, and some in all ways that are the same for every chart. Otherwise
+    functions are called that read the chart's own scalars. `ValidationFailed` names the first component that is off.
     """
     if not libraries:
         return 0
@@ -139,13 +114,33 @@ def replay_package(
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
         for table, library in itertools.product(tables, libraries):
             module = module_of(package, chart, table)
-            few = _value(package, machinery.few) if machinery.few else FEW
-            with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
+            with _small_blocks(package, machinery) as few:
                 caller = Caller(module, library, machinery.out, few)
                 # run-time parts do for a further library what they do for the first
                 caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
                 count += caller.count
     return count
+
+
+@contextmanager
+def _small_blocks(package: str, machinery: Machinery) -> Iterator[int]:
+    """Run kernels in blocks of few poses; provide the size of the largest batch that runs pose by pose."""
+
+    def found(place: str) -> tuple[ModuleType, str]:
+        name, _, attribute = place.rpartition(".")
+        return importlib.import_module(f"{package}.{name}"), attribute
+
+    few = int(getattr(*found(machinery.few))) if machinery.few else FEW
+    if not machinery.block:
+        yield few
+        return
+    module, attribute = found(machinery.block)
+    size = getattr(module, attribute)
+    setattr(module, attribute, BLOCK)
+    try:
+        yield few
+    finally:
+        setattr(module, attribute, size)
 
 
 @dataclass(frozen=True)
@@ -168,8 +163,7 @@ class Group:
 
     def given(self, index: Array, dtype: np.dtype[Any], axis: int) -> list[Array]:
         """Return the arguments of the cases at an index, components last or first."""
-        arrays = (array[index].astype(dtype) for array in self.arguments)
-        return [_laid(array, index.ndim, axis) for array in arrays]
+        return [_turned(array[index].astype(dtype), index.ndim, axis) for array in self.arguments]
 
 
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
@@ -193,169 +187,87 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function, and perhaps one of every kind in all ways, as run-time parts tell kinds apart."""
+        """Call every function; perhaps also one of every kind, as run-time parts tell them apart, in all ways."""
         kinds: dict[tuple[Any, ...], Group] = {}
         for group in groups:
-            self._function(group, chart)
-            row = group.row
-            kind = (len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real, row.keywords)
-            kinds[kind] = group
+            row, count = group.row, len(group.cases)
+            kinds[len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real] = group
+            many = np.arange(self.few + BLOCK) % count
+            for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count, many):
+                self.check(group, index)
+            self.check(group, many, axis=0)
+            for name in row.aliases_in(chart):
+                self.check(group, np.array(0), name=name)
+            for turns in (-1, 2) if group.branch else ():
+                self.check(group, np.array(0), branch=(group.branch[0] + turns * chart.branches,))
         for group in kinds.values() if in_all_ways else ():
             for count, axis in ((3, -1), (self.few + BLOCK, 0)):
-                self._ways(group, np.arange(count) % len(group.cases), self.library.dtypes[0], axis)
-
-    def _function(self, group: Group, chart: Chart) -> None:
-        """Call a function on every case alone, on few and on many in several blocks, under every name and branch."""
-        double = np.dtype(float)
-        for place in range(len(group.cases)):
-            self.check(group, np.array(place), double, -1)
-        for dtype, axis in itertools.product(self.library.dtypes, (-1, 0)):
-            self.check(group, np.arange(self.few + BLOCK) % len(group.cases), dtype, axis)
-        self.check(group, np.arange(max(self.few // 2, 1)) % len(group.cases), double, -1)
-        for name in group.row.aliases_in(chart):
-            self.check(group, np.array(0), double, -1, name=name)
-        for turns in (-1, 2) if group.branch else ():
-            self.check(group, np.array(0), double, -1, branch=(group.branch[0] + turns * chart.branches,))
+                for dtype in self.library.dtypes:
+                    self.check(group, np.arange(count) % len(group.cases), dtype, axis)
+                self._ways(group, np.arange(count) % len(group.cases), axis)
 
     def check(
-        self,
-        group: Group,
-        index: Array,
-        dtype: np.dtype[Any],
-        axis: int,
-        how: str = "",
-        *,
-        name: str = "",
-        branch: tuple[int, ...] = (),
+        self, group: Group, index: Array, dtype: np.dtype[Any] | None = None, axis: int = -1, **named: Any
     ) -> list[Array]:
         """Call a function on the cases at an index and compare the results with the formula; return them."""
-        results = self._run(group, group.given(index, dtype, axis), axis, how, name=name, branch=branch)
-        flat = []
-        for got, kind in zip(results, group.row.results, strict=True):
-            shape = kind.shape + index.shape if axis == 0 else index.shape + kind.shape
-            if (got.shape, got.dtype) != (shape, dtype):
-                raise self._failure(group, how, f"{kind.name} is an array {got.dtype} {got.shape}, not {dtype} {shape}")
-            flat.append(_last(got, index.ndim, axis))
-        found, wanted = np.concatenate(flat, axis=-1), group.results[index]
+        dtype = dtype or self.library.dtypes[0]
+        results = self._run(group, group.given(index, dtype, axis), axis, **named)
+        kinds = [kind.shape for kind in group.row.results]
+        shapes = [kind + index.shape if axis == 0 else index.shape + kind for kind in kinds]
+        if [(got.shape, got.dtype) for got in results] != [(shape, dtype) for shape in shapes]:
+            raise self._failure(group, f"results of {dtype} are {[(got.dtype, got.shape) for got in results]}")
+        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
+        found, wanted = np.concatenate(parts, axis=-1), group.results[index]
         with np.errstate(all="ignore"):
             size = np.max(abs(wanted), axis=-1, keepdims=True)
             off = ~(abs(found - wanted) <= np.finfo(dtype).eps ** TOLERANCE * np.maximum(size, 1))
-        for place in np.argwhere(off):
-            self._within_scale(group, int(index[tuple(place[:-1])]), int(place[-1]), found[tuple(place)], dtype, how)
+        for place in map(tuple, np.argwhere(off & ~(np.isnan(wanted) & np.isnan(found)))):
+            scale = max(group.cases[index[place[:-1]]].scales)
+            if not abs(found[place] - wanted[place]) <= GATE * np.finfo(dtype).eps * scale:
+                raise self._failure(group, f"component {place[-1]} is {found[place]}, not {wanted[place]}, of {dtype}")
         return results
 
-    def _within_scale(self, group: Group, case: int, at: int, got: Any, dtype: np.dtype[Any], how: str) -> None:
-        """Raise unless a component is within rounding of the formula, by the scale of its case."""
-        wanted = group.results[case, at]
-        if np.isnan(wanted) and np.isnan(got):
-            return
-        if not abs(got - wanted) <= GATE * np.finfo(dtype).eps * max(group.cases[case].scales):
-            raise self._failure(group, how or str(dtype), f"component {at} is {got}, not {wanted}")
-
     def _run(
-        self,
-        group: Group,
-        given: Sequence[Array],
-        axis: int,
-        how: str = "",
-        *,
-        name: str = "",
-        branch: tuple[int, ...] = (),
-        **options: Any,
+        self, group: Group, given: Sequence[Array], axis: int, name: str = "", branch: Any = (), **options: Any
     ) -> list[Array]:
         """Return the results of a call; an exception or a warning is a failure."""
         function = getattr(self.module, name or group.row.name)
         try:
             found = function(*map(self.library.make, given), *(branch or group.branch), axis=axis, **options)
         except (ArithmeticError, TypeError, ValueError, Warning) as error:
-            raise self._failure(group, how, repr(error)) from error
+            raise self._failure(group, repr(error)) from error
         self.count += 1
-        results = list(map(np.asarray, found if isinstance(found, tuple) else (found,)))
-        if len(results) != len(group.row.results):
-            raise self._failure(group, how, f"{len(results)} results")
-        return results
+        return list(map(np.asarray, found if isinstance(found, tuple) else (found,)))
 
-    # --- ways to call that are the same for every function ----------------------------------------------------------
-
-    def _ways(self, group: Group, index: Array, dtype: np.dtype[Any], axis: int) -> None:
-        """Compare calls on arrays of any layout, shape and place with the plain call on the same numbers."""
-        given, plain = group.given(index, dtype, axis), self.check(group, index, dtype, axis)
+    def _ways(self, group: Group, index: Array, axis: int) -> None:
+        """Compare calls with strided, broadcast and overlapping arrays with the plain call on the same numbers."""
+        given, plain = group.given(index, self.library.dtypes[0], axis), self.check(group, index, axis=axis)
 
         def same(how: str, arrays: Sequence[Array], wanted: Sequence[Array] = plain, **options: Any) -> list[Array]:
-            found = self._run(group, arrays, axis, how, **options)
-            if not all(map(_near, found, wanted)):
-                raise self._failure(group, f"{how}, axis {axis}", "differs from the plain call")
+            found = self._run(group, arrays, axis, **options)
+            near = (np.allclose(a, b, rtol=TOLERANCE_SAME, equal_nan=True) for a, b in zip(found, wanted, strict=True))
+            if [a.shape for a in found] != [b.shape for b in wanted] or not all(near):
+                raise self._failure(group, f"with {how} arrays, axis {axis}, it differs from the plain call")
             return found
 
-        for how, lay in (("Fortran order", np.asfortranarray), ("strided", _strided), ("backwards", _backwards)):
-            laid = [lay(array) for array in given]
-            for array in laid:
-                array.flags.writeable = False
-            same(how, laid)
+        same("strided", [_strided(array) for array in given])
         for place, array in enumerate(given):
-            self._broadcast(group, given, place, len(index), axis)
-            spoilt = [part.copy() for part in given]
-            where = (..., 1) if axis == 0 else (1, ...)
-            spoilt[place][where] = np.nan
-            if not any(np.isnan(part[where]).any() for part in self._run(group, spoilt, axis, "NaN")):
-                raise self._failure(group, "NaN", "a NaN makes no NaN")
+            before, after = given[:place], given[place + 1 :]
+            if len(given) > 1:
+                single = array[(..., slice(1)) if axis == 0 else (slice(1), ...)]
+                copies = np.repeat(single, len(index), axis=-1 if axis == 0 else 0)
+                same("broadcast", [*before, single, *after], self._run(group, [*before, copies, *after], axis))
             if self.out and len(plain) == 1:
-                memory = np.full(max(array.size, plain[0].size), np.nan, dtype)
+                memory = np.full(max(array.size, plain[0].size), np.nan, array.dtype)
                 moved, target = (memory[: part.size].reshape(part.shape) for part in (array, plain[0]))
                 moved[...] = array
-                arrays = [*given[:place], moved, *given[place + 1 :]]
-                if same("out over an argument", arrays, out=target)[0] is not target:
-                    raise self._failure(group, "out", "the array returned is another")
-        self._keywords(group, given, plain, axis, same)
+                if same("overlapping", [*before, moved, *after], out=target)[0] is not target:
+                    raise self._failure(group, "the array returned is not out")
 
-    def _broadcast(self, group: Group, given: Sequence[Array], place: int, count: int, axis: int) -> None:
-        """Compare a call with one argument of a single pose with the call on as many copies of it."""
-        single = given[place][(..., slice(1)) if axis == 0 else (slice(1), ...)]
-        copies = np.repeat(single, count, axis=-1 if axis == 0 else 0)
-        results = [
-            self._run(group, [*given[:place], array, *given[place + 1 :]], axis, "broadcast")
-            for array in (single, copies)
-        ]
-        for found, wanted in zip(*results, strict=True):
-            if len(given) > 1 and not _near(found, wanted):
-                raise self._failure(group, "broadcast", f"differs from the call on copies of argument {place + 1}")
-
-    def _keywords(self, group: Group, given: Sequence[Array], plain: Any, axis: int, same: Callable[..., Any]) -> None:
-        """Call with each keyword of a row: right arguments pass their check, quaternions come in another order."""
-        row = group.row
-        if CHECK in row.keywords and row.branch:
-            same("checked", given, check=True)
-            wrong = [array * STRETCH for array in given]
-            try:
-                self._run(group, wrong, axis, check=True)
-            except ValidationFailed as error:
-                if "is no " not in str(error):
-                    raise
-            else:
-                raise self._failure(group, "check", "a wrong argument is not refused")
-        if SCALAR_FIRST in row.keywords:
-            arrays, wanted = _scalar_last(given, row.arguments, axis), _scalar_last(plain, row.results, axis)
-            same("scalar last", arrays, wanted, scalar_first=False)
-
-    def _failure(self, group: Group, how: str, what: str) -> ValidationFailed:
+    def _failure(self, group: Group, what: str) -> ValidationFailed:
         name = f"{self.module.__name__.rpartition('.')[2]}.{group.row.name}"
-        parts = [name, *(f"branch {k}" for k in group.branch), *filter(None, (how,)), f"in {self.library.name}"]
-        return ValidationFailed(f"{', '.join(parts)}: {what}")
-
-
-def _near(found: Array, wanted: Array) -> bool:
-    """Return whether arrays are equal up to rounding; NaN equals NaN."""
-    if (found.shape, found.dtype) != (wanted.shape, wanted.dtype):
-        return False
-    finite = wanted[np.isfinite(wanted)]
-    size = np.max(abs(finite), initial=1)
-    return bool(np.allclose(found, wanted, rtol=0, atol=np.finfo(wanted.dtype).eps ** TOLERANCE * size, equal_nan=True))
-
-
-def _scalar_last(arrays: Sequence[Array], kinds: Sequence[Kind], axis: int) -> list[Array]:
-    """Return arrays with the scalar of quaternions last."""
-    pairs = zip(arrays, kinds, strict=True)
-    return [a.take(SCALAR_LAST[: k.size], axis) if k.name == QUATERNION.name else a for a, k in pairs]
+        branch = "".join(f", branch {k}" for k in group.branch)
+        return ValidationFailed(f"{name}{branch}, in {self.library.name}: {what}")
 
 
 def _long(rows: Sequence[Sequence[Any]]) -> Array:
@@ -367,42 +279,16 @@ def _long(rows: Sequence[Sequence[Any]]) -> Array:
     return heads + np.array(tails, np.longdouble)
 
 
-def _laid(array: Array, batch: int, axis: int) -> Array:
-    """Return an array of ``batch`` leading axes with its components where ``axis`` says."""
-    moved = np.moveaxis(array, range(batch), range(array.ndim - batch, array.ndim)) if axis == 0 else array
-    return np.ascontiguousarray(moved) if array.ndim else array
-
-
-def _last(array: Array, batch: int, axis: int) -> Array:
-    """Return a result with its components as one last axis."""
-    moved = np.moveaxis(array, range(array.ndim - batch, array.ndim), range(batch)) if axis == 0 else array
-    return moved.reshape(*moved.shape[:batch], -1)
+def _turned(array: Array, leading: int, axis: int) -> Array:
+    """Return an array with its leading axes moved behind the others for ``axis=0``."""
+    if axis == -1:
+        return array
+    return np.ascontiguousarray(np.moveaxis(array, range(leading), range(array.ndim - leading, array.ndim)))
 
 
 def _strided(array: Array) -> Array:
+    """Return a read-only array with the same numbers and gaps between them."""
     wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
     wide[..., ::2] = array
+    wide.flags.writeable = False
     return wide[..., ::2]
-
-
-def _backwards(array: Array) -> Array:
-    turned = (slice(None, None, -1),) * array.ndim
-    return np.ascontiguousarray(array[turned])[turned]
-
-
-def _value(package: str, place: str) -> int:
-    name, _, attribute = place.rpartition(".")
-    return int(getattr(importlib.import_module(f"{package}.{name}"), attribute))
-
-
-@contextmanager
-def _small_blocks(package: str, place: str) -> Iterator[None]:
-    """Run kernels in blocks of few poses."""
-    name, _, attribute = place.rpartition(".")
-    module = importlib.import_module(f"{package}.{name}")
-    size = getattr(module, attribute)
-    setattr(module, attribute, BLOCK)
-    try:
-        yield
-    finally:
-        setattr(module, attribute, size)

@@ -18,37 +18,26 @@ from ..rows import Table
 from ..signatures import POSES
 from .decimals import DIGITS
 from .errors import ValidationFailed
-from .formulas import Expectation
 from .loading import loaded, module_of
-from .samples import Batch, batches
+from .samples import Batch, batches, compare
 
 MAKERS = ("identity", "random")
 """Functions that have no program."""
+
+WIRED = ("quaternion", "shadow", "principal")
+"""Functions that read a scalar program, the turns and the returns of a chart."""
 
 ANGLE_ROUNDING = 2 * sys.float_info.epsilon
 """Relative error of an angle: a multiple of π is one product of rounded numbers, rounded."""
 
 
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Compare the modules of a chart with its formulas; return how many calls agree.
+    """Compare the modules of a chart, one for each table, with its formulas; return how many calls agree.
 
-    Parameters
-    ----------
-    folder : Path
-        The package.
-    chart : Chart
-    geometry : bool
-        Whether to call all functions, which shows the geometry that all charts share. Otherwise only functions are
-        called that together read every result of the chart's own scalar programs.
-    tables : sequence of Table
-        One module for each.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function and the first component that differs.
+    With ``geometry`` all functions are called, which shows the geometry that all charts share. Otherwise functions are
+    called that read the chart's own scalars. `ValidationFailed` names the function and the first wrong component.
     """
-    with loaded(folder) as package, mpmath.workdps(DIGITS):
+    with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
 
 
@@ -64,17 +53,19 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's scalar programs, and those that return v itself."""
-    lowered, programs, found = lower_chart(chart, table), geometry(table), dict[str, None]()
+    """Return functions that together read every result of a chart's scalar programs, and those that return v itself.
+
+    A module for rotations takes the scalars of that for poses: there functions are called that show that it does.
+    """
+    lowered, programs = lower_chart(chart, table), geometry(table)
+    shown = {} if table is POSES else lower_chart(chart, POSES).scalars
+    found = dict.fromkeys(WIRED if shown else ())
     read: set[tuple[str, int]] = set()
     for name, row in table.public.items():
         program = programs[row.kernel]
-        results = {
-            (call.function, place)
-            for call in program.calls
-            for place, result in enumerate(call.names)
-            if result in program.operands
-        }
+        called = (call for call in program.calls if call.function not in shown)
+        pairs = ((call.function, place, name) for call in called for place, name in enumerate(call.names))
+        results = {(function, place) for function, place, name in pairs if name in program.operands}
         if row.kernel not in lowered.operations or results - read:
             found[name] = None
             read |= results
@@ -89,10 +80,10 @@ def _check(module: ModuleType, batch: Batch) -> int:
     where = f"{module.__name__.rpartition('.')[2]}.{batch.function}"
     parts = [part.reshape(len(batch.cases), -1) for part in _call(function, arguments, batch.branch, where)]
     for row, case in zip(np.concatenate(parts, axis=-1), batch.cases, strict=True):
-        _compare(row, case, batch.agree, where)
+        compare(where, row, case.result, batch.agree)
     for pose, case in zip(zip(*arguments, strict=True), batch.cases, strict=True):
         alone = _call(function, pose, batch.branch, where)
-        _compare(np.concatenate([np.ravel(part) for part in alone]), case, batch.agree, where)
+        compare(where, np.concatenate([np.ravel(part) for part in alone]), case.result, batch.agree)
     return 1 + len(batch.cases)
 
 
@@ -102,18 +93,6 @@ def _call(function: Callable[..., Any], arrays: Sequence[Any], branch: Sequence[
     except (ArithmeticError, AttributeError, NameError, TypeError, ValueError) as error:
         raise ValidationFailed(f"{where}, no component: {error}") from error
     return found if isinstance(found, tuple) else (found,)
-
-
-def _compare(row: Any, case: Expectation, agree: Callable[[Any, Any], bool], where: str) -> None:
-    if len(row) != len(case.result):
-        raise ValidationFailed(f"{where}: {len(row)} components, expected {len(case.result)}")
-    for index, (got, expected) in enumerate(zip(row, case.result, strict=True)):
-        try:
-            right = agree(got, expected)
-        except TypeError as error:
-            raise ValidationFailed(f"{where}, component {index}: {error}") from error
-        if not right:
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {expected}")
 
 
 def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:

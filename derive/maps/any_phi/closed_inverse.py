@@ -1,10 +1,10 @@
-r"""φ⁻¹ in closed form: of functions of one another, each with an inverse; of φ² a quotient of quadratics in α².
+r"""φ⁻¹ in closed form: where φ is a composition of invertible functions, or φ² a quotient of quadratics in α².
 
 .. math:: \varphi^2 = \frac{\alpha^2 (n_1 + n_2 \alpha^2)}{d_0 + d_1 \alpha^2 + d_2 \alpha^4} \qquad
     \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
     a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
 
-the root that is 0 at r = 0, as it loses no digits there.
+Of both roots it is the one that is 0 at r = 0. This form of it loses no digits there.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ import sympy
 from ..families import alpha
 
 PRINCIPAL = {sympy.sin: sympy.asin}
-"""Inverses up to the first fold, which SymPy does not call so."""
+"""Inverse functions up to the first fold, which SymPy does not name as inverses."""
 DEGREE = 2
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:
-    """Return φ⁻¹ as an expression in `families.alpha`, which there is a length; None where none is found.
+    """Return φ⁻¹, in which `families.alpha` stands for the length; None where no form is found.
 
-    It is that of the lengths from 0 to the edge of φ: no layer of what increases turns before, and no root.
+    It holds from 0 to the edge of φ: there each function of a composition increases, and the root does.
     """
     return _unwound(phi) or _root(phi)
 
 
 def _unwound(phi: sympy.Expr) -> sympy.Expr | None:
-    """Of a function of a function, with numbers as factors."""
+    """Return the inverse of a composition of functions and constant factors."""
     rest, found = phi, alpha
     while rest != alpha:
         factor, rest = rest.as_independent(alpha, as_Add=False)
@@ -43,14 +43,14 @@ def _unwound(phi: sympy.Expr) -> sympy.Expr | None:
 
 
 def _inverse(of: sympy.Expr) -> Any:
-    """The function that undoes one; None where SymPy names none."""
+    """Return the inverse of a function; None where SymPy has none."""
     if of.func in PRINCIPAL:
         return PRINCIPAL[of.func]
     return of.inverse() if hasattr(of, "inverse") else None
 
 
 def _root(phi: sympy.Expr) -> sympy.Expr | None:
-    """Of what is algebraic, by α² as the root of a quadratic."""
+    """Return the inverse of an algebraic φ, from α² as the root of a quadratic."""
     y = sympy.Dummy("y", positive=True)
     above, below = sympy.fraction(sympy.together((phi**2).subs(alpha, sympy.sqrt(y))))
     if not (above.is_polynomial(y) and below.is_polynomial(y)):

@@ -1,4 +1,4 @@
-"""Where a φ ends, and the angle of a length before that."""
+"""The edge of φ, and the inverse φ⁻¹ below it as a number."""
 
 from __future__ import annotations
 
@@ -16,37 +16,38 @@ from .elementary import evaluate
 from .grammar import PhiError
 
 DIGITS = 60
-FURTHEST = 4
-"""Where a chart without an edge is cut, in units of π."""
-GRID = 2000
+"""Working digits of numerical decisions."""
+EDGE_MAX = 4
+"""Largest edge, in units of π: charts without an edge end there."""
+GRID_POINTS = 2000
 
 
 @dataclass(frozen=True)
 class Edge:
-    """Where φ ends: at φ′ = 0 (a fold), at a pole, or cut at 4π."""
+    """Edge of φ: a fold (φ′ = 0), a pole, or the cut at 4π."""
 
     angle: sympy.Expr
     kind: str
 
 
 def edge_of(phi: sympy.Expr) -> Edge:
-    """The first φ′ = 0 or pole of φ.
+    """Return the first zero of φ′ or pole of φ.
 
     Raises
     ------
     PhiError
-        If φ does not increase from 0, or is no real number.
+        If φ does not increase from 0, or is not real.
     """
     slope = phi.diff(alpha)
     with mpmath.workdps(DIGITS):
-        step = FURTHEST * mpmath.pi / GRID
+        step = EDGE_MAX * mpmath.pi / GRID_POINTS
         try:
             before = real_value(slope, mpmath.mpf(0), phi)
         except ZeroDivisionError:
             raise PhiError(f"phi = {phi} divides by zero at alpha = 0") from None
         if not before > 0:
             raise PhiError(f"phi'(0) = {mpmath.nstr(before, 5)}, and has to be positive")
-        for k in range(1, GRID + 1):
+        for k in range(1, GRID_POINTS + 1):
             try:
                 now, size = real_value(slope, k * step, phi), real_value(phi, k * step, phi)
             except (PhiError, ZeroDivisionError):
@@ -55,16 +56,16 @@ def edge_of(phi: sympy.Expr) -> Edge:
                 jumped = now > 10 * before or size <= 0
                 return _pole(phi, (k - 1) * step, k * step) if jumped else _fold(phi, slope, (k - 1) * step, k * step)
             before = now
-    return Edge(FURTHEST * sympy.pi, "cut")
+    return Edge(EDGE_MAX * sympy.pi, "cut")
 
 
 def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
-    """φ, or a derivative of it, at an angle.
+    """Return φ, or a derivative of it, at an angle.
 
     Raises
     ------
     PhiError
-        If it is no real number there.
+        If it is not real there.
     """
     value = evaluate(expression, alpha, at)
     if isinstance(value, mpmath.mpc | complex):
@@ -81,7 +82,7 @@ def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
 
 
 def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
-    """Where 1/φ changes sign, or φ stops being real."""
+    """Find the pole by bisection: 1/φ changes sign there, or φ is not real beyond."""
 
     def inside(at: Any) -> bool:
         try:
@@ -99,7 +100,7 @@ def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
 
 
 def _named(root: Any) -> sympy.Expr:
-    """A multiple of π or the root of a fraction, where it is one to 40 digits; else a decimal."""
+    """Return a multiple of π or the root of a fraction that agrees to 40 digits; a decimal where there is none."""
     for value, make in ((root / mpmath.pi, lambda q: q * sympy.pi), (root**2, sympy.sqrt)):
         near = Fraction(int(mpmath.nint(value * 5040)), 5040)
         if abs(value - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -40:
@@ -108,7 +109,7 @@ def _named(root: Any) -> sympy.Expr:
 
 
 def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """The edge, or an angle beyond that of a length."""
+    """Return the edge; without one, an angle beyond that of a length."""
     if not edge.is_infinite:
         return mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
     high = mpmath.mpf(1)
@@ -118,7 +119,7 @@ def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
 
 
 def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """φ⁻¹ of a length, which is below that of the edge, in the working precision: from what floats make of it."""
+    """Return φ⁻¹ of a length below that of the edge, in the working precision; floats give the first guess."""
     if size == 0:
         return size
     slope, high = _slope(phi), _end(phi, edge, size)
@@ -126,7 +127,7 @@ def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
     try:
         found = _solved(phi, slope, float(size), float(high), float(guess), sys.float_info.epsilon)
         guess = mpmath.mpf(found) if 0 < found < high else guess
-    except (ArithmeticError, ValueError):  # beyond what floats hold, or where φ is real to more digits only
+    except (ArithmeticError, ValueError):  # beyond the range of floats, or where rounding to floats makes φ complex
         pass
     return _solved(phi, slope, size, high, guess, mpmath.eps)
 
@@ -137,7 +138,7 @@ def _slope(phi: sympy.Expr) -> sympy.Expr:
 
 
 def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any, eps: Any) -> Any:
-    """Newton's method between bounds: for φ, or 1/φ, which ends in no pole; where both leave them they are halved."""
+    """Solve φ = size by Newton's method between bounds, on φ or on 1/φ; bisect where both steps leave the bounds."""
     low = 0 * high
     for _ in range(8 * mpmath.mp.prec):
         reached, rise = real_value(phi, guess, phi), real_value(slope, guess, phi)

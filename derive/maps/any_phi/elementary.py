@@ -1,4 +1,4 @@
-"""Elementary expressions in one symbol at numbers of any type."""
+"""Evaluation of elementary expressions in one symbol, for any number type."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from ...algebra import Coefficient, functions, real_part
 from ..sign_tests import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
-"""Functions that a library may have besides sqrt."""
+"""Functions that a library may provide besides sqrt."""
 
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
 
-EXPRESSIONS = 256
-"""So many are kept read: asking a tree what it is takes longer than computing."""
+EXPRESSIONS_MAX = 256
+"""Limit of cached expressions: reading a tree takes longer than computing its value."""
 
 Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficient]
-"""Computes a part from the parts that are known, the value of the symbol and a library."""
+"""Computes one part of an expression from known parts, the value of the symbol and a library."""
 
 
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
-    """Return an elementary expression in one symbol at a number of any type, every part of it computed once.
+    """Return the value of an elementary expression in one symbol; each part is computed once.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     return known[-1]
 
 
-@lru_cache(maxsize=EXPRESSIONS)
+@lru_cache(maxsize=EXPRESSIONS_MAX)
 def _steps(expression: sympy.Expr, symbol: sympy.Symbol) -> Sequence[Step]:
     reader = _Reader(symbol)
     reader.place(expression)
@@ -55,14 +55,14 @@ def _steps(expression: sympy.Expr, symbol: sympy.Symbol) -> Sequence[Step]:
 
 
 class _Reader:
-    """Steps that compute expressions, those they depend on first."""
+    """Ordered steps that compute an expression."""
 
     def __init__(self, symbol: sympy.Symbol) -> None:
         self.steps: list[Step] = [lambda known, value, library: value]
         self._symbol, self._places = symbol, {symbol: 0}
 
     def place(self, e: sympy.Expr) -> int:
-        """Where the value of an expression is known."""
+        """Return the index of the value of an expression."""
         if e not in self._places:
             step = self._step(e)
             self._places[e] = len(self.steps)
@@ -97,7 +97,7 @@ class _Reader:
         if not exponent.is_Rational:
             raise self._refused(e)
         at, p, q = self.place(base), int(exponent.p), int(exponent.q)
-        if q > 2:  # of a positive number
+        if q > 2:  # for positive numbers
             return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
 
         def power(known: Sequence[Coefficient], value: Coefficient, library: Any) -> Coefficient:
@@ -121,7 +121,7 @@ class _Reader:
 
 
 def over(a: Coefficient, b: Coefficient) -> Coefficient:
-    """Return a/b; a zero below is a `ZeroDivisionError` for every number type."""
+    """Return a/b; raise `ZeroDivisionError` where b is 0, for every number type."""
     if is_zero(real_part(b)):
         raise ZeroDivisionError(f"division of {a!r} by {b!r}")
     return a / b

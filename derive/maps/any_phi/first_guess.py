@@ -1,4 +1,4 @@
-"""Where Newton's method begins that leads from |v| to the angle, for any φ: φ⁻¹ in closed form, or what is fitted."""
+"""First guess of Newton's method from ``|v|`` to the angle: φ⁻¹ in closed form, or a fitted polynomial."""
 
 from __future__ import annotations
 
@@ -20,38 +20,41 @@ from .grammar import PhiError
 from .lowering import Lowering
 from .real_constants import Polynomial, plus, polynomial, times
 
-FIT = 12
-"""The degree of a first guess."""
-GUARDED = (4, 8, 16, 32)
-"""Steps between bounds, the fewest that will do."""
-CONVERGED = mpmath.mpf(10) ** -30
-MOST_STEPS = 7
+GUESS_DEGREE = 12
+"""Degree of a fitted polynomial."""
+GUARDED_STEPS = (4, 8, 16, 32)
+"""Numbers of guarded steps, tried in this order."""
+TOLERANCE = mpmath.mpf(10) ** -30
+STEPS_MAX = 7
 
 
 def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
-    """x over that of some angle."""
+    """Return x divided by a constant."""
     return m.name("share", times(1 / size, x, m, "ratio"))
 
 
 @dataclass(frozen=True)
 class Guess(ABC):
-    """An angle near φ⁻¹(r), and how many of Newton's steps lead from it to the root; the edge as a number."""
+    """An angle near φ⁻¹(r), with the number of Newton steps from it to the root.
+
+    ``edge`` is the edge as a number.
+    """
 
     edge: Any
     steps: int
 
     @abstractmethod
     def at(self, x: Any) -> Any:
-        """The guess at a number of mpmath, x = r²."""
+        """Return the guess at ``x = r²``, an mpmath number."""
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """The guess as arithmetic."""
+        """Return the guess in an arithmetic."""
 
 
 @dataclass(frozen=True)
 class Closed(Guess):
-    """φ⁻¹ itself: the one step corrects what rounding did to it. ``size``: the x at the edge, or infinity."""
+    """φ⁻¹ in closed form. One Newton step corrects its rounding. ``size`` is x at the edge, or infinity."""
 
     inverse: sympy.Expr
     size: Any
@@ -63,29 +66,29 @@ class Closed(Guess):
             raise PhiError(f"{self.inverse} divides by zero at alpha = {mpmath.nstr(mpmath.sqrt(x), 5)}") from None
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Beyond the edge some other angle: logarithms and roots end there."""
+        """Return the guess; beyond the edge, where logarithms and roots end, that of another length."""
         if mpmath.isfinite(self.size):
             r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
-        return Lowering(r, m, "first_").at(self.inverse)
+        return Lowering(r, m).at(self.inverse)
 
 
 class Variable(Protocol):
-    """A function of x that the angle, or what is left of it to the edge, is nearly a polynomial of."""
+    """Variable z, in which the angle, or its distance to the edge, is close to a polynomial."""
 
     @property
     def from_edge(self) -> bool:
-        """Whether the angle is ``e − z G(z)``; else ``G(z)``."""
+        """Return whether the angle is ``edge − z G(z)``; otherwise it is ``G(z)``."""
 
     def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """z."""
+        """Return z."""
 
     def back(self, z: Any) -> Any:
-        """The x of z."""
+        """Return x from z."""
 
 
 @dataclass(frozen=True)
 class Fold:
-    """``z = √(1 − x/X)``, of which the angle is analytic at a fold."""
+    """``z = √(1 − x/X)``: the angle is analytic in it at a fold."""
 
     size: Any
     from_edge = True
@@ -100,7 +103,7 @@ class Fold:
 
 @dataclass(frozen=True)
 class Pole:
-    """``z = 1/√(1 + x/S)``, of which it is at a pole."""
+    """``z = 1/√(1 + x/S)``: the angle is analytic in it at a pole."""
 
     size: Any
     from_edge = True
@@ -113,7 +116,7 @@ class Pole:
 
 
 class Length:
-    """``z = r``, where there is no edge."""
+    """``z = r``, for charts without an edge."""
 
     from_edge = False
 
@@ -125,7 +128,7 @@ class Length:
 
 
 class Logarithm:
-    """``z = log(1 + r)``, where φ grows fast."""
+    """``z = log(1 + r)``, for φ that grows fast."""
 
     from_edge = False
 
@@ -138,7 +141,7 @@ class Logarithm:
 
 @dataclass(frozen=True)
 class Fitted(Guess):
-    """A polynomial G in a variable z."""
+    """Polynomial G in a variable z."""
 
     variable: Variable
     polynomial: Polynomial
@@ -154,7 +157,7 @@ class Fitted(Guess):
 
 @dataclass(frozen=True)
 class Guarded(Guess):
-    """Newton's method between bounds: where it leaves them they are halved."""
+    """Newton's method between bounds, with bisection where a step leaves them."""
 
     phi: sympy.Expr
     start: Fitted
@@ -169,22 +172,22 @@ class Guarded(Guess):
         for step in range(self.count):
             outside = m.either(m.less(better, low), m.less(high, better))
             angle = m.name(f"guarded{step}", m.where(outside, m.div(low + high, 2), better))
-            at = Lowering(m.corrected(angle), m, f"guard{step}_")
-            miss = m.name(f"miss{step}", at.at(self.phi) - r)
+            at = Lowering(m.corrected(angle), m)
+            miss = m.name(f"miss{step}", at.derivative(self.phi, 0) - r)
             above = m.name(f"above{step}", m.less(0, miss))
             low = m.name(f"low{step}", m.where(above, low, angle))
             high = m.name(f"high{step}", m.where(above, angle, high))
-            better = m.name(f"better{step}", angle - m.div(miss, at.at(self.phi.diff(alpha))))
+            better = m.name(f"better{step}", angle - m.div(miss, at.derivative(self.phi, 1)))
         return better
 
 
 def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
-    """Find a first guess beyond a limit of x.
+    """Return the first guess for x beyond a limit.
 
     Raises
     ------
     PhiError
-        If Newton's method does not lead from any to the root everywhere.
+        If no guess leads to the root at every angle.
     """
     with mpmath.workdps(DIGITS):
         end, start = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
@@ -198,9 +201,9 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 
 
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
-    """Those to be tried, in their order."""
+    """Return guesses in the order of their trial."""
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
-    # next to a fold the root of what is left of x says more of the angle than a length does
+    # near a fold √(1 − x/X) determines the angle better than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
         yield Closed(end, 1, inverse.replace(sympy.asinh, _asinh).replace(sympy.atanh, _atanh), size)
     variables: Sequence[Variable] = (Length(), Logarithm())
@@ -208,7 +211,7 @@ def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Gues
         variables = (Fold(size),) if edge.kind == "fold" else (Pole(_square(phi, end / 2)),)
     fitted = [_fitted(phi, edge, variable, first, end) for variable in variables]
     yield from fitted
-    yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED)
+    yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED_STEPS)
 
 
 def _asinh(r: sympy.Expr) -> sympy.Expr:
@@ -222,7 +225,7 @@ def _atanh(r: sympy.Expr) -> sympy.Expr:
 def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: Any) -> Fitted:
     ends = [_value(variable, _square(phi, first)), 0 if variable.from_edge else _value(variable, _square(phi, end))]
     low, high = sorted(map(mpmath.mpf, ends))
-    count = FIT + 1
+    count = GUESS_DEGREE + 1
     shares = [(1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / count)) / 2 for k in range(count)]
     nodes = [low + (high - low) * share for share in shares]
     angles = [angle_of(phi, edge.angle, mpmath.sqrt(variable.back(z))) for z in nodes]
@@ -247,20 +250,23 @@ def _square(phi: sympy.Expr, angle: Any) -> Any:
 
 
 def _steps(phi: sympy.Expr, edge: Edge, start: Guess, first: Any) -> int:
-    """The most that are needed at many angles up to the edge, and near it, to a share of what is left to it."""
+    """Return the largest number of Newton steps needed, over many angles up to the edge and near it.
+
+    The tolerance is relative to the distance to the edge.
+    """
     slope, most, end = phi.diff(alpha), 0, start.edge
     shares = [mpmath.mpf(k) / 97 for k in range(97)] + [1 - mpmath.mpf(10) ** -k for k in range(2, 9)]
     for share in shares:
         exact = first + (end - first) * share
         at, r = start.at(_square(phi, exact)), real_value(phi, exact, phi)
         left = exact if edge.kind == "cut" else end - exact
-        for step in range(MOST_STEPS + 1):
-            if abs(at - exact) <= CONVERGED * left:
+        for step in range(STEPS_MAX + 1):
+            if abs(at - exact) <= TOLERANCE * left:
                 most = max(most, step)
                 break
             if not 0 < at < (2 * end if edge.kind == "cut" else end):
                 raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)}: a guess fails")
             at = at - (real_value(phi, at, phi) - r) / real_value(slope, at, phi)
         else:
-            raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)} in {MOST_STEPS} steps")
+            raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)} in {STEPS_MAX} steps")
     return most

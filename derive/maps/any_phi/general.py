@@ -1,11 +1,11 @@
-r"""Any parameterization v = φ(α) u: its scalars near v = 0 by ``a(x) = α/|v|``, beyond by φ at its angle.
+r"""Chart of any φ: scalars from ``a(x) = α/|v|`` near v = 0, and from φ at the angle beyond.
 
 .. math::
     w = \tfrac12 a\,c_1(\tfrac\xi4) \qquad \rho = a + 2 x a' \qquad h = a^3 c_3(\xi) + 2 a' \qquad
     \xi = \alpha^2 = x a^2
 
-Beyond, ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and ``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``, by theorems on
-every φ, with ``ρ = 1/φ′``.
+Beyond, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and
+``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``.
 """
 
 from __future__ import annotations
@@ -19,9 +19,11 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..branches import Derivatives
 from ..dependent import DependentScalars
 from ..families import alpha
 from ..order_charts import double_angle
+from ..scalar import scalar
 from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
@@ -31,27 +33,25 @@ from .real_constants import plus
 
 
 class GeneralScalars(DependentScalars):
-    """The scalars at x = φ²."""
+    """Scalars at x = φ²."""
 
     def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
-        m.name_rest("e")
         self.chart = chart
         limit = chart.near.limit
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
 
-    def _select(self, name: str, near: Coefficient, far: Coefficient) -> Coefficient:
-        return self.m.name(name, self.m.where(self.is_near, near, far))
+    def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
+        """Return one value below the limit, another beyond."""
+        return self.m.where(self.is_near, near, far)
 
-    # --- near ---------------------------------------------------------------------------------------------------
+    # --- below the limit ----------------------------------------------------------------------------------------
 
-    @cached_property
-    def _x(self) -> Coefficient:
-        """x of what is near; else 0 of its type."""
-        return self.m.name("xn", self.m.where(self.is_near, self.x, self.x - self.x))
+    # x below the limit; 0 beyond
+    _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
 
     def _a(self, count: int) -> Coefficient:
-        """A derivative of a(x)."""
+        """Return a derivative of a(x)."""
         if count not in self._found:
             of = self.chart.near.polynomials[count]
             self._found[count] = of.at(self._x, self.m, f"a{count}")
@@ -61,9 +61,7 @@ class GeneralScalars(DependentScalars):
     def _found(self) -> dict[int, Coefficient]:
         return {}
 
-    @cached_property
-    def _aa(self) -> Coefficient:
-        return self.m.name("aa", self._a(0) * self._a(0))
+    _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
@@ -74,31 +72,12 @@ class GeneralScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    @cached_property
-    def _c3(self) -> Coefficient:
-        return self.m.name("c3", self._whole.c3)
-
-    @cached_property
-    def _bend(self) -> Coefficient:
-        """``2 c₃′``."""
-        return self.m.name("c3x", 3 * self._whole.c5 - self._whole.c4)
-
-    @cached_property
-    def _rate_near(self) -> Coefficient:
-        return self.m.name("rhon", self._a(0) + 2 * (self._x * self._a(1)))
-
-    @cached_property
-    def _ratey_near(self) -> Coefficient:
-        return self.m.name("rhony", 6 * self._a(1) + 4 * (self._x * self._a(2)))
-
-    @cached_property
-    def _growth(self) -> Coefficient:
-        """dξ/dx."""
-        return self.m.name("xix", self._a(0) * self._rate_near)
-
-    @cached_property
-    def _cube(self) -> Coefficient:
-        return self.m.name("aaa", self._aa * self._a(0))
+    _c3 = scalar(lambda at: at._whole.c3, "c3")
+    _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
+    _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
+    _ratey_near = scalar(lambda at: 6 * at._a(1) + 4 * (at._x * at._a(2)), "rhony")
+    _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx
+    _cube = scalar(lambda at: at._aa * at._a(0), "aaa")
 
     @property
     def _hy_near(self) -> Coefficient:
@@ -115,44 +94,40 @@ class GeneralScalars(DependentScalars):
         last = self._cube * (self.m.div(twist * self._growth * self._growth, 2) + of_growth * self._bend)
         return 2 * (direct + first + last)
 
-    # --- beyond -------------------------------------------------------------------------------------------------
+    # --- beyond the limit ---------------------------------------------------------------------------------------
 
     @cached_property
     def _square(self) -> Coefficient:
-        """x of what is far; else some number beyond the limit."""
+        """x beyond the limit; for x below it, another number beyond."""
         limit = self.chart.near.limit
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
 
-    @cached_property
-    def _length(self) -> Coefficient:
-        return self.m.name("length_x", self.m.sqrt(self._square))
+    _length = scalar(lambda at: at.m.sqrt(at._square), "length_x")
 
     @cached_property
     def far_angle(self) -> Coefficient:
-        """α of what is far."""
+        """α beyond the limit."""
         return self.chart.far_angle(self._square, self._length, self.m)
 
     def angle_of(self, r: Coefficient) -> Coefficient:
-        """α of the length r, of which x is the square."""
-        return self._select("alpha", self._a(0) * r, self.far_angle)
+        """Return α of a length r, whose square is x."""
+        return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """Cosine of α/2, and sine of it over |v|."""
+        """``cos(α/2)`` and ``sin(α/2)/|v|``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
     @cached_property
     def _slopes(self) -> Lowering:
-        return Lowering(self.far_angle, self.m, "slope_")
+        return Lowering(self.far_angle, self.m)
 
     def _derivative(self, count: int) -> Coefficient:
-        return self._slopes.at(self.chart.phi.diff(alpha, count))
+        return self._slopes.derivative(self.chart.phi, count)
 
-    @cached_property
-    def _rate_far(self) -> Coefficient:
-        return self.m.name("rhof", self.m.div(1, self._derivative(1)))
+    _rate_far = scalar(lambda at: at.m.div(1, at._derivative(1)), "rhof")
 
     @property
     def _ratey_far(self) -> Coefficient:
@@ -165,59 +140,36 @@ class GeneralScalars(DependentScalars):
         change = 3 * (second * second) * self._rate_far - third + second * first / self._length
         return change / (self._square * (first * first * (first * first)))
 
-    # --- both ---------------------------------------------------------------------------------------------------
+    # --- in both ranges -----------------------------------------------------------------------------------------
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self._select("s", self._half.c0, self._trigonometry[0])
+    s = scalar(lambda at: at._select(at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at._select(at.m.div(at._a(0) * at._half.c1, 2), at._trigonometry[1]))
+    rate = scalar(lambda at: at._select(at._rate_near, at._rate_far), "rho")
+    ratey = scalar(lambda at: at._select(at._ratey_near, at._ratey_far), "rhoy")
+    rateyy = scalar(lambda at: at._select(20 * at._a(2) + 8 * (at._x * at._a(3)), at._rateyy_far), "rhoyy")
+    h = scalar(lambda at: at._select(at._cube * at._c3 + 2 * at._a(1), (at.rate - at.f) / at._square))
+    hy = scalar(lambda at: at._select(at._hy_near, (at.ratey - 3 * at.h + at.rate * at.g) / at._square))
+    hyy = scalar(lambda at: at._select(at._hyy_near, at._hyy_change / at._square))
 
-    @cached_property
-    def w(self) -> Coefficient:
-        return self._select("w", self.m.div(self._a(0) * self._half.c1, 2), self._trigonometry[1])
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self._select("rho", self._rate_near, self._rate_far)
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self._select("rhoy", self._ratey_near, self._ratey_far)
-
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        near = 20 * self._a(2) + 8 * (self._x * self._a(3))
-        return self._select("rhoyy", near, self._rateyy_far)
-
-    @cached_property
-    def h(self) -> Coefficient:
-        near = self._cube * self._c3 + 2 * self._a(1)
-        return self._select("h", near, (self.rate - self.f) / self._square)
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        far = (self.ratey - 3 * self.h + self.rate * self.g) / self._square
-        return self._select("hy", self._hy_near, far)
-
-    @cached_property
-    def hyy(self) -> Coefficient:
-        change = self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
-        return self._select("hyy", self._hyy_near, change / self._square)
+    @property
+    def _hyy_change(self) -> Coefficient:
+        return self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
 
 
 class GeneralAtAngle(GeneralScalars):
-    """The same where f_i and α are known."""
+    """Scalars where f_i and α are known."""
 
     def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart, x, m)
         self.fi = fi
-        # of what is near some angle where all is regular
+        # below the limit, another angle where all is regular
         beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
         self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
 
 
 @dataclass(frozen=True)
 class General(AngleChart):
-    """v = φ(α) u up to the first φ′ = 0 or pole of φ, at most to 4π."""
+    """Chart v = φ(α) u up to the first zero of φ′ or pole of φ, at most up to 4π."""
 
     name: str
     expression: sympy.Expr
@@ -238,13 +190,13 @@ class General(AngleChart):
 
     @cached_property
     def near(self) -> Ratio:
-        """a(x) below a limit."""
+        """Polynomials of a(x) and its derivatives, below a limit."""
         require_known(self.expression)
         return ratio(self.expression, self._edge)
 
     @cached_property
     def far(self) -> Guess:
-        """Where Newton's method begins beyond it."""
+        """First guess of Newton's method beyond the limit."""
         return guess(self.expression, self._edge, self.near.limit)
 
     @property
@@ -270,19 +222,18 @@ class General(AngleChart):
         return at.angle_of(r)
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """By Newton's method from the first guess."""
+        """Return α by Newton's method from the first guess."""
         angle = m.name("guess", self.far.lowered(x, r, m))
-        slope = self.phi.diff(alpha)
         for step in range(self.far.steps):
-            at = Lowering(m.corrected(angle), m, f"newton{step}_")
-            angle = m.name(f"alpha{step}", angle - m.div(at.at(self.phi) - r, at.at(slope)))
+            at = Lowering(m.corrected(angle), m)
+            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
         return angle
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
-        """NaN beyond the edge, where the root is none."""
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
         with mpmath.workdps(DIGITS):
             square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
         left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
         one = m.name(f"inside{mark}", m.div(left, left))
-        at = Lowering(angle, m, f"phi{mark}_")
-        return at.at(self.phi) * one, at.at(self.phi.diff(alpha)) * one
+        at = Lowering(angle, m)
+        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

@@ -1,4 +1,4 @@
-"""How small a φ is on a circle about 0, and that it is analytic inside: by interval arithmetic on small arcs."""
+"""Lower bound of |φ| on a circle about 0, and proof that φ is analytic inside, by interval arithmetic."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ NOT_INTERVALS = "interval arithmetic does not know it"
 
 
 def smallest(phi: sympy.Expr, radius: Any) -> Any:
-    """The least |φ| on a quarter of a circle, rounded down, where ``Re φ/(φ′(0) α) > 0``; else, or unproved, None."""
+    """Return the least |φ| on a quarter of a circle, rounded down.
+
+    None where ``Re φ/(φ′(0) α) > 0`` is not proved there.
+    """
     with mpmath.workdps(DIGITS):
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
     least = mpmath.inf
@@ -35,7 +38,7 @@ def smallest(phi: sympy.Expr, radius: Any) -> Any:
 
 
 def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
-    """Whether φ is proved to be analytic in a quarter of a disc."""
+    """Return whether φ is proved to be analytic in a quarter of a disc."""
     try:
         for box in _cells(radius):
             _on_intervals(phi)(box)
@@ -52,7 +55,7 @@ def _arcs(radius: Any) -> Iterator[Any]:
 
 
 def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
-    """Squares that cover a quarter of the disc: φ is analytic in each, or an error."""
+    """Return squares that cover a quarter of the disc."""
     iv = mpmath.iv
     side = iv.mpf(radius) / parts
     for i in range(parts):
@@ -67,7 +70,10 @@ Interval: TypeAlias = Any
 
 @lru_cache(maxsize=256)
 def _on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
-    """An expression as a function of complex intervals; ValueError where a branch cut or a pole may be met."""
+    """Return an expression as a function of complex intervals.
+
+    It raises ValueError where an interval may contain a pole or a branch cut.
+    """
     if e == alpha:
         return lambda z: z
     if not e.free_symbols:
@@ -96,7 +102,7 @@ def _constant(e: sympy.Expr) -> Interval:
 
 def _power(base: Interval, exponent: int) -> Interval:
     power = reduce(mul, [base] * abs(exponent))
-    return power if exponent > 0 else 1 / _away(power)
+    return power if exponent > 0 else 1 / _nonzero(power)
 
 
 def _functions() -> dict[Any, Callable[[Any], Any]]:
@@ -104,25 +110,25 @@ def _functions() -> dict[Any, Callable[[Any], Any]]:
     i = iv.mpc(0, 1)
     return {
         sympy.sin: iv.sin, sympy.cos: iv.cos, sympy.exp: iv.exp, sympy.log: _log,
-        sympy.tan: lambda a: iv.sin(a) / _away(iv.cos(a)),
+        sympy.tan: lambda a: iv.sin(a) / _nonzero(iv.cos(a)),
         sympy.sinh: lambda a: (iv.exp(a) - iv.exp(-a)) / 2,
         sympy.cosh: lambda a: (iv.exp(a) + iv.exp(-a)) / 2,
-        sympy.tanh: lambda a: (iv.exp(a) - iv.exp(-a)) / _away(iv.exp(a) + iv.exp(-a)),
+        sympy.tanh: lambda a: (iv.exp(a) - iv.exp(-a)) / _nonzero(iv.exp(a) + iv.exp(-a)),
         sympy.asin: lambda a: -i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
         sympy.acos: lambda a: iv.pi / 2 + i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
         sympy.atan: lambda a: i / 2 * (_log(1 - i * a) - _log(1 + i * a)),
     }  # fmt: skip
 
 
-def _away(value: Any) -> Any:
-    """The value, which has to be no zero."""
+def _nonzero(value: Any) -> Any:
+    """Return the value; raise if the interval contains 0."""
     if not abs(value).a > 0:
         raise ValueError(NOT_INTERVALS)
     return value
 
 
 def _log(value: Any) -> Any:
-    """The principal logarithm, of what has a positive real part."""
+    """Return the principal logarithm; raise unless the real part is positive."""
     if not _complex(value).real.a > 0:
         raise ValueError(NOT_INTERVALS)
     return mpmath.iv.log(_complex(value))

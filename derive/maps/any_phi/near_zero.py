@@ -1,11 +1,12 @@
-r"""From |v| back to the angle near v = 0, for any φ: ``a(x) = α/|v|``.
+r"""The ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
 
-In its place stands a polynomial that interpolates it, with a remainder that is proved, in units of a(0) and of X. On
-the circle |α| = R let φ be at least ``√m`` in size, and ``Re φ/(φ′(0) α) > 0``; then (the minimum principle) φ has no
-other zero inside, so that for |x| < m just one pair ±α inside has ``φ² = x`` (Rouché): a is analytic there, and at most
-``R/√m``. What interpolation at N + 1 Chebyshev points misses on [0, X] is then at most ``4 R/√m ρ^(−N)/(ρ − 1)``, with
-the ellipse of foci 0 and X and sum ρ of half axes (over half their distance) inside |x| < m. Sizes on the circle are
-those of `intervals`.
+On the circle |α| = R let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0``, which `intervals` proves. By the minimum principle φ
+has no zero but α = 0 inside. By Rouché's theorem exactly one pair ±α inside has ``φ² = x``, for every |x| < m. So a is
+analytic for |x| < m, and at most ``R/√m``.
+
+The polynomial interpolates a at N + 1 Chebyshev points of [0, X]. Its error is at most ``4 R/√m ρ^(−N)/(ρ − 1)``. Here
+ρ belongs to an ellipse inside |x| < m with foci 0 and X: the sum of its half axes, over X/2. Errors are in units of
+a(0) and X.
 """
 
 from __future__ import annotations
@@ -24,23 +25,23 @@ from .grammar import PhiError
 from .intervals import is_analytic, smallest
 from .real_constants import Polynomial, polynomial
 
-NEAR = mpmath.mpf("1.3")
-"""The angle up to which a(x) is interpolated, or a fifth of the edge if that is less."""
+NEAR_ANGLE = mpmath.mpf("1.3")
+"""Angle up to which a(x) is interpolated; a fifth of the edge, if that is less."""
 RADII = [mpmath.mpf(k) / 2 for k in range(16, 2, -1)] + [mpmath.mpf(k) / 16 for k in range(22, 2, -2)]
-SHARES = (1, 2, 4, 8, 16)
-"""Of that angle: the first for which a remainder can be proved is taken."""
-GOAL = mpmath.mpf(10) ** -21
-SIZES = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
-"""Between these is the square of a length, that a limit is made of."""
+NEAR_DIVISORS = (1, 2, 4, 8, 16)
+"""Divisors of that angle, tried in this order until a bound of the error is proved."""
+ERROR_MAX = mpmath.mpf(10) ** -21
+LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
+"""Least and largest limit of x: fractions of small integers."""
 DEGREES = range(8, 40)
 DERIVATIVES = 3
 
 
 @dataclass(frozen=True)
 class Ratio:
-    """a(x) and three derivatives below a limit as polynomials.
+    """Polynomials for a(x) and three derivatives, below a limit of x.
 
-    ``remainder`` is what they are off by at most, in units of a(0), and of x the limit.
+    ``remainder`` bounds their errors, in units of a(0) and of the limit.
     """
 
     polynomials: tuple[Polynomial, ...]
@@ -49,16 +50,16 @@ class Ratio:
 
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
-    """Interpolate α/|v| near 0.
+    """Interpolate ``α/|v|`` near 0.
 
     Raises
     ------
     PhiError
-        If no circle proves that it is analytic.
+        If no circle proves that a is analytic.
     """
-    for share in SHARES:
+    for share in NEAR_DIVISORS:
         try:
-            return _ratio(phi, edge, NEAR / share)
+            return _ratio(phi, edge, NEAR_ANGLE / share)
         except PhiError as error:
             refused = error
     raise refused
@@ -72,7 +73,7 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
         bound, within = _circle(phi, X)
         half_sum = (within - X / 2) / (X / 4)  # ρ + 1/ρ of the ellipse whose half axis reaches from X/2 to m
         rho = half_sum / 2 + mpmath.sqrt(half_sum**2 / 4 - 1)
-        degree = next((n for n in DEGREES if _missed(bound * slope, rho, n) < GOAL), None)
+        degree = next((n for n in DEGREES if _error_bound(bound * slope, rho, n) < ERROR_MAX), None)
         if degree is None:
             raise PhiError(f"phi = {phi} would need a polynomial of degree above {DEGREES[-1]} near 0")
         coefficients = _interpolated(phi, edge, X, degree)
@@ -82,24 +83,24 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
             found.append(polynomial([c * mpmath.mpf(2) ** (scale * k) for k, c in enumerate(coefficients)], scale))
             coefficients = [k * c for k, c in enumerate(coefficients)][1:]
         rounding = max(split.rounding * X**count for count, split in enumerate(found)) * slope
-        return Ratio(tuple(found), limit, float(_missed(bound * slope, rho, degree) + rounding))
+        return Ratio(tuple(found), limit, float(_error_bound(bound * slope, rho, degree) + rounding))
 
 
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
-    """To a 64th, of what is small to a quarter at most: a fraction of small integers."""
-    if not SIZES[0] < size < SIZES[1]:
+    """Return a limit of x rounded down to a fraction of small integers."""
+    if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
         raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
     denominator = max(64, 2 ** int(mpmath.ceil(mpmath.log(4 / size, 2))))
     return Fraction(int(size * denominator), denominator)
 
 
-def _missed(bound: Any, rho: Any, degree: int) -> Any:
-    """By the polynomial and its first three derivatives on [0, 1]: Cauchy's estimate on the best ellipse between."""
+def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
+    """Return a bound of the error of the polynomial and its three derivatives, by Cauchy's estimate on an ellipse."""
     found = []
     for share in range(1, 16):
         inner = rho ** (mpmath.mpf(share) / 16)
-        apart = (inner + 1 / inner - 2) / 4  # of the interval from that ellipse
+        apart = (inner + 1 / inner - 2) / 4  # distance of the interval from that ellipse
         found.append(4 * bound * (inner / rho) ** degree / (rho / inner - 1) * 6 * max(1, apart**-3))
     return max(4 * bound * rho**-degree / (rho - 1), min(found))
 
@@ -116,7 +117,7 @@ def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
-    """The bound of a, and the m within which it is analytic: of all circles that serve, that of the largest m."""
+    """Return a bound of a and the m within which a is analytic, from the circle with the largest m."""
     found = [(least, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
     for least, radius in sorted(found, key=lambda pair: -pair[0]):
         if least**2 > 2 * X and is_analytic(phi, radius):

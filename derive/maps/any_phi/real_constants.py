@@ -1,7 +1,7 @@
-"""Numbers and polynomials with real coefficients in arithmetic that knows small integers only.
+"""Real constants and polynomials, written with small integers that every number type holds.
 
-A coefficient is split into levels of `BITS` bits, ``c = (n0 + (n1 + n2/B)/B)/2^k`` with ``B = 2^BITS``: integers that
-every type of number holds, in every language. Exact numbers see the same rational coefficients as floats.
+A coefficient is split into levels of `BITS` bits, ``c = (n0 + (n1 + n2/B)/B)/2^k`` with ``B = 2^BITS``. Exact numbers
+and floats compute with the same rational coefficients.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from ...algebra.arithmetic import Arithmetic
 
 BITS, LEVELS = 22, 3
 SMALL = 2**24
-"""Integers up to this every type of number holds."""
+"""Largest integer that every number type holds exactly."""
 
 
 def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
-    """The value over 2^bits, by powers of two that are small integers."""
+    """Return ``value/2^bits``, by powers of two that are small integers."""
     while bits > BITS:
         value, bits = m.div(value, 2**BITS), bits - BITS
     while bits < -BITS:
@@ -32,7 +32,10 @@ def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Polynomial:
-    """``Σ c_k t^k``, ``t = (x − centre)/2^scale``, each c_k split; ``shift``: the power of 2 below the first level."""
+    """Polynomial ``Σ c_k t^k`` in ``t = (x − centre)/2^scale``, with coefficients split into levels.
+
+    ``shift`` is the power of 2 that divides the first level.
+    """
 
     levels: tuple[tuple[int, ...], ...]
     shift: int
@@ -40,7 +43,7 @@ class Polynomial:
     centre: Fraction = Fraction(0)
 
     def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
-        """The value at x."""
+        """Return the value at x."""
         centred = x - self.centre if self.centre else x
         t = m.name(f"{name}_t", shifted(centred, self.scale, m))
         unit = m.name(f"{name}_unit", t - t + 1) if self._is_long else 1
@@ -55,16 +58,16 @@ class Polynomial:
 
     @property
     def _is_long(self) -> bool:
-        """Whether it is a constant of many digits, powers of which would be integers that float32 does not hold."""
+        """Return whether it is a constant of several levels, whose powers float32 would not hold as integers."""
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property
     def rounding(self) -> Any:
-        """What splitting has changed at most, for |t| ≤ 1."""
+        """Bound of the error by splitting, for |t| ≤ 1."""
         return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)
 
     def value(self, x: Any) -> Any:
-        """The value at a number of mpmath."""
+        """Return the value at an mpmath number."""
         centre = mpmath.mpf(self.centre.numerator) / self.centre.denominator
         t, total = (mpmath.mpf(x) - centre) / mpmath.mpf(2) ** self.scale, mpmath.mpf(0)
         for place, level in reversed(list(enumerate(self.levels))):
@@ -77,7 +80,7 @@ def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
 ) -> Polynomial:
     """Split the coefficients of powers of (x − centre)/2^scale."""
-    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # a caller may have less, which cut the last level
+    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # less precision cuts the last level
         largest = max(map(abs, coefficients))
         shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
         rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
@@ -89,7 +92,7 @@ def polynomial(
 
 
 def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
-    """A real number times a value."""
+    """Return a real number times a value."""
     if is_small(number):
         return m.div(number.numerator * value, number.denominator)
     split = polynomial([number], levels=levels)
@@ -100,7 +103,7 @@ def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int
 
 
 def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
-    """A value and a real number."""
+    """Return a value plus a real number."""
     if is_small(number):
         return value + number
     split = polynomial([number], levels=levels)
@@ -112,5 +115,5 @@ def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int 
 
 
 def is_small(number: Any) -> bool:
-    """Whether it is a fraction of small integers."""
+    """Return whether a number is a fraction of small integers."""
     return isinstance(number, int | Fraction) and max(abs(number.numerator), number.denominator) <= SMALL

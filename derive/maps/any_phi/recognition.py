@@ -33,7 +33,7 @@ BY_EXPONENTIAL: Mapping[Any, Callable[[int], sympy.Expr]] = {
 }
 
 Form = tuple[Fraction, Any, int]
-"""(K, function, n): ``K function(α/2n)``; without a function ``K α``."""
+"""(K, function, n) for ``K function(α/2n)``; (K, None, 1) for ``K α``."""
 
 
 def multiple_of_known(phi: sympy.Expr) -> Form | None:

@@ -1,7 +1,7 @@
-r"""How much a chart stretches: the singular values of Re T, and which φ keeps them nearest to 1.
+r"""Singular values of Re T, and the φ that keeps them nearest to 1.
 
-Along the axis Re T multiplies by ``1/φ′``, in the plane across it by ``2 sin(α/2)/φ``: it is ``f I + g skew(v)`` there,
-and ``f² + x g² = 2 g``.
+Along the axis the singular value is ``1/φ′``. In the plane across it Re T is ``f I + g skew(v)``, and the singular
+value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from ..families import alpha
 from .elementary import evaluate
 
 POINTS = 400
-"""Angles at which an extremum is looked for."""
+"""Number of angles among which an extremum is searched."""
 
-ROUNDED = 10**6
+DECIMAL_UNITS = 10**6
 
 
 @dataclass(frozen=True)
 class Stretch:
-    """φ, 1/φ′ and 2 sin(α/2)/φ at an angle."""
+    """φ and both singular values, ``1/φ′`` along the axis and ``2 sin(α/2)/φ`` across it, at an angle."""
 
     size: float
     along: float
@@ -34,17 +34,17 @@ class Stretch:
 
     @property
     def condition(self) -> float:
-        """The quotient of the largest and the smallest singular value."""
+        """Quotient of the largest and the smallest singular value."""
         return max(self.along, self.across) / min(self.along, self.across)
 
     @property
     def worst(self) -> float:
-        """How far they are from 1, as a factor."""
+        """Largest factor between a singular value and 1."""
         return max(self.along, self.across, 1 / self.along, 1 / self.across)
 
 
 def stretch(phi: sympy.Expr, angle: float) -> Stretch:
-    """Of a φ at an angle, 0 included."""
+    """Return φ and singular values at an angle ≥ 0."""
     at = mpmath.mpf(angle)
     slope = float(mpmath.re(evaluate(phi.diff(alpha), alpha, at)))
     if angle == 0:
@@ -54,7 +54,7 @@ def stretch(phi: sympy.Expr, angle: float) -> Stretch:
 
 
 def bound(angle: float) -> float:
-    """What no φ with φ′ > 0 stays below up to an angle A: ``√(A/2 / sin(A/2))``.
+    """Return ``√(A/2 / sin(A/2))``, a lower bound of `Stretch.worst` up to an angle A for every φ with φ′ > 0.
 
     With ``1/φ′ ≤ M`` is ``φ(A) ≥ A/M``, and with ``φ/(2 sin(A/2)) ≤ M`` is ``φ(A) ≤ 2 M sin(A/2)``: so
     ``M² ≥ A/(2 sin(A/2))``. α divided by this M reaches it; with φ′(0) = 1 none does, whose slope has to fall at once.
@@ -64,7 +64,7 @@ def bound(angle: float) -> float:
 
 @dataclass(frozen=True)
 class Best:
-    """The φ of a kind that keeps the singular values nearest to 1, and how near: as text, for ``--phi``."""
+    """The φ of a kind that keeps the singular values nearest to 1, as text for ``--phi``."""
 
     kind: str
     phi: str
@@ -72,7 +72,7 @@ class Best:
 
 
 def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
-    """With φ′(0) = 1, up to an angle A: among tangents, sines, and odd polynomials of given degrees.
+    """Return the best φ up to an angle A among tangents, sines, and odd polynomials with φ′(0) = 1.
 
     Of ``φ = 2n tan(α/2n)`` the limit α is best: ``φ(A) > A`` makes ``φ(A)/(2 sin(A/2))`` larger, and of α that is the
     greatest. Of ``φ = c sin(α/c)`` it falls, and ``1/φ′(A)`` grows, as c gets less: where they are equal is the best,
@@ -90,7 +90,7 @@ def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
 
 
 def _rounded(value: float) -> Fraction:
-    return Fraction(round(value * ROUNDED), ROUNDED)
+    return Fraction(round(value * DECIMAL_UNITS), DECIMAL_UNITS)
 
 
 def _decimal(value: Fraction) -> str:
@@ -98,7 +98,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _worst(sized: Callable[[float], tuple[float, float]], angle: float) -> float:
-    """The greatest of both singular values and their inverses, of φ and φ′."""
+    """Return the greatest of both singular values and their inverses."""
     found = 1.0
     for k in range(1, POINTS + 1):
         at = angle * k / POINTS
@@ -123,7 +123,7 @@ def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:
 
 
 def _polynomial(angle: float, count: int) -> list[float]:
-    """Coefficients of α³, α⁵ …: the greatest of quasiconvex functions is one, golden sections find its least."""
+    """Return coefficients of α³, α⁵, … by nested golden sections: the worst stretch is quasiconvex in each."""
 
     def rest(first: list[float], left: int) -> list[float]:
         if not left:

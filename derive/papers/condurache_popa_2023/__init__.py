@@ -3,7 +3,7 @@
 =========  ==================================================================================
 symbols     symbols used throughout the paper, and the characters its text extraction lost
 operators   operators of its own
-definitions   what the symbols stand for: what the printed formulas are checked against
+definitions  definitions of symbols, which the printed formulas are checked against
 sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================
@@ -28,4 +28,4 @@ PAPER = Paper(
         "s07c_parameterizations", "s07d_families", "s07e_references", "s08a_kinematics", "s08b_tangent_operators",
         "s09a_orders_1_to_3", "s09b_orders_4_and_5", "s09c_components", "s10_conclusions",
     ),
-)  # fmt: skip
+)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.proof.ratio import Ratio
+from derive.algebra.element import Element
 
 from ..language import values
 from ..language.evaluation import Env
@@ -14,22 +14,22 @@ from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, T
 from ..numbers.fields import UndefinedError, innermost
 
 FAR = (40, 80)
-"""Two orders, beyond which the sequences at hand are constant if at all."""
+"""Orders at which a sequence must have the same value to count as constant."""
 
 
 def _positive(env: Env, a: Any) -> bool:
-    """Generic symbols are taken on the positive side."""
+    """Return whether a number is positive; generic symbols are."""
     return not env.field.ordered or bool(innermost(a) > 0)
 
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
 no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
-                 lambda env, a, b: isinstance(a, Ratio) or a >= b)  # fmt: skip
+                 lambda env, a, b: isinstance(a, Element) or a >= b)
 """``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
 
 
 def _limit(env: Env, index: Term, body: Term) -> Any:
-    """The limit of a sequence that is constant from some order on; of any other it is not known."""
+    """Return the limit of a sequence that is constant from some order on; raise for any other."""
     if not isinstance(index, Symbol):
         raise TypeError("only a symbol can tend to infinity")
     if not isinstance(env.value(index), int):
@@ -43,13 +43,12 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     return second
 
 
-limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True,
-               traits=Trait.EVENTUAL)  # fmt: skip
+limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: values.equal(env.field, a, b))  # fmt: skip
+               lambda env, a, b: values.equal(env.field, a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
-                        lambda env, f, target: f.reaches(env.field, target))  # fmt: skip
+                        lambda env, f, target: f.reaches(env.field, target))
 
 
 def _components(a: Any) -> int:
@@ -58,10 +57,10 @@ def _components(a: Any) -> int:
 
 
 equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
-                      lambda env, a: _components(a))  # fmt: skip
-"""How many real numbers a dual quantity is, hence how many real equations its rate."""
+                      lambda env, a: _components(a))
+"""Number of real components of a dual quantity, hence of real equations for its rate."""
 
 
 def is_algebraic(*statements: Term) -> bool:
-    """Whether no transcendental function occurs in any of the statements."""
+    """Return whether no statement contains a transcendental function."""
     return not with_trait(Trait.TRANSCENDENTAL, *statements)

@@ -7,41 +7,41 @@ from ..language.terms import Symbol
 PAPER = "condurache-popa-2023"
 
 LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
-"""What the extraction lost or scattered. Digits, symbols, +, ±, ·, ×, ~, ˙, =, ε survive, and in order."""
+"""Characters that the extraction lost or scattered. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
 
 
 def real(name: str) -> Symbol:
-    """A real number, written like the real part of the dual one."""
+    """Return a real number."""
     return Symbol(name, "real", name, name)
 
 
 def dual(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """A dual number, underlined."""
+    """Return a dual number, underlined."""
     return Symbol(f"{name}_", "dual number", rf"\underline{{{latex or name}}}", text or name)
 
 
 def real_vector(name: str, text: str | None = None) -> Symbol:
-    """A vector of the Euclidean space."""
+    """Return a vector of the Euclidean space."""
     return Symbol(f"{name} real", "real vector", rf"\mathbf{{{name}}}", text or name)
 
 
 def vector(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """A dual vector, underlined."""
+    """Return a dual vector, underlined."""
     return Symbol(name, "dual vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
 
 
 def unit(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """A unit dual vector."""
+    """Return a unit dual vector."""
     return Symbol(name, "unit vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
 
 
 def quaternion(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """A unit dual quaternion."""
+    """Return a unit dual quaternion."""
     return Symbol(name, "unit quaternion", rf"\underline{{\hat{{\mathbf{{{latex or name}}}}}}}", text or f"{name}^")
 
 
 def tensor(name: str, quantity: str = "tensor") -> Symbol:
-    """A dual tensor."""
+    """Return a dual tensor."""
     return Symbol(name, quantity, rf"\underline{{\mathbf{{{name}}}}}", name)
 
 

@@ -5,7 +5,7 @@ The LaTeX of its text is legible but for arrows over symbols and a few stars: `s
 =========  ==================================================================================
 symbols   the symbols of the paper, and what its extraction keeps of a formula
 operators  operators of its own
-definitions   what the symbols stand for: what the printed formulas are checked against
+definitions  definitions of symbols, which the printed formulas are checked against
 sections   the entries, in printed order; a section uses symbols of those before it
 inventory  by line of the text: the entries that decide it, or why it claims nothing
 =========  ==================================================================================
@@ -27,4 +27,4 @@ PAPER = Paper(
         "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s3c_steps",
         "s4_conclusion",
     ),
-)  # fmt: skip
+)

@@ -1,4 +1,4 @@
-"""What the paper's symbols stand for, by their definitions: what its printed formulas are checked against.
+"""Definitions of the paper's symbols, which its printed formulas are checked against.
 
 Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
@@ -10,10 +10,11 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, dual_part, real_part
-from derive.maps import first_principles, lines, rodrigues
+from derive.algebra import Dual, Tensor, Vector
+from derive.maps import lines, rodrigues
 
 from ..language import values
+from ..language.definitions import screw_tensor
 from ..language.evaluation import Env
 from ..language.terms import Symbol
 from ..numbers.draw import Draw
@@ -22,89 +23,32 @@ from ..numbers.fields import Decimal60
 # ---- dual numbers and vectors ---------------------------------------------------------------------------------
 
 
-def dual_number(env: Env, re: Any, du: Any) -> Dual:
-    """``re + e du``."""
-    return Dual(re, du)
-
-
 def dual_vector(env: Env, *components: Any) -> Vector:
-    """The dual vector with these six real components."""
+    """Return the dual vector with these six real components."""
     return Vector.dual(components[:3], components[3:])
-
-
-def same(env: Env, a: Any) -> Any:
-    """The same: for a symbol of which a mark is gone."""
-    return a
-
-
-def along(env: Env, size: Any, axis: Vector) -> Vector:
-    """``size · axis``: every dual vector whose real part is not zero is one, with a rational norm."""
-    whole: Vector = axis * size
-    return whole
-
-
-def component(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
-    """The index-th component of a vector, or of a part of it."""
-    return lambda env, a: part(tuple(a)[index - 1])
-
-
-def real_component(index: int) -> Callable[..., Any]:
-    """Of the real part."""
-    return component(index, real_part)
-
-
-def dual_component(index: int) -> Callable[..., Any]:
-    """Of the dual part."""
-    return component(index, dual_part)
 
 
 # ---- displacements --------------------------------------------------------------------------------------------
 
 
-def rotation(env: Env, angle: Any, axis: Vector) -> Tensor:
-    """The orthogonal dual tensor of a dual angle about an axis, by the action ``q x q*``."""
-    half = values.divide(angle, 2)
-    return first_principles.tensor_by_sandwich(Quaternion(env.field.cos(half), axis * env.field.sin(half)))
-
-
-def moved(env: Env, x: Vector, A: Tensor) -> Vector:
-    """``A x``."""
-    return A @ x
-
-
 def turned(env: Env, x: Vector, angle: Any, axis: Vector) -> Vector:
-    """x, after that displacement."""
-    return rotation(env, angle, axis) @ x
-
-
-def cayley_matrix(env: Env, A: Tensor) -> Tensor:
-    """``(A − I)(A + I)⁻¹``."""
-    return rodrigues.cayley_matrix(A)
+    """Return x after the displacement of an angle about an axis."""
+    return screw_tensor(env, angle, axis) @ x
 
 
 def skew_rodrigues(env: Env, A: Tensor) -> Tensor:
-    """The same from the invariants of A."""
+    """Return ``(A − I)(A + I)⁻¹`` from the invariants of A."""
     return Tensor.skew(rodrigues.rodrigues_vector(A))
 
 
-def cayley_formula(env: Env, b: Vector) -> Tensor:
-    """``(I + B)(I − B)⁻¹``."""
-    return rodrigues.cayley_formula(b)
-
-
 def cross_matrix(env: Env, b: Vector) -> Tensor:
-    """The operator ``y -> b × y``, column by column."""
+    """Return the operator ``y -> b × y``, column by column."""
     columns = (b.cross(Vector(*row)) for row in Tensor.identity().rows)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
-def explicit_skew(env: Env, b: Vector) -> Tensor:
-    """The matrix of b, entry by entry."""
-    return Tensor.skew(b)
-
-
 def cayley_map(env: Env) -> values.Map:
-    """Skew-symmetric to orthogonal matrices: every B with ``(I + B)(I − B)⁻¹ = A`` is ``(A − I)(A + I)⁻¹``."""
+    """Return the map from skew-symmetric to orthogonal matrices; the preimage of A is ``(A − I)(A + I)⁻¹``."""
 
     def preimages(A: Tensor) -> list[Tensor]:
         try:
@@ -118,18 +62,13 @@ def cayley_map(env: Env) -> values.Map:
     return values.Map(image, preimages)
 
 
-def rodrigues_vector(env: Env, A: Tensor) -> Vector:
-    """b̂ of a displacement."""
-    return rodrigues.rodrigues_vector(A)
-
-
 def screw_rodrigues(env: Env, angle: Any, axis: Vector) -> Vector:
-    """b̂ of the displacement with this angle and axis."""
-    return rodrigues.rodrigues_vector(rotation(env, angle, axis))
+    """Return b̂ of the displacement with this angle and axis."""
+    return rodrigues.rodrigues_vector(screw_tensor(env, angle, axis))
 
 
 def direction(env: Env, b: Vector) -> Vector:
-    """``b̂/‖b̂‖``."""
+    """Return ``b̂/‖b̂‖``."""
     return rodrigues.direction(b, env.field)
 
 
@@ -137,24 +76,24 @@ def direction(env: Env, b: Vector) -> Vector:
 
 
 def axis_of(env: Env, Q: Tensor) -> Vector:
-    """The third axis of a frame."""
+    """Return the third axis of a frame."""
     return Vector(*Q.transpose.rows[2])
 
 
 def across(env: Env, size: Any, Q: Tensor) -> Vector:
-    """A vector along the first axis, across the third."""
+    """Return a vector along the first axis, across the third."""
     side: Vector = Vector(*Q.transpose.rows[0]) * size
     return side
 
 
 def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
-    """A vector with components along the first and third axes: up to the choice of the frame, every one."""
+    """Return a vector with components along the first and third axes, which is any vector in a suitable frame."""
     point: Vector = across(env, size, Q) + axis_of(env, Q) * height
     return point
 
 
 def projected(env: Env, x: Vector, axis: Vector) -> Vector:
-    """The part of a vector across an axis."""
+    """Return the part of a vector across an axis."""
     rest: Vector = x - axis * x.dot(axis)
     return rest
 
@@ -163,7 +102,7 @@ def projected(env: Env, x: Vector, axis: Vector) -> Vector:
 
 
 def distance(env: Env, a: Vector, b: Vector) -> Any:
-    """Shortest distance of two lines."""
+    """Return the shortest distance of two lines."""
     normal = a.re.cross(b.re)
     if env.field.same(normal.dot(normal), 0):
         return lines.distance_of_parallels(a, b, env.field)
@@ -171,7 +110,7 @@ def distance(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def angle_between(env: Env, a: Vector, b: Vector) -> Any:
-    """The angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
+    """Return the angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
     apart, together = a.re - b.re, a.re + b.re
     size = together.dot(together)
     if env.field.same(size, 0):
@@ -179,16 +118,11 @@ def angle_between(env: Env, a: Vector, b: Vector) -> Any:
     return 2 * env.field.atan(env.field.sqrt(apart.dot(apart) / size))
 
 
-def foot(env: Env, a: Vector) -> Vector:
-    """The point of a line nearest to the origin."""
-    return lines.foot(a)
-
-
 # ---- points -----------------------------------------------------------------------------------------------------
 
 
 def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Unit dual vectors with one and with two real components zero, for ``also``."""
+    """Return unit dual vectors with one and with two real components zero, for ``also``."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         found = {}
@@ -204,7 +138,7 @@ def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]
 
 
 def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Lines at right angles, one through the other and one that passes it."""
+    """Return lines at right angles, one through the other and one that passes it."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         u, v = draw.unit(), draw.unit()

@@ -1,4 +1,4 @@
-"""Operators of the paper: functions with capitals, norms and roots, components, sums over them, inequalities."""
+"""Operators of the paper: functions with capitals, norms, roots, components, their sums, inequalities."""
 
 from __future__ import annotations
 
@@ -8,47 +8,44 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
+from derive.algebra.element import NotExactError
 from derive.algebra.mixed import MeaninglessError
-from derive.proof.ratio import NotExactError
 
-from ..language.changes import DROPPED, SWAPPED, made
 from ..language.evaluation import Env
 from ..language.notation import cos, define, norm, sin, tan
 from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Operator, Term, Trait
 from .symbols import i, j
 
 
-def _function(name: str, function: Operator, sibling: str, exponent: int = 1) -> Operator:
-    """A function with a capital, or a power of it."""
+def _function(name: str, function: Operator, exponent: int = 1) -> Operator:
+    """Return a function with a capital, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
-                  (POWER,), lambda env, a: env.power(function.value(env, a), exponent), traits=function.traits,
-                  changes=(DROPPED, made(sibling)))  # fmt: skip
+                  (POWER,), lambda env, a: env.power(function.value(env, a), exponent), traits=function.traits)
 
 
-Sin, Cos = _function("Sin", sin, "K10 Cos"), _function("Cos", cos, "K10 Sin")
-Tan = _function("Tan", tan, "cot")
-Tan2, Tan3 = _function("Tan", tan, "K10 Tan3", 2), _function("Tan", tan, "K10 Tan2", 3)
+Sin, Cos = _function("Sin", sin), _function("Cos", cos)
+Tan = _function("Tan", tan)
+Tan2, Tan3 = _function("Tan", tan, 2), _function("Tan", tan, 3)
 natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a),
-                 traits=Trait.TRANSCENDENTAL)  # fmt: skip
+                 traits=Trait.TRANSCENDENTAL)
 length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), norm.value, traits=norm.traits)
 square_root = define("K10 power 1/2", r"\left({0}\right)^{{\frac{{1}}{{2}}}}", "({0})12", POWER, (LIST,),
-                     lambda env, a: env.field.sqrt(a), changes=(DROPPED,))  # fmt: skip
+                     lambda env, a: env.field.sqrt(a))
 group = define("K10 group", r"\left({0}\right)", "({0})", ATOM, (LIST,), lambda env, a: a)
 pair = define("K10 vectors side by side", r"{0}\, {1}", "{0}{1}", PRODUCT, (PRODUCT, PRODUCT),
-              lambda env, a, b: a.dot(b))  # fmt: skip
+              lambda env, a, b: a.dot(b))
 inner = define("K10 row by column", r"{0}^{{T}}\, {1}", "{0}T{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.dot(b))
 quadratic = define("K10 quadratic form", r"{0}^{{T}}\, {1}\, {0}", "{0}T{1}{0}", PRODUCT, (ATOM, ATOM),
-                   lambda env, a, T: a.dot(T @ a))  # fmt: skip
+                   lambda env, a, T: a.dot(T @ a))
 parts = define("K10 parts", r"\left({0}, {1}\right)", "({0},{1})", ATOM, (LIST,),
-               lambda env, a, b: Vector.dual(a, b) if isinstance(a, Vector) else Dual(a, b),
-               changes=(SWAPPED,))  # fmt: skip
+               lambda env, a, b: Vector.dual(a, b) if isinstance(a, Vector) else Dual(a, b))
 column = define("K10 column", r"\left({0}, {1}, {2}\right)", "({0},{1},{2})", ATOM, (LIST,),
-                lambda env, *a: Vector(*a), changes=(SWAPPED,))  # fmt: skip
+                lambda env, *a: Vector(*a))
 matrix = define(
     "matrix", r"\begin{{bmatrix}} {0} & {1} & {2} \\ {3} & {4} & {5} \\ {6} & {7} & {8} \end{{bmatrix}}",
     "{0}{1}{2}{3}{4}{5}{6}{7}{8}", ATOM, (LIST,), lambda env, *a: Tensor.from_entries(a),
-)  # fmt: skip
+)
 
 
 def _at(structure: Any, *indices: int) -> Any:
@@ -66,19 +63,18 @@ coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), 
 
 
 def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> bool:
-    """Dual numbers in the order of their real parts, then of their dual parts; generic symbols have no order."""
+    """Compare dual numbers by real parts, then by dual parts; generic symbols have no order."""
     if not env.field.ordered:
         raise NotExactError("an inequality")
     return all(relation((real_part(a), dual_part(a)), (real_part(b), dual_part(b))) for a, b in pairwise(sides))
 
 
 at_least = define("K10 at least", r" \geq ", "≥", RELATION, (SUM,), lambda env, *a: _compare(env, operator.ge, *a))
-ordered = define("K10 ordered", " < ", "<", RELATION, (SUM,), lambda env, *a: _compare(env, operator.lt, *a),
-                 traits=Trait.ASCENDS)  # fmt: skip
+ordered = define("K10 ordered", " < ", "<", RELATION, (SUM,), lambda env, *a: _compare(env, operator.lt, *a))
 
 
 def _provided(env: Env, statement: Term, condition: Term) -> bool:
-    """Where the condition cannot be decided, as for generic symbols, the statement has to hold without it."""
+    """Return whether a statement holds under a condition; without it if the condition cannot be decided."""
     try:
         needed = bool(env.value(condition))
     except NotExactError:
@@ -87,8 +83,8 @@ def _provided(env: Env, statement: Term, condition: Term) -> bool:
 
 
 provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True,
-                  traits=Trait.JOINS)  # fmt: skip
-"""A formula with the domain printed beside it."""
+                  traits=Trait.JOINS)
+"""Formula with the domain printed beside it."""
 
 
 
@@ -102,13 +98,10 @@ def _ordered_pairs(env: Env, body: Term, strict: bool) -> list[Any]:
 
 
 everywhere = define("K10 everywhere", r"{0} \quad (i, j = 1, 2, 3)", "{0}", LIST, (LIST,),
-                    lambda env, body: all(_all_pairs(env, body)), lazy=True)  # fmt: skip
+                    lambda env, body: all(_all_pairs(env, body)), lazy=True)
 sum_all = define("K10 sum over i and j", r"\sum_{{i, j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                 lambda env, body: sum(_all_pairs(env, body)), lazy=True,
-                 changes=(made("K10 sum over i ≤ j"),))  # fmt: skip
+                 lambda env, body: sum(_all_pairs(env, body)), lazy=True)
 sum_upper = define("K10 sum over i ≤ j", r"\sum_{{i \leq j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, False)), lazy=True,
-                   changes=(made("K10 sum over i < j"),))  # fmt: skip
+                   lambda env, body: sum(_ordered_pairs(env, body, False)), lazy=True)
 sum_above = define("K10 sum over i < j", r"\sum_{{i < j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, True)), lazy=True,
-                   changes=(made("K10 sum over i and j"),))  # fmt: skip
+                   lambda env, body: sum(_ordered_pairs(env, body, True)), lazy=True)

@@ -8,7 +8,7 @@ from ..language.terms import Symbol
 
 HAT = "\N{COMBINING CIRCUMFLEX ACCENT}"
 LOST = "()[]{}_^|/,;.Σ"
-"""What lays a formula out. Signs, hats, stars and primes are compared; so are + − · × = ≠ < and all symbols."""
+"""Characters of layout, which are not compared."""
 
 _LATEX = (
     (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}", ""),  # arrows, which the extraction shows as symbols
@@ -17,7 +17,7 @@ _LATEX = (
     (r"\\(mathbf|vec)\{([^{}]*)\}", r"\2"),
     (r"\\times", "×"), (r"\\cdot", "·"), (r"\\sum", "Σ"), (r"\\infty", "∞"), (r"\\neq", "≠"),
     (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|\W)|[$&\s]", ""),
-)  # fmt: skip
+)
 
 
 def shown(latex: str) -> str:
@@ -28,23 +28,23 @@ def shown(latex: str) -> str:
 
 
 def hat(name: str, quantity: str, prime: str = "") -> Symbol:
-    """A dual quantity, under a hat."""
+    """Return a dual quantity, under a hat."""
     return Symbol(f"{name}^{prime}", quantity, rf"\hat{{{name}}}{prime}", f"{name}{HAT}{prime}")
 
 
 def real(name: str, index: int | None = None, star: bool = False, quantity: str = "real") -> Symbol:
-    """A real number such as f, s₁ or b₁*."""
+    """Return a real number such as f, s₁ or b₁*."""
     suffix, latex = "*" if star else "", name if index is None else f"{name}_{index}"
     digit = "" if index is None else str(index)
     return Symbol(f"{name}{digit}{suffix}", quantity, f"{latex}^{{*}}" if star else latex, f"{name}{digit}{suffix}")
 
 
 def arrow(name: str, star: bool = False, seen_as: str | None = None) -> Symbol:
-    """A real vector, under an arrow; `seen_as` is what the extraction has in its place."""
+    """Return a real vector, under an arrow; `seen_as` is what the extraction shows in its place."""
     plain = f"{name}*" if star else name
     suffix = "" if seen_as is None else f" seen as {seen_as}"
     return Symbol(f"vector {plain}{suffix}", "real vector", rf"\vec{{{name}}}" + ("^{*}" if star else ""),
-                  seen_as or plain)  # fmt: skip
+                  seen_as or plain)
 
 
 e = Symbol("epsilon", "dual unit", "e", "e")

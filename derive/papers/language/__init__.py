@@ -1,10 +1,11 @@
-"""How a printed formula is written down and what it means.
+"""Printed formulas: terms, operators and their values.
 
 ==========  ==================================================================================
-values      what sums, products and equality mean on numbers, vectors, quaternions, tensors
+values      sums, products and equality of numbers, vectors, quaternions, tensors
 terms       formulas as trees: typeset, compared with the text, executed, mutated
 evaluation  executing a term: the symbols have values
-notation    the table of marks: LaTeX, surviving text, meaning
-claims      marks of claims in words
+notation    table of operators: LaTeX, surviving text, value
+claims      operators of claims in words
+definitions definitions that both papers share
 ==========  ==================================================================================
 """

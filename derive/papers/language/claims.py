@@ -1,11 +1,10 @@
-"""Marks of claims in words: what has a value, what avoids a value, what is a rotation or a unit quaternion.
+"""Operators of claims in words: has a value, avoids a value, is a rotation, is a unit quaternion.
 
-A claim that no formula says is a symbol bound to a function that computes its truth (`proposition`).
+A claim that no formula states is a symbol whose definition computes its truth (`proposition`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
@@ -13,14 +12,13 @@ from derive.maps.pose import Pose
 
 from ..numbers.fields import innermost
 from . import values
-from .changes import NEGATED
 from .evaluation import Env
 from .notation import define
 from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def proposition(name: str, latex: str) -> Symbol:
-    """A symbol for a statement in words; its definition computes whether it is true."""
+    """Return a symbol for a statement in words; its definition computes its truth."""
     return Symbol(name, "proposition", rf"\text{{{latex}}}", name)
 
 
@@ -33,11 +31,11 @@ def _defined(env: Env, statement: Term) -> bool:
 
 
 defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True,
-                 traits=Trait.DELICATE, changes=(NEGATED,))  # fmt: skip
+                 traits=Trait.DELICATE)
 
 
 def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
-    """Whether `a` differs from all multiples, index being every integer; generic symbols do."""
+    """Return whether `a` differs from a multiple for every integer index; generic symbols do."""
     if not env.field.ordered:
         return True
     first, second = (innermost(env.bound(index, k).value(multiple)) for k in (0, 1))
@@ -46,39 +44,37 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
 
 
 unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
-                 lazy=True, traits=Trait.DELICATE, changes=(NEGATED,))  # fmt: skip
-"""``unequal(Re(alpha), 2 * k * pi, k)``: for no integer k equal."""
+                 lazy=True, traits=Trait.DELICATE)
+"""``unequal(Re(alpha), 2 * k * pi, k)``: equal for no integer k."""
 
 
 def is_orthogonal(env: Env, a: Any) -> bool:
-    """Whether a value is a proper orthogonal tensor."""
+    """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
     return values.equal(env.field, a @ a.transpose, Tensor.identity()) and values.equal(env.field, a.det(), 1)
 
 
 def is_unit(env: Env, a: Any) -> bool:
-    """Whether a value is a unit quaternion."""
+    """Return whether a value is a unit quaternion."""
     return isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1)
 
 
-orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), is_orthogonal,
-                    changes=(NEGATED,))  # fmt: skip
-unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,), is_unit,
-                         changes=(NEGATED,))  # fmt: skip
+orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), is_orthogonal)
+unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,), is_unit)
 
 
 def homogeneous(env: Env, rotation: Tensor, displacement: Vector) -> Pose:
-    """The pose of a homogeneous matrix."""
+    """Return the pose of a homogeneous matrix."""
     return Pose(rotation, displacement)
 
 
 pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "({0},{1},0,1)", ATOM, (LIST, LIST),
-              homogeneous)  # fmt: skip
+              homogeneous)
 
 
 def fixes_a_point(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is a pure rotation: ρ is then across the axis, the kernel of ``Q − I``."""
+    """Return whether a displacement is a pure rotation: ρ is then across the axis, the kernel of ``Q − I``."""
     Q, rho = motion.rotation, motion.displacement
     if fixes_directions(env, motion):
         return values.equal(env.field, rho, 0 * rho)
@@ -86,12 +82,12 @@ def fixes_a_point(env: Env, motion: Pose) -> bool:
 
 
 def fixes_directions(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is a pure translation, the identity included."""
+    """Return whether a displacement is a pure translation, the identity included."""
     return values.equal(env.field, motion.rotation, Tensor.identity())
 
 
 def is_general(env: Env, motion: Pose) -> bool:
-    """Whether a displacement is neither a pure rotation nor a pure translation."""
+    """Return whether a displacement is neither a pure rotation nor a pure translation."""
     return not fixes_a_point(env, motion) and not fixes_directions(env, motion)
 
 
@@ -99,22 +95,3 @@ def axis_projector(Q: Tensor) -> Tensor:
     """``Q + Qᵀ + (1 − tr Q) I = 2 (1 − cos α) u ⊗ u``."""
     projector: Tensor = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())
     return projector
-
-
-def scalar_part(env: Env, q: Quaternion) -> Any:
-    """The scalar part."""
-    return q.scalar
-
-
-def vector_part(env: Env, q: Quaternion) -> Vector:
-    """The vector part."""
-    return q.vector
-
-
-def on_parts(f: Callable[[Any], Any]) -> Callable[..., Any]:
-    """A meaning from a function of one value, without the environment."""
-    return lambda env, a: f(a)
-
-
-real_of = on_parts(values.re)
-dual_of = on_parts(values.du)

@@ -1,4 +1,4 @@
-"""Executing a term: symbols have values, the notation table says what to do with them."""
+"""Execution of a term: symbols have values, operators compute with them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Function = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Definition:
-    """What a symbol stands for when it is not free: ``function(env, *values of the arguments)``.
+    """Value of a symbol that is not free: ``function(env, *values of the arguments)``.
 
-    This is what a printed formula is checked against: the functions come from :mod:`derive.maps`.
+    Printed formulas are checked against these definitions; their functions come from :mod:`derive.maps`.
     """
 
     symbol: Symbol
@@ -34,7 +34,7 @@ def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
 
 @dataclass
 class Env:
-    """Values of symbols over a field of numbers.
+    """Environment: values of symbols over a field of numbers.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Env:
     moving: bool = False
 
     def value(self, statement: Term) -> Any:
-        """The value of a term: a number, vector, tensor, quaternion, function or truth."""
+        """Return the value of a term: a number, vector, tensor, quaternion, function or truth."""
         if isinstance(statement, Number):
             return statement.value
         if isinstance(statement, Symbol):
@@ -66,17 +66,17 @@ class Env:
         return operator.value(self, *(self.value(argument) for argument in statement.arguments))
 
     def bound(self, index: Symbol | Term, value: Any) -> Env:
-        """The same with one more symbol bound, as the index of a sum."""
+        """Return the environment with one more symbol bound, as the index of a sum."""
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
         return Env(self.field, {**self.values, index: value}, self.definitions, self.dual, self.moving)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """``base`` to a power, as the field has it."""
+        """Return a power, as the field computes it."""
         return self.field.power(base, exponent)
 
     def rate(self, a: Any) -> Any:
-        """Time derivative of a value."""
+        """Return the time derivative of a value."""
         if isinstance(a, Structure):
             return a.map(self.rate)  # type: ignore[attr-defined]
         if not self.dual:
@@ -84,7 +84,7 @@ class Env:
         return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
 
     def now(self, a: Any) -> Any:
-        """A value without its time derivative."""
+        """Return a value without its time derivative."""
         if not self.moving or callable(a):
             return a
         if hasattr(a, "map"):

@@ -1,7 +1,6 @@
-"""The table of notations: how each mark is typeset, what an extraction shows of it, and what it means.
+"""Table of operators: how each is typeset, what the text extraction shows of it, and its value.
 
-Functions below the table build terms, so that an entry reads ``equal(R, I + 2 * q * skew(q))``. A paper with a mark of
-its own adds a row with `define`.
+Operators are called to build terms: ``equal(R, I + 2 * q * skew(q))``. A paper adds operators of its own with `define`.
 """
 
 from __future__ import annotations
@@ -13,21 +12,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
+from derive.algebra.element import NotExactError
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.proof.ratio import NotExactError
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .changes import (
-    DROPPED,
-    FIRST_DROPPED,
-    MINUEND_DROPPED,
-    NEGATED,
-    SECOND_DROPPED,
-    SECOND_NEGATED,
-    SWAPPED,
-    made,
-)
 from .terms import (
     ATOM,
     LIST,
@@ -37,7 +26,6 @@ from .terms import (
     RELATION,
     SUM,
     Apply,
-    Change,
     Number,
     Operator,
     Symbol,
@@ -58,26 +46,21 @@ def define(
     value: Callable[..., Any],
     lazy: bool = False,
     traits: Trait = Trait.NONE,
-    changes: tuple[Change, ...] = (),
 ) -> Operator:
-    """Add a row to the table and return it: called, it builds terms."""
+    """Add an operator to the table and return it; a call builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
-    OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits, changes)
+    OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits)
     return OPERATORS[name]
 
 
 # ---- numbers and structures: what Python's operators build ----------------------------------------------------
 
-define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b),
-       changes=(made("minus"), SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
-define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)),
-       changes=(made("plus"), SWAPPED, SECOND_DROPPED, MINUEND_DROPPED))  # fmt: skip
-define("negative", "-{0}", "-{0}", SUM, (PRODUCT,), lambda env, a: values.negative(a), changes=(DROPPED,))
-define("times", r"{0}\, {1}", "{0} {1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.multiply(a, b),
-       changes=(SECOND_DROPPED, FIRST_DROPPED))  # fmt: skip
-over = define("over", r"\frac{{{0}}}{{{1}}}", "{0}/{1}", POWER, (LIST, LIST), lambda env, a, b: _quotient(env, a, b),
-              changes=(SWAPPED,))  # fmt: skip
+define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b))
+define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)))
+define("negative", "-{0}", "-{0}", SUM, (PRODUCT,), lambda env, a: values.negative(a))
+define("times", r"{0}\, {1}", "{0} {1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.multiply(a, b))
+over = define("over", r"\frac{{{0}}}{{{1}}}", "{0}/{1}", POWER, (LIST, LIST), lambda env, a, b: _quotient(env, a, b))
 
 
 def _quotient(env: Env, a: Any, b: Any) -> Any:
@@ -95,7 +78,7 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
     return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
 
 
-define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True, changes=(SWAPPED,))
+define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
 
 
 def _root(env: Env, a: Any) -> Any:
@@ -103,7 +86,7 @@ def _root(env: Env, a: Any) -> Any:
     return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
 
 
-root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root, changes=(DROPPED,))
+root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root)
 pm = define("pm", r"\pm {0}", "±{0}", SUM, (PRODUCT,), lambda env, a: values.Either(a, values.negative(a)))
 bracket = define("bracket", r"\left[{0}\right]", "({0})", ATOM, (LIST,), lambda env, a: a)
 
@@ -119,23 +102,22 @@ equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define(
     "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
-    traits=Trait.DELICATE, changes=(NEGATED,),
-)  # fmt: skip
+    traits=Trait.DELICATE,
+)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
-                 traits=Trait.DELICATE, changes=(DROPPED,))  # fmt: skip
+                 traits=Trait.DELICATE)
 implies = define(
     "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
     lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
-    changes=(FIRST_DROPPED, SECOND_NEGATED, SWAPPED),
-)  # fmt: skip
+)
 iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
-             traits=Trait.DELICATE | Trait.JOINS, changes=(SECOND_NEGATED, FIRST_DROPPED))  # fmt: skip
+             traits=Trait.DELICATE | Trait.JOINS)
 remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
-                traits=Trait.JOINS)  # fmt: skip
+                traits=Trait.JOINS)
 
 
 def words(latex: str, text: str) -> Symbol:
-    """Marks that say where the symbols live and carry no value: the second argument of `remark`."""
+    """Return printed words without a value, such as "a ∈ R": the second argument of `remark`."""
     return Symbol(f"words:{text}", "words", latex, text)
 
 
@@ -147,7 +129,7 @@ def _cases(env: Env, *arms: Term) -> Any:
 
 
 def cases(*arms: tuple[Any, Term]) -> Apply:
-    """A value by cases: ``cases((value, condition), ...)``."""
+    """Return a value by cases: ``cases((value, condition), ...)``."""
     name = f"cases{len(arms)}"
     if name not in OPERATORS:
         rows = range(0, 2 * len(arms), 2)
@@ -161,7 +143,7 @@ def cases(*arms: tuple[Any, Term]) -> Apply:
 infinity = Symbol("infinity", "∞", r"\infty", "∞")
 factorial = define("factorial", "{0}!", "{0}!", ATOM, (ATOM,), lambda env, k: math.factorial(k))
 power_of_e = define("power of e", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: _exponential(env, a),
-                    traits=Trait.TRANSCENDENTAL)  # fmt: skip
+                    traits=Trait.TRANSCENDENTAL)
 
 
 def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
@@ -206,23 +188,22 @@ binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, L
 
 epsilon = Symbol("epsilon", "dual unit", r"\varepsilon", "ε")
 Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
-            traits=Trait.APART, changes=(made("Du"),))  # fmt: skip
+            traits=Trait.APART)
 Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
-            traits=Trait.APART, changes=(made("Re"),))  # fmt: skip
+            traits=Trait.APART)
 
 
 # ---- vectors, tensors, quaternions ----------------------------------------------------------------------------
 
 
 norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
-              traits=Trait.LENGTH)  # fmt: skip
+              traits=Trait.LENGTH)
 dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
-cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b),
-               changes=(SWAPPED,))  # fmt: skip
+cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b))
 
 
 def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
-    """The products of a determinant, with their signs."""
+    """Yield the products of a determinant with their signs."""
     for i in range(3):
         for sign, step in ((1, 1), (-1, 2)):
             indices = (i, (i + step) % 3, (i + 2 * step) % 3)
@@ -232,24 +213,21 @@ def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
 triple = define(
     "triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,),
     lambda env, a, b, c: sum(sign * a_i * b_j * c_k for sign, (a_i, b_j, c_k) in _permutations(a, b, c)),
-)  # fmt: skip
-dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b),
-              changes=(SWAPPED,))  # fmt: skip
+)
+dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
 couple = define(
     "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
     lambda env, a, b: values.add(values.quaternion(a), b),
-)  # fmt: skip
+)
 skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
-transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose,
-                   changes=(DROPPED,))  # fmt: skip
+transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose)
 det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
 trace = define("trace", r"\operatorname{{trace}} {0}", "trace {0}", PRODUCT, (ATOM,), lambda env, a: a.trace())
 vect = define("vect", r"\operatorname{{vect}} {0}", "vect {0}", PRODUCT, (ATOM,), lambda env, a: a.vect())
-conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate(),
-                   changes=(DROPPED,))  # fmt: skip
+conjugate = define("conjugate", "{0}^{{*}}", "{0}*", POWER, (ATOM,), lambda env, a: values.quaternion(a).conjugate())
 rate = define("rate", r"\dot{{{0}}}", "{0}˙", ATOM, (ATOM,), lambda env, a: env.rate(a), traits=Trait.RATE)
 ddt = define("ddt", r"\frac{{d}}{{dt}} {0}", "d/dt{0}", PRODUCT, (PRODUCT,), lambda env, a: env.rate(a),
-             traits=Trait.RATE)  # fmt: skip
+             traits=Trait.RATE)
 
 half = Number(1) / 2
 identity = Symbol("I", "identity", "I", "I")
@@ -265,31 +243,30 @@ def _over(a: Any, b: Any) -> Any:
     return a / b
 
 
-def _function(name: str, value: Callable[..., Any], *siblings: str, traits: Trait = Trait.NONE) -> Operator:
+def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> Operator:
     return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value,
-                  traits=traits | Trait.TRANSCENDENTAL, changes=(DROPPED, *map(made, siblings)))  # fmt: skip
+                  traits=traits | Trait.TRANSCENDENTAL)
 
 
-sin = _function("sin", lambda env, a: env.field.sin(a), "cos")
-cos = _function("cos", lambda env, a: env.field.cos(a), "sin")
-tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), "cot",
-                traits=Trait.OVER_COSINE)  # fmt: skip
-cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), "tan",
-                traits=Trait.OVER_SINE)  # fmt: skip
+sin = _function("sin", lambda env, a: env.field.sin(a))
+cos = _function("cos", lambda env, a: env.field.cos(a))
+tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)),
+                traits=Trait.OVER_COSINE)
+cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)),
+                traits=Trait.OVER_SINE)
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
-def _squared(f: Operator, sibling: str) -> Operator:
+def _squared(f: Operator) -> Operator:
     return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
-                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits,
-                  changes=(DROPPED, made(sibling)))  # fmt: skip
+                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits)
 
 
-sin2, cos2, tan2 = _squared(sin, "cos²"), _squared(cos, "sin²"), _squared(tan, "sin²")
+sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)
 
 
 def _exponential(env: Env, a: Any) -> Any:
-    """Of numbers, and of skew tensors, vectors and pure quaternions through angle and axis."""
+    """Return the exponential of a number, or of a skew tensor, vector or pure quaternion by angle and axis."""
     if isinstance(a, Tensor):
         return tensor_exponential(a.vect(), env.field)
     return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
@@ -301,15 +278,15 @@ at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda 
 
 reaches = define(
     "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
-    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE, changes=(NEGATED,),
-)  # fmt: skip
+    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
+)
 branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
-    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE, changes=(NEGATED,),
-)  # fmt: skip
-"""Claims about a symbol that stands for a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
+    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
+)
+"""Claims about a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
 
 
 def zero(a: Term | int) -> Apply:
-    """The condition ``a = 0``."""
+    """Return the condition ``a = 0``."""
     return equal(a, Number(0))

@@ -1,13 +1,13 @@
-"""Printed formulas as trees: what is printed, executed and mutated is one object.
+"""Printed formulas as trees: one object is typeset, executed and mutated.
 
 A `Term` is a SymPy node that keeps the order of the page: nothing is sorted, combined or evaluated when it is built.
 Python's operators build it, so that an entry reads like the formula. From a term come
 
 * ``latex(term)``, how the formula is typeset,
-* ``text(term)``, its marks in reading order, with which a reading is held against the extracted text,
+* ``text(term)``, its characters in printed order, which a reading is compared with the extracted text by,
 * its value, in :mod:`derive.papers.language.evaluation`.
 
-What a mark means is one row of the table in :mod:`derive.papers.language.notation`, what a symbol may stand for one of
+Operators are rows of the table in :mod:`derive.papers.language.notation`, quantities that a symbol may stand for of
 that in :mod:`derive.papers.numbers.quantities`.
 """
 
@@ -27,50 +27,30 @@ ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # how tightly a te
 
 
 class Trait(Flag):
-    """What is to be known of a mark besides its meaning."""
+    """Properties of an operator besides its value."""
 
     NONE = 0
     DELICATE = auto()
-    """It can change its value where symbols take special ones."""
+    """Value can change at special values of symbols."""
     APART = auto()
-    """It takes the real or the dual part."""
+    """Takes the real or the dual part."""
     RATE = auto()
-    """It is a derivative in time."""
+    """Derivative in time."""
     TRANSCENDENTAL = auto()
-    """No power, root or quotient makes it."""
+    """Transcendental function: not made of powers, roots and quotients."""
     LENGTH = auto()
-    """It is the root of a square, so that its own square needs no root."""
+    """Root of a square: its own square needs no root."""
     JOINS = auto()
-    """It joins statements: what its parts state is stated."""
-    EVENTUAL = auto()
-    """It is what its last argument is from some order on."""
+    """Joins statements: each part is stated."""
     OVER_COSINE = auto()
-    """It divides by the cosine of its argument."""
+    """Divides by the cosine of its argument."""
     OVER_SINE = auto()
-    """It divides by the sine of its argument."""
-    ASCENDS = auto()
-    """It says that each argument is less than the next."""
-
-
-@dataclass(frozen=True)
-class Change:
-    """One way to spoil a term, for mutants.
-
-    Attributes
-    ----------
-    what : str
-        In words, with ``{}`` for the name of the mark.
-    made : callable
-        From the term to what it becomes.
-    """
-
-    what: str
-    made: Callable[[Apply], Term]
+    """Divides by the sine of its argument."""
 
 
 @dataclass(frozen=True)
 class Operator:
-    """One row of the notation table; called with arguments it makes a term.
+    """Row of the notation table; a call with arguments makes a term.
 
     Attributes
     ----------
@@ -84,8 +64,6 @@ class Operator:
     value : callable
         ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
     traits : Trait
-    changes : tuple of Change
-        What mutants make of its terms, besides changing their arguments.
     """
 
     name: str
@@ -96,7 +74,6 @@ class Operator:
     value: Callable[..., Any]
     lazy: bool = False
     traits: Trait = Trait.NONE
-    changes: tuple[Change, ...] = ()
 
     def __call__(self, *arguments: Any) -> Apply:
         return Apply(self.name, *arguments)
@@ -105,45 +82,32 @@ class Operator:
 OPERATORS: dict[str, Operator] = {}
 
 
+Build = Callable[["Term", Any], "Term"]
+
+
+def _infix(name: str) -> tuple[Build, Build]:
+    """Return the methods of an infix operator, with the term on the left and on the right."""
+    return (lambda self, other: Apply(name, self, other)), (lambda self, other: Apply(name, other, self))
+
+
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
-    """A formula or part of one. Operators build larger ones; integers are taken in."""
-
-    def __add__(self, other: Any) -> Term:
-        return Apply("plus", self, other)
-
-    def __radd__(self, other: Any) -> Term:
-        return Apply("plus", other, self)
-
-    def __sub__(self, other: Any) -> Term:
-        return Apply("minus", self, other)
-
-    def __rsub__(self, other: Any) -> Term:
-        return Apply("minus", other, self)
-
-    def __neg__(self) -> Term:
-        return Apply("negative", self)
-
-    def __mul__(self, other: Any) -> Term:
-        return Apply("times", self, other)
-
-    def __rmul__(self, other: Any) -> Term:
-        return Apply("times", other, self)
-
-    def __truediv__(self, other: Any) -> Term:
-        return Apply("over", self, other)
-
-    def __rtruediv__(self, other: Any) -> Term:
-        return Apply("over", other, self)
-
-    def __pow__(self, other: Any) -> Term:
-        return Apply("power", self, other)
+    """Formula or part of one. Python's operators build larger ones and accept integers."""
 
     def __call__(self, argument: Any) -> Term:
         return Apply("at", self, argument)
 
+    def __neg__(self) -> Term:
+        return Apply("negative", self)
+
+    __add__, __radd__ = _infix("plus")
+    __sub__, __rsub__ = _infix("minus")
+    __mul__, __rmul__ = _infix("times")
+    __truediv__, __rtruediv__ = _infix("over")
+    __pow__, _ = _infix("power")
+
 
 class Number(Term):
-    """An integer of the page."""
+    """Printed integer."""
 
     def __new__(cls, value: int) -> Self:
         node: Self = super().__new__(cls, Integer(value))
@@ -156,16 +120,16 @@ class Number(Term):
 
 
 class Symbol(Term):
-    """A symbol of the page.
+    """Printed symbol.
 
     Parameters
     ----------
     name : str
         Unique within a statement.
     quantity : str
-        What it stands for: a row of the table in :mod:`derive.papers.numbers.quantities`.
+        Quantity it stands for: a row of the table in :mod:`derive.papers.numbers.quantities`.
     latex, text : str
-        How it is typeset, and its marks as an extraction gives them.
+        How it is typeset, and its characters as the extraction shows them.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
@@ -185,7 +149,7 @@ class Symbol(Term):
 
 
 class Apply(Term):
-    """A row of the notation table applied to arguments."""
+    """Operator applied to arguments."""
 
     def __new__(cls, operator: str | Str, *arguments: Any) -> Self:
         name = str(operator)  # SymPy rebuilds a node from its own arguments
@@ -204,7 +168,7 @@ class Apply(Term):
 
 
 def term(value: Any) -> Term:
-    """The term itself, or an integer as one."""
+    """Return a term as it is, or an integer as a term."""
     if isinstance(value, Term):
         return value
     if isinstance(value, int):
@@ -213,12 +177,12 @@ def term(value: Any) -> Term:
 
 
 def symbols(statement: Term) -> tuple[Symbol, ...]:
-    """The symbols of a statement, in the order of the page, each once."""
+    """Return the symbols of a statement, each once, in printed order."""
     return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Symbol)))
 
 
 def walk(statement: Term) -> Iterator[Term]:
-    """The statement and all its parts, in the order of the page."""
+    """Yield the statement and all its parts in printed order."""
     yield statement
     if isinstance(statement, Apply):
         for argument in statement.arguments:
@@ -226,25 +190,25 @@ def walk(statement: Term) -> Iterator[Term]:
 
 
 def with_trait(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
-    """The parts of statements whose mark has a trait."""
+    """Return the parts of statements whose operator has a trait."""
     nodes = (node for statement in statements for node in walk(statement))
     return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.operator.traits)
 
 
 def takes_apart(*statements: Term) -> bool:
-    """Whether real and dual parts occur one by one: ε, Re, Du, a real symbol, a claim in words."""
+    """Return whether real and dual parts occur separately: ε, Re, Du, a real symbol, a claim in words."""
     return bool(with_trait(Trait.APART, *statements)) or any(
         symbol.quantity.apart for statement in statements for symbol in symbols(statement)
     )
 
 
 def latex(statement: Term) -> str:
-    """The statement as LaTeX, without delimiters."""
+    """Return the statement as LaTeX, without delimiters."""
     return _typeset(statement, "latex", r"\left({}\right)")
 
 
 def text(statement: Term) -> str:
-    """The statement as plain marks in reading order, brackets and operators included."""
+    """Return the statement as plain characters in printed order, with brackets and operators."""
     return _typeset(statement, "text", "({})")
 
 

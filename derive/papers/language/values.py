@@ -1,4 +1,4 @@
-"""What the marks of a formula mean on values: sums and products of numbers, vectors, quaternions and tensors.
+"""Sums, products and equality of numbers, vectors, quaternions and tensors.
 
 A sum of a number and a vector is a quaternion, and two vectors side by side are multiplied as quaternions, as both
 papers write them. A tensor beside a vector or tensor acts on it.
@@ -20,7 +20,7 @@ from ..numbers.fields import Field
 
 @dataclass(frozen=True)
 class Either:
-    """One of two values: what ± leaves open."""
+    """Pair of values of which ± means either."""
 
     first: Any
     second: Any
@@ -32,7 +32,7 @@ class Either:
 
 @dataclass(frozen=True)
 class Solution:
-    """Whatever passes a test: a symbol that the paper defines as a preimage equals everything that is one."""
+    """Condition in place of a value: a symbol defined as a preimage equals every value that fulfils it."""
 
     test: Callable[[Any], bool]
 
@@ -41,12 +41,12 @@ class Solution:
 
 
 class MissedError(ArithmeticError):
-    """The element is no value of the map."""
+    """Error of an element without a preimage."""
 
 
 @dataclass(frozen=True)
 class Map:
-    """A map with the set of its preimages, for claims such as "onto" and "n branches".
+    """Map with its preimages, for claims such as "onto" and "n branches".
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Map:
     preimages: Callable[[Any], list[Any]]
 
     def reaches(self, field: Field, target: Any) -> int:
-        """How many different points have that value, or either sign of it."""
+        """Return the number of different points with that value, or with either sign of it."""
         if isinstance(target, Either):
             return self.reaches(field, target.first) or self.reaches(field, target.second)
         try:
@@ -74,37 +74,39 @@ class Map:
         return len(found)
 
 
+def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Apply a function to both values of an operand that is `Either`."""
+
+    def lifted(a: Any, b: Any) -> Any:
+        if isinstance(a, Either):
+            return a.map(lambda value: lifted(value, b))
+        return b.map(lambda value: lifted(a, value)) if isinstance(b, Either) else f(a, b)
+
+    return lifted
+
+
+@_of_either
 def add(a: Any, b: Any) -> Any:
-    """Sum; numbers and vectors mix to quaternions."""
-    if isinstance(a, Either):
-        return a.map(lambda value: add(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: add(a, value))
+    """Return the sum; a number plus a vector is a quaternion."""
     return mixed.add(a, b)
 
 
 def negative(a: Any) -> Any:
-    """The opposite."""
+    """Return the opposite."""
     return a.map(negative) if isinstance(a, Either) else -a
 
 
+@_of_either
 def multiply(a: Any, b: Any) -> Any:
-    """Product of things side by side."""
-    if isinstance(a, Either):
-        return a.map(lambda value: multiply(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: multiply(a, value))
+    """Return the product of two factors printed side by side."""
     if isinstance(a, Pose) and isinstance(b, Pose):
         return a @ b
     return mixed.multiply(a, b)
 
 
+@_of_either
 def divide(a: Any, b: Any) -> Any:
-    """Quotient; a quaternion under a fraction bar is read as its inverse on the right."""
-    if isinstance(a, Either):
-        return a.map(lambda value: divide(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: divide(a, value))
+    """Return the quotient; a quaternion below a fraction bar is its inverse on the right."""
     if isinstance(b, int):
         b = Fraction(b)
     if not isinstance(b, Structure):
@@ -114,48 +116,48 @@ def divide(a: Any, b: Any) -> Any:
 
 
 def dot(a: Any, b: Any) -> Any:
-    """What a dot stands for: the scalar product of vectors, the product of anything else."""
+    """Return the scalar product of vectors, the product of anything else."""
     return a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else multiply(a, b)
 
 
 def scalar(a: Any) -> Any:
-    """A quaternion whose vector part is zero, as the number it is."""
+    """Return the number that a quaternion without vector part is."""
     if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
         return a.scalar
     return a
 
 
 def square(a: Any) -> Any:
-    """The square of a magnitude: of a vector its product with itself, of a quaternion that with its conjugate."""
+    """Return the square of a magnitude: of a vector, a quaternion or a number."""
     if isinstance(a, Vector):
         return a.dot(a)
     return a.norm2() if isinstance(a, Quaternion) else a * a
 
 
 def norm(field: Field, a: Any) -> Any:
-    """The magnitude."""
+    """Return the magnitude."""
     if isinstance(a, Vector):
         return field.magnitude(a)
     return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
 
 
 def re(a: Any) -> Any:
-    """The real part."""
+    """Return the real part."""
     return a.re if isinstance(a, Vector | Tensor | Quaternion) else real_part(a)
 
 
 def du(a: Any) -> Any:
-    """The dual part."""
+    """Return the dual part."""
     return a.du if isinstance(a, Vector | Tensor | Quaternion) else dual_part(a)
 
 
 def dualise(re: Any, du: Any) -> Any:
-    """``re + ε du`` for numbers and structures."""
+    """Return ``re + ε du`` for numbers and structures."""
     return re + du * Dual(0, 1)
 
 
 def equal(field: Field, a: Any, b: Any) -> bool:
-    """Whether two values are equal, component by component; ± may be either sign."""
+    """Return whether two values are equal, component by component; ± may be either sign."""
     if isinstance(a, Solution) and isinstance(b, Either):
         return a.test(b.first) or a.test(b.second)
     if isinstance(a, Solution):
@@ -172,7 +174,7 @@ def equal(field: Field, a: Any, b: Any) -> bool:
 
 
 def coefficients(a: Any) -> Iterator[Any]:
-    """The plain numbers a value consists of, real parts before dual parts."""
+    """Yield the plain numbers of a value, real parts before dual parts."""
     if isinstance(a, Either):
         yield from coefficients(a.first)
     elif isinstance(a, Structure):

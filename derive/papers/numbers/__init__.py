@@ -1,9 +1,9 @@
-"""The numbers that formulas are executed on, and the values that symbols take.
+"""Numbers that formulas are executed on, and values of symbols.
 
 ===========  ==================================================================================
 fields       60 digits, and exact rational functions
 every_order  the exact field for symbolic n
-quantities   what a symbol may stand for, special values included
+quantities   table of quantities, with special values
 generic      symbols at generic values of an exact field
 ===========  ==================================================================================
 """

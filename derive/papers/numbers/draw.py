@@ -1,4 +1,4 @@
-"""Seeded numbers, vectors and quaternions of 60 digits, and what they are made by."""
+"""Seeded numbers, vectors and quaternions of 60 digits."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .fields import chopped
 
 
 class Draw:
-    """Seeded 60-digit numbers.
+    """Source of seeded 60-digit numbers.
 
     Parameters
     ----------
@@ -33,42 +33,42 @@ class Draw:
         self.digits = digits
 
     def real(self, low: float = 0.2, high: float = 0.9) -> Any:
-        """A positive number, never a special one."""
+        """Return a positive number."""
         scale = 10**self.digits
         return mpmath.mpf(self.random.randint(int(low * scale), int(high * scale))) / scale
 
     def signed(self) -> Any:
-        """A number of either sign, away from 0."""
+        """Return a number of either sign, away from 0."""
         return self.real() * self.random.choice((-1, 1))
 
     def plain(self, value: Any, slope: Any = 0) -> Any:
-        """A coefficient below the dual unit: with a time derivative where things move."""
+        """Return a coefficient, with a time derivative if symbols move."""
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
 
     def number(self, re: Any, du: Any | None = None) -> Any:
-        """A dual number; where things move its parts change at random rates."""
+        """Return a dual number; if symbols move its parts have random rates."""
         du = self.signed() if du is None else du
         if self.moving:
             return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
         return Dual(mpmath.mpf(re), mpmath.mpf(du))
 
     def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
-        """A dual vector."""
+        """Return a dual vector."""
         a = re or tuple(self.signed() for _ in range(3))
         b = du or tuple(self.signed() for _ in range(3))
         return Vector(*(self.number(s, t) for s, t in zip(a, b, strict=True)))
 
     def still(self, re: tuple[Any, ...], du: tuple[Any, ...]) -> Vector:
-        """A dual vector at rest."""
+        """Return a dual vector at rest."""
         return Vector(*(Dual(self.plain(s), self.plain(t)) for s, t in zip(re, du, strict=True)))
 
     def unit(self) -> Vector:
-        """A unit dual vector, by stereographic projection from two dual numbers."""
+        """Return a unit dual vector, by stereographic projection from two dual numbers."""
         s, t = self.number(self.signed()), self.number(self.signed())
         return sphere(s, t)
 
     def quaternion(self, half_angle: Any) -> Quaternion:
-        """A unit dual quaternion with that half angle (real part) about a random screw axis."""
+        """Return a unit dual quaternion with this half angle (real part) about a random screw axis."""
         angle = Dual(mpmath.mpf(half_angle), self.signed())
         s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
         s, c = (a.apply(chopped, lambda _: 1) for a in (s, c))
@@ -77,20 +77,20 @@ class Draw:
 
 
 def sphere(s: Any, t: Any) -> Vector:
-    """The point ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector but (0, 0, −1)."""
+    """Return ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector but (0, 0, −1)."""
     square = s * s + t * t
     return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
 
 
 def rotation(q: Quaternion) -> Tensor:
-    """``v -> q v q*``, column by column."""
+    """Return the tensor of ``v -> q v q*``, column by column."""
     columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 @dataclass(frozen=True)
 class Smooth:
-    """A differentiable function of plain and dual numbers, and its derivative on plain ones."""
+    """Differentiable function of plain and dual numbers, with its derivative on plain ones."""
 
     value: Callable[[Any], Any]
     derivative: Callable[[Any], Any]
@@ -100,7 +100,7 @@ class Smooth:
 
 
 def polynomial(coefficients: Sequence[Any]) -> Smooth:
-    """The polynomial with these coefficients, by multiplication."""
+    """Return the polynomial with these coefficients."""
 
     def value(a: Any) -> Any:
         total = 0
@@ -118,7 +118,7 @@ def polynomial(coefficients: Sequence[Any]) -> Smooth:
 
 
 def exponential_series() -> Smooth:
-    """The exponential by its power series, 60 digits for arguments below 2."""
+    """Return the exponential by its power series, to 60 digits for arguments below 2."""
     terms = [mpmath.mpf(1)]
     for k in range(1, 70):
         terms.append(terms[-1] / k)

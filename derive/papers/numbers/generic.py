@@ -1,4 +1,4 @@
-"""Symbols at generic values of an exact field, so that one evaluation decides a statement for all values.
+"""Generic values of symbols over an exact field: one evaluation decides a statement for all values.
 
 Coordinates are chosen along the vectors at hand: the first vector lies on the first axis, the second in the plane of
 the first two. Every operation of the papers is independent of the frame, so nothing is lost. The magnitude X is then no
@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from typing import Any, Protocol
 
 from derive.algebra import Dual, Quaternion, Vector
-from derive.proof.ratio import NotExactError
+from derive.algebra.element import NotExactError
 
 from .draw import sphere
 from .every_order import EveryOrder
@@ -24,15 +24,15 @@ STEPS = 4  # sine and cosine of α/4 and its multiples are exact
 
 
 class Variable(Protocol):
-    """What is given a value: a symbol."""
+    """Symbol that is given a value."""
 
     @property
     def name(self) -> str:
-        """Unique among those of a statement."""
+        """Name, unique within a statement."""
 
     @property
     def quantity(self) -> Quantity:
-        """What it stands for."""
+        """Quantity that it stands for."""
 
 
 class Generic:
@@ -76,7 +76,7 @@ class Generic:
     # ---- values that the table of quantities asks for, by the name of a symbol --------------------------------------
 
     def number(self, name: str, i: int = 0, at: Any = None) -> Any:
-        """The i-th number of a symbol, dual and with a time derivative as the layout says; `at` fixes its value."""
+        """Return the i-th number of a symbol, dual or with a time derivative by the layout; `at` fixes its value."""
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
@@ -85,25 +85,25 @@ class Generic:
         return Dual(plain(""), plain("°")) if self.dual else plain("")
 
     def real(self, number: Any) -> Any:
-        """A number that is not dual."""
+        """Return a number that is not dual."""
         if self.moving:
             raise NotExactError("real symbols in motion")
         return number.re if self.dual else number
 
     def angle(self, name: str) -> Any:
-        """An angle of the field."""
+        """Return an angle of the field."""
         return self.number(name, at=self._angle(name))
 
     def scale(self, name: str) -> Any:
-        """A number whose powers with exponent n are needed."""
+        """Return a number with powers of exponent n."""
         return self.number(name)
 
     def argument(self, name: str) -> Any:
-        """The argument X of p_n and q_n."""
+        """Return the argument X of p_n and q_n."""
         return self.number(name)
 
     def vector(self, name: str) -> Vector:
-        """A vector, along the frame as far as that is still free."""
+        """Return a vector, with a frame chosen along it while one is still free."""
         if not self.framed:
             return self._free_vector(name)
         self._vectors += 1
@@ -113,7 +113,7 @@ class Generic:
         return Vector(*(self.number(name, i, value) for i, value in enumerate(at)))
 
     def unit(self, name: str) -> Vector:
-        """A unit vector, likewise."""
+        """Return a unit vector, with a frame chosen along it while one is still free."""
         zero = self.field.functions.constant(0)
         if self.framed:
             self._vectors += 1
@@ -125,7 +125,7 @@ class Generic:
         return sphere(self.number(name, 0), self.number(name, 1))
 
     def turn(self, name: str) -> Quaternion:
-        """A unit quaternion by half angle and axis, or, where the field has no such angle, as a square."""
+        """Return a unit quaternion by half angle and axis, or as a square where the field has no such angle."""
         if self.moving:
             raise NotExactError("a moving displacement: give it by a definition")
         if name in self.field.functions.angles:
@@ -165,13 +165,13 @@ class Generic:
         return self.field.symbol(name)
 
     def _first(self) -> Any:
-        """The magnitude of the first vector: the tangent of an angle."""
+        """Return the magnitude of the first vector: the tangent of an angle."""
         angle = self.field.symbol(f"arctan {self.first}")
         return self.field.sin(angle) / self.field.cos(angle)
 
 
 class GenericOrder(Generic):
-    """Generic values for a symbolic order n: of one vector or one angle, and whatever else has no power with n."""
+    """Generic values for a symbolic order n, with one vector or one angle."""
 
     field: EveryOrder
 

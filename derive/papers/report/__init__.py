@@ -1,7 +1,7 @@
-"""The errata report in five formats.
+"""Errata report in five formats.
 
 ======== ======================================================================
-content  what a report says: papers, counts, rows; nothing about formats
+content  papers, counts and texts of a report, without a format
 plain    LaTeX formulas as lines of Unicode
 text     tables for a terminal
 pages    json, markdown, html and latex

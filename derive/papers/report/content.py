@@ -1,4 +1,4 @@
-"""What a report says, before it has a format."""
+"""Content of a report, without a format."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ MEANING = {
     Status.HOLDS_IF: "true under the condition shown",
     Status.HOLDS: "true as printed",
 }
-"""The statuses in the order of the report."""
+"""Statuses in the order of the report."""
 
 
 @dataclass(frozen=True)
 class Chapter:
-    """The results of one paper."""
+    """Results of one paper."""
 
     paper: Paper
     results: tuple[Result, ...]
 
     def of(self, status: Status) -> tuple[Result, ...]:
-        """Those with a status."""
+        """Return the results with a status."""
         return tuple(result for result in self.results if result.status is status)
 
     @property
     def counts(self) -> dict[Status, int]:
-        """How many there are of each status."""
+        """Number of results of each status."""
         return {status: len(self.of(status)) for status in MEANING}
 
 
@@ -47,7 +47,7 @@ class Report:
         One for each paper that has results.
     proofs : tuple of Proof
     root : str
-        Where the project lies, seen from the report: what makes a link of a source. Empty for no links.
+        Relative path from the report to the project, for links to sources; empty for none.
     """
 
     chapters: tuple[Chapter, ...]
@@ -56,7 +56,7 @@ class Report:
 
     @classmethod
     def of(cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[Proof], root: str = "") -> Report:
-        """Sort results by paper."""
+        """Return a report with results sorted by paper."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
         return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root)
 
@@ -67,22 +67,22 @@ class Report:
 
     @property
     def failed(self) -> tuple[Proof, ...]:
-        """The proofs that failed."""
+        """Proofs that failed."""
         return tuple(proof for proof in self.proofs if not proof.proved)
 
     def link(self, result: Result) -> str:
-        """The module that holds the entry of a result, as a link; it names no line of code, which moves."""
+        """Return a link to the module that holds the entry of a result."""
         return f"{self.root}/{result.equation.source}" if self.root else ""
 
 
 def label(result: Result) -> str:
-    """How an equation is cited: ``(111)``, or its slug."""
+    """Return the name by which an equation is cited: ``(111)``, or its slug."""
     number = result.equation.number
     return f"({number})" if number.isdecimal() else number
 
 
 def place(result: Result) -> str:
-    """Where an entry stands in its paper: section, and the number of a display that has one."""
+    """Return section and equation number of an entry."""
     number = result.equation.number
     return f"section {result.section}" + (f", equation ({number})" if number.isdecimal() else "")
 
@@ -94,27 +94,27 @@ def readings(result: Result) -> str:
 
 
 def extent(result: Result) -> str:
-    """How the condition of a result is meant: where it is true, where it is true at least, or where it was decided."""
+    """Return "if" for a sharp condition, "at least where" for another one, "where" for a tested domain."""
     if result.status is not Status.HOLDS_IF:
         return "where"
     return "if" if result.exact else "at least where"
 
 
 def domain(result: Result) -> tuple[str, ...]:
-    """The condition that was found, and the domain that the paper states, in one line each."""
+    """Return the condition that was found and the domain that the paper states, a line each."""
     found = f"{extent(result)} {plain(result.condition)}" if result.condition else ""
     stated = f"for {plain(result.claimed)}, as stated" if result.claimed else ""
     return tuple(line for line in (found, stated) if line)
 
 
 def why(result: Result) -> str:
-    """One line on what an erratum contradicts."""
+    """Return one line on what an erratum contradicts."""
     entry = result.equation
     return (entry.remark or entry.title).split(". ")[0].rstrip(".") + "."
 
 
 def command(result: Result) -> str:
-    """What prints the entry with its counterexample."""
+    """Return the command that prints the entry with its counterexample."""
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 
@@ -122,7 +122,7 @@ DIGITS = 10
 
 
 def example(found: Counterexample) -> tuple[str, ...]:
-    """A counterexample in lines: the symbols, then the first number in which the sides differ."""
+    """Return a counterexample in lines: the symbols, then the first number in which the sides differ."""
     lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
     if len(found.sides) == 2 and all(found.sides):
         left, right = found.sides
@@ -136,7 +136,7 @@ def example(found: Counterexample) -> tuple[str, ...]:
 
 
 def _numbers(parts: list[str]) -> str:
-    """Real parts, and dual parts after ε."""
+    """Return real parts, then dual parts after ε."""
     short = [part[: DIGITS + 2] for part in parts]
     half = len(short) // 2
     if len(short) in (2, 6, 8):

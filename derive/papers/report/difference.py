@@ -1,4 +1,4 @@
-"""Two formulas side by side: the smallest parts in which they differ are marked."""
+"""Differences of two formulas: the smallest differing parts in colour."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ CHANGED = {
     level: define(f"changed {level}", rf"\color{{{{{COLOUR}}}}}{{{{{{0}}}}}}", "{0}", level, (level,), lambda env, a: a)
     for level in (LIST, RELATION, SUM, PRODUCT, POWER, ATOM)
 }
-"""An operator for each level, so that brackets stay where they are."""
+"""Operator that colours a term, for each level of brackets."""
 
 
 def differing(printed: Term, right: Term) -> tuple[str, str]:
-    """LaTeX of both, with the parts in colour in which they differ."""
+    """Return LaTeX of both formulas with the differing parts in colour."""
     first, second = _marked(printed, right)
     return latex(first), latex(second)
 

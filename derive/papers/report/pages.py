@@ -1,4 +1,4 @@
-"""The report as json, markdown, html and latex: the content goes into the templates, formula by formula."""
+"""Report as JSON, Markdown, HTML and LaTeX, by templates."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SCHEMA = 2
 
 
 def as_json(report: Report) -> str:
-    """The results as data; every field is documented at `Result.as_json` and `derive.proof.Proof`."""
+    """Return the results as JSON; for the fields see `Result.as_json` and `derive.proof.Proof`."""
     data = {
         "schema": SCHEMA,
         "equations": [result.as_json() for result in report.results],
@@ -49,18 +49,18 @@ def _common(report: Report) -> dict[str, Any]:
 
 
 def differing_sides(result: Result) -> tuple[str, str]:
-    """What is printed and what is right, with what differs in colour."""
+    """Return the printed and the right formula with the differing parts in colour."""
     assert result.equation.corrected is not None
     return differing(result.verdicts[0].statement, result.equation.corrected)
 
 
 PAGE = {"extent": extent, "place": place, "readings": readings, "why": why, "command": command, "example": example,
-        "differing": differing_sides}  # fmt: skip
+        "differing": differing_sides}
 """Further functions of the pages in Markdown and HTML."""
 
 
 def notes(result: Result) -> tuple[str, ...]:
-    """What is to be said beside the formula."""
+    """Return the words of the paper, the remark and the source of the reading."""
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
@@ -83,14 +83,14 @@ _TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
 
 
 def mathml(latex: str) -> str:
-    """The formula as MathML, displayed."""
-    from latex2mathml.converter import convert  # long to load, and only one of five formats needs it
+    """Return the formula as displayed MathML."""
+    from latex2mathml.converter import convert  # slow to import, for one of five formats
 
     return str(convert(_TEXT.sub(_apart, latex), display="block"))
 
 
 def _apart(found: re.Match[str]) -> str:
-    r"""Formulas inside ``\text`` beside it."""
+    r"""Return formulas inside ``\text`` moved beside it."""
     pieces = found.group(1).split("$")
     return "".join(piece if i % 2 else rf"\text{{{piece}}}" for i, piece in enumerate(pieces) if piece)
 
@@ -110,14 +110,14 @@ _SPECIAL = {
     **dict(zip("αβθΘφψωρστλεπ", (rf"$\{name}$" for name in (
         "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
         "pi")), strict=True)),
-}  # fmt: skip
+}
 LAST_LETTER = "\u017f"  # what the T1 fonts of LaTeX have
 _ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
 _ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
 
 
 def escape(text: str) -> str:
-    """Plain text for pdflatex."""
+    """Return plain text escaped for pdflatex."""
     pieces = _ACCENTED.split(_decomposed(text))
     whole = []
     for plain, symbol, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
@@ -133,6 +133,6 @@ def _escaped(character: str) -> str:
 
 
 def _decomposed(text: str) -> str:
-    """Symbols with a hat, a tilde or a dot, in two characters."""
+    """Split letters with a hat, a tilde or a dot into two characters."""
     pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
     return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

@@ -13,7 +13,7 @@ _TOKENS = re.compile(r"\\[A-Za-z]+|\\.|[{}^_&]|\s+|.")
 _SUPERSCRIPTS = str.maketrans("0123456789+-()nTk*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿᵀᵏ*")
 _SUBSCRIPTS = str.maketrans("0123456789+-()nkij", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ₙₖᵢⱼ")
 _ACCENTS = {"\\hat": "\u0302", "\\tilde": "\u0303", "\\dot": "\u0307", "\\vec": "\u20d7", "\\overline": "\u0305",
-            "\\ddot": "\u0308", "\\underline": ""}  # fmt: skip
+            "\\ddot": "\u0308", "\\underline": ""}
 _SIGNS = {
     "\\varepsilon": "ε", "\\pi": "π", "\\alpha": "α", "\\theta": "θ", "\\Theta": "Θ", "\\omega": "ω", "\\rho": "ρ",
     "\\sigma": "σ", "\\tau": "τ", "\\psi": "ψ", "\\phi": "φ", "\\varphi": "φ", "\\beta": "β", "\\lambda": "λ",
@@ -25,12 +25,12 @@ _SIGNS = {
     "\\left": "", "\\right": "", "\\mathbf": "", "\\mathrm": "", "\\operatorname": "", "\\text": "", "\\,": " ",
     "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\dots": "…", "\\ldots": "…", "\\cdots": "…", "\\ ": " ",
     "$": "", "\\boldsymbol": "",
-}  # fmt: skip
+}
 _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
 
 def plain(latex: str) -> str:
-    """The formula in one line."""
+    """Return the formula in one line."""
     line = _sequence(iter(_TOKENS.findall(latex)))
     return unicodedata.normalize("NFC", re.sub(r"\s+", " ", line).strip())
 

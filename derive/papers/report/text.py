@@ -1,4 +1,4 @@
-"""The report as tables: counts, then what is wrong with printed and corrected side by side, then the rest."""
+"""Report as tables of text: counts, errata with printed and corrected side by side, then the rest."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from .content import MEANING, Chapter, Report, command, domain, example, label, 
 from .plain import plain
 
 NARROWEST = 72
-"""Columns that two formulas side by side need."""
+"""Width that two formulas side by side need."""
 
 KNOWN, DIFFERENT = "how it is known", "where they differ"
-"""Rows below an erratum."""
+"""Headings of the rows below an erratum."""
 
 
 def as_text(report: Report, width: int = WIDTH) -> str:
-    """Plain text within a width."""
+    """Return plain text within a width."""
     return "\n".join(grid.text(width) for grid in _grids(report))
 
 
@@ -33,20 +33,20 @@ def _grids(report: Report) -> Iterator[Grid]:
 
 
 def counts(report: Report) -> Grid:
-    """How many equations of each paper have each status."""
+    """Return the table of counts by paper and status."""
     numbers = [Column(str(status), number=True) for status in MEANING]
     rows = [(c.paper.short, *map(str, c.counts.values()), str(sum(c.counts.values()))) for c in report.chapters]
     return Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], rows)
 
 
 def errata(chapter: Chapter) -> Grid:
-    """Printed and corrected, side by side."""
+    """Return the table of errata, printed and corrected side by side."""
     rows = (row for result in chapter.of(Status.ERRATUM) for row in _erratum(result))
     return _grid(chapter, Status.ERRATUM, ("equation", "printed", "corrected"), rows)
 
 
 def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
-    """A row with both forms, how that is known, and numbers for which they differ."""
+    """Yield rows of an erratum: both forms, the method, and numbers for which they differ."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
     yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
@@ -55,7 +55,7 @@ def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
 
 
 def ambiguous(chapter: Chapter) -> Grid:
-    """Each reading with its verdict."""
+    """Return the table of ambiguous readings with their verdicts."""
     rows = (
         (
             "" if i else _name(result),
@@ -69,13 +69,13 @@ def ambiguous(chapter: Chapter) -> Grid:
 
 
 def conditional(chapter: Chapter) -> Grid:
-    """Printed, with its condition and how it is known."""
+    """Return the table of equations with their condition and method."""
     rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS_IF))
     return _grid(chapter, Status.HOLDS_IF, ("equation", "printed", "condition"), rows)
 
 
 def true(chapter: Chapter) -> Grid:
-    """Printed, with the domain it is stated for, and how it is known."""
+    """Return the table of equations that hold, with stated domain and method."""
     rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS))
     return _grid(chapter, Status.HOLDS, ("equation", "printed", "method"), rows)
 
@@ -89,7 +89,7 @@ TABLES = {
 
 
 def proofs(report: Report) -> Grid:
-    """The theorems behind the formulas of this project."""
+    """Return the table of proofs."""
     rows = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
     return Grid("proofs", [Column("scope"), Column("status"), Column("statement")], rows, NARROWEST)
 

@@ -5,16 +5,13 @@
 
 from __future__ import annotations
 
-import importlib
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._branches import call_branch, returned, shifted, shifted_jacobian
-from .._chart import Chart
 from .._checks import ROTATION_LAWS as LAWS
 from .._checks import require
+from .._interface import Kernels
 from .._kernel import Array
 from .._runtime import call, from_scalar_last, separate, to_scalar_last
 from .._tools import directions
@@ -25,7 +22,7 @@ JACOBIAN, QUATERNION = (3, 3), 4
 SPACE, BODY, SPACE_INV, BODY_INV = ("1",), ("-1",), ("1", "0.5"), ("-1", "-0.5")
 
 
-class RotationKernels:
+class RotationKernels(Kernels):
     """Maps of one chart v = φ(α) u between Rodrigues vectors and rotations, their angular velocities and axes.
 
     α is the rotation angle and u the unit vector of the axis. Vectors are (..., 3), quaternions (..., 4), rotation
@@ -50,15 +47,6 @@ class RotationKernels:
     ValueError
         If the component axes of an argument have another length, or axis is neither -1 nor 0.
     """
-
-    def __init__(self, chart: Chart) -> None:
-        self._chart = chart
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} of {self._chart.module}>"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return kernels_of, (self._chart.module,)
 
     # --- rotations --------------------------------------------------------------------------------------------------
 
@@ -561,7 +549,7 @@ class RotationKernels:
         >>> np.allclose(cayley2.tensor(cayley2.shadow(v)), cayley2.tensor(v))
         True
         """
-        return shifted(self._chart, branch, v, axis, out)
+        return shifted(self._chart, branch, axis, out, v)
 
     def shadow_jacobian(self, v: ArrayLike, branch: int = 1, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the derivative of ``shadow(v, branch)`` by v: ``∂v_k/∂v = T(v_k)⁻¹ T(v)``.
@@ -591,7 +579,7 @@ class RotationKernels:
         >>> np.allclose(rate, cayley2.rate(cayley2.shadow(v), omega))
         True
         """
-        return shifted_jacobian(self._chart, branch, v, axis, out)
+        return shifted_jacobian(self._chart, branch, axis, out, v)
 
     def principal(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the shadow of smallest rotation angle, in [0, π]; v itself at a tie.
@@ -616,7 +604,7 @@ class RotationKernels:
         >>> np.allclose(cayley2.principal(cayley2.shadow(v)), v)
         True
         """
-        return returned(self._chart, v, axis, out)
+        return returned(self._chart, axis, out, v)
 
     def angle(self, v: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the angle α of ``v = φ(α) u`` on the branch of v, not folded to [0, π].
@@ -1479,16 +1467,3 @@ class RotationKernels:
         True
         """
         return call(self._chart, "body_local", axis, out, v2, v1)
-
-
-def kernels_of(module: str) -> RotationKernels:
-    """Return the instance of a kernel module."""
-    kernels: RotationKernels = importlib.import_module(module).KERNELS
-    return kernels
-
-
-def exports(kernels: RotationKernels, *further: str) -> dict[str, Any]:
-    """Return the functions of a kernel module by name, with its ``__all__`` and ``__dir__``, which list further names."""
-    functions = {name: getattr(kernels, name) for name in dir(kernels) if not name.startswith("_")}
-    names = sorted((*functions, *further))
-    return {**functions, "__all__": names, "__dir__": lambda: names}

@@ -15,22 +15,23 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._chart import Chart
+from .._interface import exports
 from ..cayley3 import CHART as POSES
-from ._geometry import KERNELS as SHARED
-from ._interface import RotationKernels, exports
+from . import _geometry
+from ._interface import RotationKernels
 
 ORDER = 3
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="343845aac014edd3",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="342fdcbeab365512",
 )
 
 KERNELS = RotationKernels(CHART)

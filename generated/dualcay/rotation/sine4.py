@@ -15,22 +15,23 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._chart import Chart
+from .._interface import exports
 from ..sine4 import CHART as POSES
-from ._geometry import KERNELS as SHARED
-from ._interface import RotationKernels, exports
+from . import _geometry
+from ._interface import RotationKernels
 
 ORDER = 4
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="ec0ea9fec78a1456",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="27ef69285a730029",
 )
 
 KERNELS = RotationKernels(CHART)

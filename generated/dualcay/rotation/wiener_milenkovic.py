@@ -15,22 +15,23 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._chart import Chart
+from .._interface import exports
 from ..wiener_milenkovic import CHART as POSES
-from ._geometry import KERNELS as SHARED
-from ._interface import RotationKernels, exports
+from . import _geometry
+from ._interface import RotationKernels
 
 ORDER = 2
 
-
+# branches and scalar programs are those of poses, the geometry is that of rotations
 CHART = Chart(
     __name__,
     POSES.branches,
     POSES.singular_angles,
     POSES.turns,
     POSES.returns,
-    functions=POSES.functions,
-    kernels=SHARED,
-    programs="8f5099c32fc926d1",
+    POSES.functions,
+    _geometry.KERNELS,
+    programs="ed9f018f69b91525",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -1,4 +1,4 @@
-"""Headers without math.h: what is left of them calls nothing that has been left out."""
+"""Headers without math.h call only functions they define."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from derive.maps import Cayley
 from derive.output import files
 
 
-def test_what_needs_a_turn_is_left_out_with_it(tmp_path: Path) -> None:
-    """Of n = 1 the way back from rotations needs no root, and the turn to another branch does."""
+def test_freestanding_header_calls_only_what_it_defines(tmp_path: Path) -> None:
+    """Check n = 1, where `tensor` needs no function of math.h and `from_tensor` does."""
     files.write(tmp_path, print_package([Cayley(1)], TARGETS["c"]).texts)
     for header in ("cayley1.h", "rotation/cayley1.h"):
         text = parse(f'#include "{header}"\n', tmp_path, {"DUALCAY_FREESTANDING": ""}).text

@@ -6,6 +6,7 @@ import math
 import random
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -45,9 +46,9 @@ def test_own_functions_read_every_result_of_every_scalar_program(chart: Any) -> 
 # --- wrong text -------------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def texts() -> Mapping[str, Mapping[str, str]]:
-    return {name: print_package(CHARTS, TARGETS[name]).texts for name in ("numpy", "array-api", "numba")}
+@cache
+def texts(target: str) -> Mapping[str, str]:
+    return print_package(CHARTS, TARGETS[target]).texts
 
 
 SLIPS = {
@@ -58,7 +59,7 @@ SLIPS = {
     "component": (r"(?<=\bv)1\b", "2"),
     "comparison": (r" < ", " > "),
 }
-EQUIVALENT = re.compile(r"still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|# ")
+EQUIVALENT = re.compile(r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|# ')
 """Lines where a slip changes no result: numbers beside a zero, series next to their limits, compensation."""
 
 
@@ -82,13 +83,11 @@ def _inside_program(text: str, place: int) -> bool:
 @pytest.mark.thorough
 @pytest.mark.parametrize("target", ["numpy", "array-api", "numba"])
 @pytest.mark.parametrize(("file", "whole"), [("_geometry.py", True), ("cayley4.py", False), ("orthographic.py", False)])
-def test_slips_in_python_text_fail_validation(
-    texts: Mapping[str, Mapping[str, str]], tmp_path: Path, target: str, file: str, whole: bool
-) -> None:
+def test_slips_in_python_text_fail_validation(tmp_path: Path, target: str, file: str, whole: bool) -> None:
     chart = next((c for c in CHARTS if f"{c.name}.py" == file), CHARTS[0])
     survived, tried = [], 0
-    for changed, line in slips(texts[target][file], 2, seed=7):
-        files.write(tmp_path, {**texts[target], file: changed}, force=True)
+    for changed, line in slips(texts(target)[file], 2, seed=7):
+        files.write(tmp_path, {**texts(target), file: changed}, force=True)
         tried += 1
         try:
             TARGETS[target].validate(tmp_path, chart, whole)

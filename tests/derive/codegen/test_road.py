@@ -1,4 +1,4 @@
-"""The road end to end: nothing false gets through, and the same text comes out every time."""
+"""The road end to end: nothing false is written, and every run writes the same text."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_gc_threshold_is_raised_while_charts_are_built(before, meanwhile):
 
 
 def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
-    """The file with one place inside a program changed."""
+    """Return a text with one place inside a program changed."""
     head, rest = text.split(f"def {function}(", 1)
     changed, count = re.subn(pattern, replacement, rest, count=1)
     assert count == 1
@@ -72,14 +72,14 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         ("cayley3.py", "_natural", r"2 \* m\.atan2", "m.atan2"),
         (GEOMETRY, "tensor", r"gvv1 - fv3", "gvv1 + fv3"),
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
-        (GEOMETRY, "from_pose", r"Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "quaternion_of", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
-        (GEOMETRY, "compose", r"z0 = ab \* aa - ", "z0 = ab * aa + "),
+        (GEOMETRY, "compose", r"f_2, g_2, v2", "g_2, f_2, v2"),
+        (GEOMETRY, "dual_product", r"A12 \* B21", "A12 * B12"),
+        (GEOMETRY, "composed", r"p0 \* q0 - ", "p0 * q0 + "),
     ],
 )
-def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
-    package, tmp_path: Path, file, function, pattern, replacement
-):
+def test_wrong_sign_or_factor_fails_validation(package, tmp_path: Path, file, function, pattern, replacement):
     order = int(file.removeprefix("cayley").removesuffix(".py")) if file != GEOMETRY else 3
     texts = dict(package.texts)
     texts[file] = flipped(texts[file], function, pattern, replacement)
@@ -88,7 +88,7 @@ def test_a_wrong_sign_or_factor_in_a_printed_kernel_fails_validation(
         validate(tmp_path, Cayley(order), geometry=True)
 
 
-def test_untouched_kernels_pass_and_every_case_is_compared_in_a_batch_and_alone(package, tmp_path: Path):
+def test_right_kernels_pass_with_every_case_compared(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
     for chart, tables in ((Cayley(3), NUMPY.tables), (Cayley(4), (POSES,))):
         compared = sum(1 + len(batch.cases) for table in tables for batch in batches(chart, table))
@@ -96,7 +96,7 @@ def test_untouched_kernels_pass_and_every_case_is_compared_in_a_batch_and_alone(
 
 
 @pytest.mark.parametrize("name", ["pose", "from_pose", "rate_jacobian", "interpolate"])
-def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
+def test_function_without_expected_values_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
     for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
         original = getattr(source, attribute)
 
@@ -112,8 +112,7 @@ def _function_of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> st
     return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
 
-def test_a_function_is_a_row_a_recipe_and_a_docstring_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """Whichever is forgotten, nothing is written."""
+def test_function_needs_a_row_a_recipe_and_a_docstring(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     row = dataclasses.replace(PUBLIC["pose"], name="stance")
     for add, remove, message in (
         ({"stance": row}, (), "functions of the table that are missing: stance; not in it: none"),
@@ -134,7 +133,7 @@ def test_a_function_is_a_row_a_recipe_and_a_docstring_too(tmp_path: Path, monkey
     assert not (tmp_path / "k").exists()
 
 
-def test_a_function_without_a_docstring_is_not_generated():
+def test_function_without_docstring_is_not_generated():
     with pytest.raises(ValueError, match="has no docstring"):
         python.require_complete({python.INTERFACE: bare_interface(keywords=True)}, NUMPY.words)
 
@@ -145,7 +144,7 @@ def test_keywords_are_those_of_the_table():
 
 
 def bare_interface(keywords: bool) -> str:
-    """The functions of the table, with the keywords of its rows or only those of every function."""
+    """Return an interface without docstrings, with or without the keywords of its rows."""
 
     def parameters(row: Function) -> str:
         common = NUMPY.words.keywords if len(row.results) == 1 else ["axis"]
@@ -156,7 +155,7 @@ def bare_interface(keywords: bool) -> str:
     return f"class PoseKernels:\n{bare}"
 
 
-def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     wrong = Cayley(2).tensor
     monkeypatch.setattr(Cayley, "tangent", wrong)
     with pytest.raises(ProofFailed, match="tangent"):
@@ -164,7 +163,7 @@ def test_a_failed_proof_writes_nothing(tmp_path: Path, monkeypatch: pytest.Monke
     assert not (tmp_path / "kernels").exists()
 
 
-def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     original = road.module_texts
 
     def wrong(*arguments):
@@ -178,7 +177,7 @@ def test_a_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.
 
 
 @pytest.mark.parametrize("target", TARGETS.values(), ids=lambda target: target.name)
-def test_a_notice_is_ours_and_stands_where_every_module_looks_first(target):
+def test_notice_bears_the_header_and_replaces_the_entry(target):
     charts = [Cayley(n) for n in range(1, 400)]
     ((name, text),) = notices(charts, target).items()
     assert name in target.shared()
@@ -187,7 +186,7 @@ def test_a_notice_is_ours_and_stands_where_every_module_looks_first(target):
     assert text.count(command) == 2
 
 
-def test_any_order_and_a_bare_folder_work_without_the_toolkit(tmp_path: Path, without_validation):
+def test_generated_folder_works_without_the_toolkit(tmp_path: Path, without_validation):
     derive.generate([7], output=tmp_path / "kernels")
     code = (
         "import sys; sys.modules['sympy'] = sys.modules['jinja2'] = sys.modules['derive'] = None\n"
@@ -200,11 +199,11 @@ def test_any_order_and_a_bare_folder_work_without_the_toolkit(tmp_path: Path, wi
 
 
 @pytest.mark.smoke
-def test_the_committed_kernels_are_current():
+def test_committed_kernels_are_current():
     assert check(publish.home("numpy")) == []
 
 
-def test_check_regenerates_a_module_outside_the_catalogue_by_its_header(package, tmp_path: Path):
+def test_check_regenerates_further_modules_by_their_header(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
     path = tmp_path / "cayley4.py"
     path.write_text(path.read_text() + "# touched\n")
@@ -215,8 +214,7 @@ def test_check_regenerates_a_module_outside_the_catalogue_by_its_header(package,
     assert [(d.path.name, d.kind) for d in found] == [("cayley3.py", "missing"), ("cayley4.py", "stale")]
 
 
-def test_a_module_whose_header_names_another_target_is_no_module_of_the_folder(package, tmp_path: Path):
-    """It would be compared with what it does not claim to be; nor is that of its rotations."""
+def test_module_with_header_of_another_target_is_foreign(package, tmp_path: Path):
     files.write(tmp_path, package.texts)
     path = tmp_path / "cayley4.py"
     text = path.read_text()
@@ -225,8 +223,7 @@ def test_a_module_whose_header_names_another_target_is_no_module_of_the_folder(p
     assert [(d.path.name, d.kind) for d in check(tmp_path, orders=[3])] == 2 * [("cayley4.py", "foreign")]
 
 
-def test_without_a_folder_nothing_is_written_but_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """As the command refuses it: an installed toolkit must not write beside itself."""
+def test_default_folder_exists_only_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):
         derive.generate([2], target="c")
     monkeypatch.setattr(about, "checkout", lambda: None)
@@ -245,8 +242,8 @@ def test_bad_orders_and_targets_are_refused(tmp_path: Path):
     assert not (tmp_path / "k").exists()
 
 
-def test_the_road_runs_without_python_flint_and_leads_to_the_same_bytes(package):
-    """In a process of its own, where the library cannot be imported, and under another seed of hashes."""
+def test_bytes_are_the_same_without_python_flint(package):
+    """Print in a process where flint cannot be imported, under another hash seed."""
     code = (
         "import hashlib, sys\n"
         "sys.modules['flint'] = None\n"

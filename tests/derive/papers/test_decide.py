@@ -33,8 +33,7 @@ from derive.papers.language.notation import (
     tan,
     zero,
 )  # fmt: skip
-from derive.papers.language.terms import Symbol, latex, text
-from derive.papers.mutation import mutants, trials, try_mutants
+from derive.papers.language.terms import Symbol, latex
 from derive.papers.result import Result
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
@@ -226,46 +225,6 @@ def test_trigonometry_is_exact() -> None:
 def test_parts_of_angles_are_exact_as_they_occur(parts: int) -> None:
     part = alpha / parts
     assert decided(equal(2 * (sin(part) * cos(part)), sin(2 * alpha / parts))).method == "exact"
-
-
-# ---- mutants ------------------------------------------------------------------------------------------------------
-
-
-def test_mutants_change_one_mark() -> None:
-    found = {text(mutant) for _, mutant in mutants(equal(a, b + 2))}
-    assert found == {"a=b-2", "a=b", "a=2", "a=b+3"}
-
-
-def test_every_mutant_of_a_simple_identity_is_killed() -> None:
-    score = try_mutants(decided(square_of_sum))
-    assert score.survivors == []
-    assert score.killed > 10
-
-
-def test_mutants_of_conditions_and_claimed_domains_are_killed() -> None:
-    for domain in ({"condition": nonzero(Re(b))}, {"claimed": nonzero(Re(b)), "stated": (1, "for Re b ≠ 0")}):
-        result = decided(quotient, **domain)
-        changes = [change for change, _ in trials(result.equation, quotient)]
-        assert {f"{next(iter(domain))}", "dropped"} <= {word for change in changes for word in change.split()}
-        assert try_mutants(result).survivors == []
-
-
-def test_a_domain_narrower_than_needed_survives() -> None:
-    score = try_mutants(decided(square_of_sum, claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0")))
-    assert "claimed domain dropped" in {survivor.change for survivor in score.survivors}
-
-
-def test_claims_in_words_and_both_ways_of_an_equivalence_are_changed() -> None:
-    changes = {change for change, _ in mutants(iff(zero(a), implies(Symbol("claim", "proposition"), nonzero(a))))}
-    assert {"claim negated", "arguments of implies swapped"} <= changes
-    assert {"second part of implies negated", "second part of iff negated"} <= changes
-
-
-def test_a_survivor_is_reported() -> None:
-    score = try_mutants(decided(nonzero(2 + a * a)))
-    assert "first part of plus dropped" not in {survivor.change for survivor in score.survivors}
-    assert {survivor.change for survivor in score.survivors} >= {"2 raised by 1"}
-    assert 0 < score.share < 1
 
 
 # ---- theorems for every order -------------------------------------------------------------------------------------

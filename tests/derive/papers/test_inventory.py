@@ -40,7 +40,7 @@ def test_every_line_names_entries_or_a_reason(paper) -> None:
             assert set(content) <= numbers, f"line {line} names {set(content) - numbers}"
 
 
-def test_every_entry_is_named_at_its_line(paper) -> None:
+def test_no_entry_stands_at_a_line_that_claims_nothing(paper) -> None:
     inventory = paper.inventory()
     for entry in paper.entries():
         assert entry.number in inventory[entry.line], f"({entry.number}) is not named at line {entry.line}"

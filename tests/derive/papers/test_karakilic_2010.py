@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.papers import Result, Status, verify
-from derive.papers.karakilic_2010 import PAPER, inventory, symbols
+from derive.papers.karakilic_2010 import PAPER, symbols
 from derive.papers.language.terms import Apply, Symbol, walk
 from derive.papers.numbers.quantities import QUANTITIES
 
@@ -51,16 +51,6 @@ def test_domain_of_14_ends_at_a_half_turn(results) -> None:
     assert result.printed.endswith(r"0 < f < 2\, \pi")
     assert result.corrected is not None
     assert result.corrected.endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
-
-
-def test_inventory_names_every_entry_and_no_other() -> None:
-    named = {slug for line in inventory.LINES.values() if isinstance(line, tuple) for slug in line}
-    assert named == {entry.number for entry in PAPER.entries()}
-
-
-def test_inventory_has_every_entry_at_its_line() -> None:
-    for entry in PAPER.entries():
-        assert entry.number in inventory.LINES[entry.line], entry.number
 
 
 def test_no_frame_is_chosen_where_components_are_taken() -> None:

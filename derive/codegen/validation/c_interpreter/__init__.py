@@ -1,16 +1,8 @@
 """C headers executed on exact numbers: the text that a compiler reads, with no rounding of its own.
 
-========= ==========================================================================================
-memory    cells, pointers with bounds, cells that were never written
-source    preprocess and parse a header and what it includes
-types     types and typed expressions, conversions, and the refusal of everything else
-translate a syntax tree as Python functions of the same names
-unit      a translation unit: its functions, ready to be called
-========= ==========================================================================================
-
-Only the subset of C that the emitted headers are made of is read; anything else is refused by name. The real type is
-whatever is passed in: ring elements, numbers of 50 digits, fractions. A constant is the fraction it denotes. Types are
-static, as in C: a division of two integers is an error wherever it stands, executed or not.
+`source` preprocesses and parses a header, `translate` makes Python functions of it, `memory` checks its pointers, and
+`unit` calls its functions. Only the subset of C that emitted headers are made of is read; the rest is refused by name.
+The real type is that of the numbers passed in, and a constant is the fraction it denotes.
 """
 
 from .memory import UNSET, CError, Pointer

@@ -1,4 +1,4 @@
-"""Memory as lists of cells, and pointers that know the bounds of what they point into."""
+"""Memory as lists of cells, and pointers that know the bounds of their array."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ UNSET: Final = object()
 
 
 class CError(Exception):
-    """C text that does not parse, that breaks a rule of C, or that the interpreter does not read."""
+    """C text that does not parse, breaks a rule of C, or is outside the subset that is read."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pointer:
-    """A position in a list of cells, and the bounds low <= i < high of the array it belongs to."""
+    """A position in a list of cells, and the bounds low <= i < high of its array."""
 
     cells: list[Any]
     index: int
@@ -41,14 +41,12 @@ class Pointer:
         return Pointer(self.cells, self.index, self.index, self.index + size)
 
     def __getitem__(self, by: int) -> Any:
-        """Return the content of a cell; raise beyond the bounds, and where nothing was written."""
         value = self.cells[self._inside(by)]
         if value is UNSET:
             raise CError(f"cell {self.index + by - self.low} of {self.high - self.low} is read before it is written")
         return value
 
     def __setitem__(self, by: int, value: Any) -> None:
-        """Write to a cell; raise beyond the bounds."""
         self.cells[self._inside(by)] = value
 
     def _inside(self, by: int) -> int:

@@ -1,4 +1,4 @@
-"""What the symbols of the paper stand for: what its printed formulas are checked against.
+"""Definitions of the paper's symbols, which its printed formulas are checked against.
 
 ===============  ========================================================================
 orders           p_n, q_n, the Cayley map of an order, its rotation and tangent operator

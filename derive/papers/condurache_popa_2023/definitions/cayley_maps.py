@@ -1,4 +1,4 @@
-"""What the symbols of section 7 stand for: maps with their preimages, families v = φ(α) u, their factors a(v)."""
+"""Definitions of section 7: maps with their preimages, families v = φ(α) u, their factors a(v)."""
 
 from __future__ import annotations
 
@@ -15,28 +15,12 @@ from derive.proof.every_order import citing
 from ...language import values
 from ...language.evaluation import Env
 from ...numbers.fields import UndefinedError, innermost
-from .orders import as_vector, cayley
+from .orders import as_vector, cayley, solution
 from .quaternion_maps import half_angle
 
 
-def next_p(env: Env, n: Any) -> Callable[[Any], Any]:
-    """The polynomial p_{n+1}, by ``(1 + iX)^(n+1)``."""
-    return lambda a: env.field.pair(n + 1, a * a)[0]
-
-
-def next_q(env: Env, n: Any) -> Callable[[Any], Any]:
-    """The polynomial q_{n+1}."""
-    return lambda a: env.field.pair(n + 1, a * a)[1]
-
-
-def quarter(env: Env, k: int) -> int:
-    """The p with ``k = 4p``, ``4p + 1``, ``4p + 2`` or ``4p + 3``."""
-    return k // 4
-
-
 def proved(*numbers: int) -> Callable[[Env], bool]:
-    """Whether theorems for every order say the same as these equations and are proved, by induction."""
-
+    """Return whether theorems for every order say the same as these equations and are proved, by induction."""
     return lambda env: set(numbers) <= _proved_among(numbers)
 
 
@@ -49,12 +33,12 @@ def _proved_among(numbers: tuple[int, ...]) -> frozenset[int]:
 
 
 def cayley_function(env: Env, n: Any) -> values.Map:
-    """The map (46) with its preimages: v of every branch k at which it is finite."""
+    """Return the map (46) with its preimages: v of every branch k at which it is finite."""
     return _map(env, n, lambda v: v, lambda t, u: [t * u])
 
 
 def cayley_function_of_growing_scale(env: Env, n: Any) -> values.Map:
-    """The map (59) with ``a(v) = 1 + v·v``: on each branch ``|v|/(1 + |v|²) = tan`` has two solutions, one or none."""
+    """Return the map (59) with ``a(v) = 1 + v·v``: ``|v|/a(v) = tan`` has two, one or no solutions on a branch."""
 
     def solve(t: Any, u: Vector) -> list[Vector]:
         if env.field.same(real_part(t), 0):
@@ -69,7 +53,7 @@ def cayley_function_of_growing_scale(env: Env, n: Any) -> values.Map:
 
 
 def counted_cayley_function(env: Env, n: Any) -> values.Map:
-    """The same; where the preimages are infinitely many, translations for n > 1, it has no list of them."""
+    """Return the map (46) without a list of preimages where they are infinitely many: translations for n > 1."""
     f = cayley_function(env, n)
 
     def preimages(q: Quaternion) -> list[Vector]:
@@ -96,93 +80,60 @@ def _map(
     return values.Map(lambda v: cayley(env, n, to_w(v)), preimages)
 
 
+def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
+    """Return the signed coefficient of v_k along u, from the sine and cosine of (α + 2kπ)/2n."""
+    angle = values.divide(alpha + 2 * k * env.field.pi if k else alpha, 2 * n)
+    return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
+
+
 def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
-    """``v_k``, from the sine and cosine of (α + 2kπ)/2n."""
+    """Return ``v_k``."""
     v: Vector = branch_coefficient(env, n, k, alpha) * u
     return v
-
-
-def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
-    """The signed coefficient of v_k along u."""
-    angle = values.divide(alpha + 2 * k * env.field.pi, 2 * n)
-    return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
-
-
-def principal_coefficient(env: Env, n: Any, alpha: Any) -> Any:
-    """The signed coefficient of v_0."""
-    angle = values.divide(alpha, 2 * n)
-    return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
-
-
-def coefficient_at_infinity(env: Env, n: int, k: int) -> Any:
-    """What the coefficient of v_k is where v_0 is infinite, at α = nπ."""
-    return branch_coefficient(env, n, k, n * env.field.pi)
-
-
-def scalar_of(order: int) -> Callable[..., Any]:
-    """The scalar part of the map of one order."""
-    return lambda env, v: cayley(env, order, v).scalar
-
-
-def scalar(env: Env, q: Quaternion) -> Any:
-    """The scalar part."""
-    return q.scalar
 
 
 # ---- any factor a(v) --------------------------------------------------------------------------------------------
 
 
 def constant(env: Env, value: Any) -> Callable[[Any], Any]:
-    """A function of v by its value there."""
+    """Return a function of v by its value there."""
     return lambda argument: value
 
 
 def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
-    """A symbol that the paper writes as a function of v, by its value there."""
+    """Return the definition of a symbol written as a function of v, by its value there."""
     return lambda env, *arguments: constant(env, definition(env, *arguments))
 
 
 def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
-    """The map (59): that of order n at v/a."""
+    """Return the map (59): that of order n at v/a."""
     return cayley(env, n, v / a)
 
 
 def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
-    """The same where the root of odd order leaves the sign open."""
+    """Return the map (59); at odd order the root leaves the sign open."""
     q = modified(env, n, a, v)
     return q if isinstance(n, int) and n % 2 == 0 else values.Either(q, -q)
 
 
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
-    """The orthogonal dual tensor of (59), by the action of the quaternion."""
+    """Return the orthogonal dual tensor of (59), by the action of the quaternion."""
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 
-def scaled_rodrigues(env: Env, n: Any, a: Any, alpha: Any, u: Vector) -> Vector:
-    """``a tan(α/2n) u``: any v = φ(α) u, by its a."""
-    v: Vector = a * rodrigues_vector(env, n, alpha, u)
-    return v
-
-
-def product(env: Env, a: Any, w: Vector) -> Vector:
-    """``a w``."""
-    v: Vector = a * w
-    return v
-
-
 def direction(env: Env, v: Vector) -> Vector:
-    """``v/|v|``."""
+    """Return ``v/|v|``."""
     u: Vector = v / _pole(env.field.magnitude(v))
     return u
 
 
 def scales(env: Env, n: Any, q: Quaternion, v: Vector) -> values.Solution:
-    """Every a with which (59) takes v to ±q."""
+    """Return the condition on a that (59) takes v to ±q."""
     return values.Solution(lambda a: values.equal(env.field, values.Either(q, -q), modified(env, n, a, v)))
 
 
 def solutions(env: Env, n: Any, a: Any, q: Quaternion) -> values.Solution:
-    """Every v that (59) takes to ±q with this a."""
+    """Return the condition on v that (59) takes it to ±q with this a."""
     either = values.Either(q, -q)
     return values.Solution(lambda v: values.equal(env.field, either, modified(env, n, a, as_vector(env, v))))
 
@@ -191,30 +142,30 @@ def solutions(env: Env, n: Any, a: Any, q: Quaternion) -> values.Solution:
 
 
 def member(family: Family) -> Callable[..., Vector]:
-    """``v = φ(α) u`` of a family."""
+    """Return the definition ``v = φ(α) u`` of a family."""
     return lambda env, alpha, u: family.vector(alpha, u, env.field)
 
 
 def rodrigues_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """``tan(α/2n) u`` for any order: that of order 1 at α/n."""
+    """Return ``tan(α/2n) u`` for any order: that of order 1 at α/n."""
     return rodrigues(1).vector(values.divide(alpha, n), u, env.field)
 
 
 def normal_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """``2n tan(α/2n) u``."""
+    """Return ``2n tan(α/2n) u``."""
     v: Vector = n * normal_rodrigues(1).vector(values.divide(alpha, n), u, env.field)
     return v
 
 
 def sine_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """``sin(α/2n) u``."""
+    """Return ``sin(α/2n) u``."""
     return sine(1).vector(values.divide(alpha, n), u, env.field)
 
 
-def powers(env: Env, n: Any) -> Callable[[Any], tuple[Any, Any]]:
-    """(P_n, Q_n) at |v|, from ``(√(1 − v²) + v)ⁿ = P_n + Q_n v`` multiplied out."""
+def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
+    """Return the definition of P_n (0) or Q_n (1) at |v|, from ``(√(1 − v²) + v)ⁿ = P_n + Q_n v`` multiplied out."""
 
-    def pair(length: Any) -> tuple[Any, Any]:
+    def at(env: Env, n: Any, length: Any) -> tuple[Any, Any]:
         c, x = env.field.sqrt(1 - length * length), length * length
         if isinstance(env.field, EveryOrder) and not isinstance(n, int):
             power = env.power(Quaternion(c, Vector(length, 0 * length, 0 * length)), n)
@@ -224,44 +175,27 @@ def powers(env: Env, n: Any) -> Callable[[Any], tuple[Any, Any]]:
             P, Q = c * P - x * Q, P + c * Q
         return P, Q
 
-    return pair
-
-
-def power_scalar(env: Env, n: Any) -> Callable[[Any], Any]:
-    """P_n."""
-    return lambda length: powers(env, n)(length)[0]
-
-
-def power_vector(env: Env, n: Any) -> Callable[[Any], Any]:
-    """Q_n."""
-    return lambda length: powers(env, n)(length)[1]
-
-
-def square_of_breusing(env: Env, c: Any) -> Any:
-    """``|v|² = tan(α/4) sin(α/4)`` from c = cos(α/4)."""
-    return (1 - c * c) / c
+    return lambda env, n: lambda length: at(env, n, length)[which]
 
 
 def composed(env: Env, n: int, v2: Vector, v1: Vector) -> values.Solution:
-    """Every v of order n of the displacement v₁ followed by v₂."""
-    target = cayley(env, n, v2) * cayley(env, n, v1)
-    either = values.Either(target, -target)
-    return values.Solution(lambda v: values.equal(env.field, either, cayley(env, n, as_vector(env, v))))
+    """Return the condition on v of order n to give the displacement v₁ followed by v₂."""
+    return solution(env, n, cayley(env, n, v2) * cayley(env, n, v1))
 
 
 def translation(env: Env, q: Quaternion) -> bool:
-    """Whether a displacement is a pure translation, the identity included."""
+    """Return whether a displacement is a pure translation, the identity included."""
     return values.equal(env.field, q.vector.re, 0 * q.vector.re)
 
 
 def rotation(env: Env, q: Quaternion) -> bool:
-    """Whether it is a pure rotation, the identity included: α is real, so ``cos α/2`` and ``|sin α/2|`` are."""
+    """Return whether it is a pure rotation or the identity: α is real, so ``cos α/2`` and ``|sin α/2|`` are."""
     parts = (q.scalar, env.field.magnitude(q.vector))
     return all(values.equal(env.field, dual_part(part), 0) for part in parts)
 
 
 def screw(env: Env, q: Quaternion) -> bool:
-    """Whether it is neither."""
+    """Return whether it is neither."""
     return not translation(env, q) and not rotation(env, q)
 
 

@@ -1,11 +1,11 @@
-"""What the symbols of section 2 stand for: dual numbers, dual vectors and dual tensors by their parts."""
+"""Definitions of section 2: dual numbers, dual vectors and dual tensors by their parts."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
+from derive.algebra import Quaternion, Tensor, Vector, real_part
 from derive.maps import first_principles
 
 from ...language import values
@@ -13,28 +13,23 @@ from ...language.evaluation import Env
 from ...language.values import dualise
 
 Frame = Callable[[int], Vector]
-"""The vectors of a basis by their number, 1 to 3."""
+"""Vectors of a basis by their number, 1 to 3."""
 
 # ---- dual numbers ---------------------------------------------------------------------------------------------------
 
 
-def from_parts(env: Env, re: Any, du: Any) -> Dual:
-    """The dual number with these parts."""
-    return Dual(re, du)
-
-
 def sign(env: Env) -> Callable[[Any], Any]:
-    """``sgn``."""
+    """Return the function ``sgn``."""
     return lambda x: x / abs(x) if x != 0 else 0
 
 
 def multiplies_singularly(env: Env, a: Any) -> bool:
-    """Whether ``b -> a b``, the matrix [[a, 0], [a°, a]] on the parts of b, has a kernel."""
+    """Return whether ``b -> a b``, the matrix [[a, 0], [a°, a]] on the parts of b, has a kernel."""
     return bool(env.field.same(real_part(a) ** 2, 0))
 
 
 def multiplies_onto(env: Env, a: Any) -> bool:
-    """Whether 1 is among the products with a."""
+    """Return whether 1 is among the products with a."""
     try:
         return bool(values.equal(env.field, a * (1 / a), 1))
     except ZeroDivisionError:
@@ -44,13 +39,8 @@ def multiplies_onto(env: Env, a: Any) -> bool:
 # ---- dual vectors ---------------------------------------------------------------------------------------------------
 
 
-def vector_from_parts(env: Env, re: Vector, du: Vector) -> Any:
-    """The dual vector with these parts."""
-    return dualise(re, du)
-
-
 def magnitudes(env: Env, a: Vector) -> values.Solution:
-    """Every m with ``m m = a · a`` and positive real part; at Re a = 0, also of the size of the dual part."""
+    """Return the condition ``m m = a · a`` on a magnitude m; at Re a = 0 its dual part has the size of that of a."""
 
     def is_magnitude(m: Any) -> bool:
         if not values.equal(env.field, m * m, a.dot(a)):
@@ -61,7 +51,7 @@ def magnitudes(env: Env, a: Vector) -> values.Solution:
 
 
 def coordinates(env: Env, a: Vector) -> values.Solution:
-    """Every α with ``a = α u`` for some unit vector u."""
+    """Return the condition on α that ``a = α u`` for some unit vector u."""
 
     def divides(number: Any) -> bool:
         if real_part(number) != 0:
@@ -72,7 +62,7 @@ def coordinates(env: Env, a: Vector) -> values.Solution:
 
 
 def axes(env: Env, a: Vector) -> values.Solution:
-    """Every unit vector u that a is a multiple of: ``a = (a · u) u``."""
+    """Return the condition on a unit vector u that ``a = (a · u) u``."""
 
     def carries(axis: Vector) -> bool:
         unit = values.equal(env.field, axis.dot(axis), 1)
@@ -81,13 +71,8 @@ def axes(env: Env, a: Vector) -> values.Solution:
     return values.Solution(carries)
 
 
-def magnitude(env: Env, a: Vector) -> Any:
-    """``|a|``."""
-    return env.field.magnitude(a)
-
-
 def one_axis(env: Env, a: Vector) -> Vector:
-    """One unit vector along a."""
+    """Return a unit vector along a."""
     if real_part(a.dot(a)) != 0:
         axis: Vector = a / env.field.magnitude(a)
         return axis
@@ -98,52 +83,37 @@ def one_axis(env: Env, a: Vector) -> Vector:
 
 
 def on_line(env: Env, a: Vector) -> values.Solution:
-    """Every point of the line of a: its moment ``r × u`` is the dual part of the unit vector."""
+    """Return the condition on a point r of the line of a: ``r × u`` is the dual part of the unit vector."""
     axis = one_axis(env, a)
     return values.Solution(lambda point: values.equal(env.field, point.cross(axis.re), axis.du))
 
 
 def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
-    """Every point of the line through `through` along a⁰."""
+    """Return the condition on a point of the line through `through` along a⁰."""
     return values.Solution(lambda point: values.equal(env.field, (point - through).cross(a0), 0 * a0))
-
-
-def basis(i: int) -> Callable[[Env], Vector]:
-    """A vector of the standard basis."""
-    return lambda env: Vector(*(int(i == k) for k in range(3)))
 
 
 # ---- dual tensors ---------------------------------------------------------------------------------------------------
 
 
 def frame(env: Env, q: Quaternion) -> Callable[[int], Vector]:
-    """A right-handed orthonormal basis of dual vectors: any one is a turned standard basis."""
+    """Return a right-handed orthonormal basis of dual vectors: the standard basis, turned."""
     turned = first_principles.tensor_by_sandwich(q)
     return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
 
 
-def components(env: Env, a: Vector, frame: Frame) -> Callable[[int], Any]:
-    """The components in a frame."""
-    return lambda k: frame(k).dot(a)
-
-
 def matrix_of_dyad(env: Env, a: Vector, b: Vector, frame: Frame) -> Tensor:
-    """``e_j · T e_k`` with T the map ``v -> (v · b) a``."""
+    """Return the matrix ``e_j · T e_k`` of the map T: ``v -> (v · b) a``."""
     return Tensor.from_entries(frame(j).dot(frame(k).dot(b) * a) for j in (1, 2, 3) for k in (1, 2, 3))
 
 
 def matrix_of_cross(env: Env, a: Vector, frame: Frame) -> Tensor:
-    """``e_j · (a × e_k)``."""
+    """Return the matrix ``e_j · (a × e_k)``."""
     return Tensor.from_entries(frame(j).dot(a.cross(frame(k))) for j in (1, 2, 3) for k in (1, 2, 3))
 
 
-def skew_part(env: Env, a: Tensor) -> Tensor:
-    """A skew-symmetric tensor."""
-    return a - a.transpose
-
-
 def axial(env: Env, a: Tensor) -> Vector:
-    """The a with ``A b = a × b``, from the images of the standard basis: ``½ Σ e × A e``."""
+    """Return the a with ``A b = a × b``: ``½ Σ e × A e`` over the standard basis."""
     total: Any = Vector(0, 0, 0)
     for row in Tensor.identity().rows:
         total = total + Vector(*row).cross(a @ Vector(*row))

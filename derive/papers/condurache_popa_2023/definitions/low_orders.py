@@ -1,4 +1,4 @@
-"""What the symbols of sections 5 and 6 stand for: Cayley maps of the orders 1 and 2 by their rotations."""
+"""Definitions of sections 5, 6 and 9: Cayley maps of the orders 1 and 2 by their rotations."""
 
 from __future__ import annotations
 
@@ -12,35 +12,24 @@ from derive.maps.exponential import tensor_exponential
 from derive.maps.pose import pose_from_tensor
 
 from ...language import claims, values
+from ...language.definitions import screw_quaternion, screw_tensor
 from ...language.evaluation import Env
 from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from . import dual_algebra, motions, orders, quaternion_maps
 
-
-def first_order(env: Env, v: Vector) -> Tensor:
-    """The rotation of ``(1 + v)/|1 + v|``."""
-    return orders.rotation(env, 1, v)
-
-
-def cayley_of_tensors(env: Env) -> Callable[[Tensor], Tensor]:
-    """Skew-symmetric tensors to orthogonal ones."""
-    return lambda A: first_order(env, A.vect())
+Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
+"""Further points of an entry, by name."""
 
 
 def cayley_map(env: Env) -> values.Map:
-    """Vectors to orthogonal dual tensors; a preimage is the tangent of half the angle along the axis."""
-
-    def preimages(R: Tensor) -> list[Vector]:
-        angle, axis = motions.invariants(env, R)
-        return [rodrigues(env, angle, axis)]
-
-    return values.Map(lambda v: first_order(env, v), preimages)
+    """Return the map from vectors to orthogonal dual tensors, with its one preimage."""
+    return values.Map(lambda v: orders.rotation(env, 1, v), lambda R: [rodrigues(env, *motions.invariants(env, R))])
 
 
 def rodrigues(env: Env, alpha: Any, u: Vector) -> Vector:
-    """``tan(α/2) u``; a `values.MissedError` where it is infinite."""
+    """Return ``tan(α/2) u``; raise `values.MissedError` where it is infinite."""
     half = values.divide(alpha, 2)
     cosine = env.field.cos(half)
     if env.field.same(real_part(cosine), 0):
@@ -50,17 +39,12 @@ def rodrigues(env: Env, alpha: Any, u: Vector) -> Vector:
 
 
 def exponential_map(env: Env) -> values.Map:
-    """Dual vectors to orthogonal dual tensors."""
-
-    def preimages(R: Tensor) -> list[Vector]:
-        angle, axis = motions.invariants(env, R)
-        return [angle * axis]
-
-    return values.Map(lambda a: tensor_exponential(a, env.field), preimages)
+    """Return the map from dual vectors to orthogonal dual tensors."""
+    return values.Map(lambda a: tensor_exponential(a, env.field), lambda R: [logarithm(env, R)])
 
 
 def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """The derivative of ``exp(α ũ)`` by α at fixed u."""
+    """Return the derivative of ``exp(α ũ)`` by α at fixed u."""
     alpha = alpha if isinstance(alpha, Dual) else Dual(alpha, 0)
     moving = Dual(Dual(alpha.re, 1), Dual(alpha.du, 0))
     still = u.map(lambda c: Dual(Dual(c.re, 0), Dual(c.du, 0)) if isinstance(c, Dual) else Dual(Dual(c, 0), Dual(0, 0)))
@@ -70,50 +54,29 @@ def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
     return slope
 
 
-def exponential_start(env: Env, u: Vector) -> Tensor:
-    """``exp(0 ũ)``."""
-    return tensor_exponential(0 * u, env.field)
-
-
-def turned(env: Env, alpha: Any, u: Vector, k: int) -> Vector:
-    """``(α + 2kπ) u``."""
-    vector: Vector = (alpha + 2 * k * env.field.pi) * u
-    return vector
-
-
 def logarithm(env: Env, R: Tensor) -> Vector:
-    """The Euler vector by angle and axis."""
+    """Return the Euler vector by angle and axis."""
     angle, axis = motions.invariants(env, R)
     vector: Vector = angle * axis
     return vector
 
 
 def is_below_half_turn(env: Env, alpha: Any) -> bool:
-    """``|Re α| < π``, which generic symbols fulfil."""
+    """Return whether ``|Re α| < π``, which generic symbols fulfil."""
     angle = real_part(alpha)
     return not isinstance(angle, mpmath.mpf) or bool(abs(angle) < mpmath.pi)
 
 
-def direction(env: Env, v: Vector) -> Vector:
-    """A unit dual vector along v."""
-    return dual_algebra.one_axis(env, v)
-
-
-def twice_arctan(env: Env, v: Vector) -> Any:
-    """The angle whose half has the tangent |v|."""
-    return 2 * env.field.atan(env.field.magnitude(v))
-
-
 def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
-    """Every α such that v makes the rotation by α about its axis."""
-    R, axis = first_order(env, v), dual_algebra.one_axis(env, v)
-    return values.Solution(lambda alpha: values.equal(env.field, motions.screw_tensor(env, alpha, axis), R))
+    """Return the condition on α that v makes the rotation by α about its axis."""
+    R, axis = orders.rotation(env, 1, v), dual_algebra.one_axis(env, v)
+    return values.Solution(lambda alpha: values.equal(env.field, screw_tensor(env, alpha, axis), R))
 
 
 def displacement_types(
     rotates: Symbol, translates: Symbol, general: Symbol
 ) -> tuple[tuple[Symbol, Callable[..., bool]], ...]:
-    """The three statements about a displacement, with what computes them from its tensor."""
+    """Return the three statements about a displacement, with their definitions by its tensor."""
     table = ((rotates, claims.fixes_a_point), (translates, claims.fixes_directions), (general, claims.is_general))
 
     def of_tensor(check: Callable[..., bool]) -> Callable[..., bool]:
@@ -122,38 +85,8 @@ def displacement_types(
     return tuple((symbol, of_tensor(check)) for symbol, check in table)
 
 
-def real_magnitude(v: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
-    """A point where |v| is real although v is dual."""
-
-    def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
-        re, across = draw.vector().re, draw.vector().re
-        return {"|v| real, v dual": {v: dualise(re, re.cross(across))}}
-
-    return point
-
-
-def unit_magnitude(v: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
-    """A point where |v| = 1."""
-    return lambda draw: {"|v| = 1": {v: draw.unit()}}
-
-
-def three_turns(alpha: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
-    """A point where Re α is the second angle, after 2π, with an infinite tangent of α/4."""
-    return lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.mpf(mpmath.pi))}}
-
-
-def rotation_of_order(order: int) -> Callable[[Env, Vector], Tensor]:
-    """v to the orthogonal dual tensor of an order."""
-    return lambda env, v: orders.rotation(env, order, v)
-
-
-def cayley(order: int) -> Callable[[Env], Callable[[Vector], Quaternion]]:
-    """The Cayley transform of an order, from vectors to unit quaternions, by its rational closed form."""
-    return lambda env: lambda v: orders.cayley(env, order, v)
-
-
 def map_of_order(order: int) -> Callable[[Env], values.Map]:
-    """The same as a map; a preimage is the tangent of the half angle over the order."""
+    """Return the same as a map; a preimage is the tangent of the half angle over the order."""
 
     def make(env: Env) -> values.Map:
         def preimages(q: Quaternion) -> list[Vector]:
@@ -166,7 +99,7 @@ def map_of_order(order: int) -> Callable[[Env], values.Map]:
 
 
 def preimage(order: int) -> Callable[[Env, Quaternion], values.Solution]:
-    """Every v whose transform is the quaternion; at order 1, its multiple ``q₀ (1 + v)``, as no root is needed."""
+    """Return the condition on v to have a quaternion as its transform; at order 1 as ``q₀ (1 + v)``, without a root."""
 
     def make(env: Env, q: Quaternion) -> values.Solution:
         def has_image(value: Any) -> bool:
@@ -182,7 +115,7 @@ def preimage(order: int) -> Callable[[Env, Quaternion], values.Solution]:
 
 
 def composed(order: int) -> Callable[[Env, Vector, Vector], Quaternion]:
-    """The quaternion of two displacements, the second argument first; at order 1 not of unit norm."""
+    """Return the quaternion of two displacements, the second argument first; at order 1 not of unit norm."""
 
     def one(env: Env, v: Vector) -> Quaternion:
         return orders.cayley(env, 2, v) if order == 2 else Quaternion(1, v)
@@ -190,18 +123,43 @@ def composed(order: int) -> Callable[[Env, Vector, Vector], Quaternion]:
     return lambda env, second, first: one(env, second) * one(env, first)
 
 
-def back_to_back(second: Symbol, first: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
-    """Two equal half turns at order 2: their product is −1."""
+def rodrigues_by_quotient(env: Env, alpha: Any, u: Vector) -> Vector:
+    """Return the v of order 1 with this angle and axis: vector part over scalar part of its quaternion."""
+    q = screw_quaternion(env, alpha, u)
+    b: Vector = q.vector / q.scalar
+    return b
+
+
+# ---- points -----------------------------------------------------------------------------------------------------
+
+
+def real_magnitude(v: Symbol) -> Points:
+    """Return a point where |v| is real although v is dual."""
 
     def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
-        axis = draw.unit()
-        return {"two half turns about one axis": {first: axis, second: axis}}
+        re, across = draw.vector().re, draw.vector().re
+        return {"|v| real, v dual": {v: dualise(re, re.cross(across))}}
 
     return point
 
 
-def to_a_half_turn(first: Symbol, second: Symbol) -> Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]:
-    """Two vectors of order 1 whose product has the real part 1."""
+def unit_magnitude(v: Symbol) -> Points:
+    """Return a point where |v| = 1."""
+    return lambda draw: {"|v| = 1": {v: draw.unit()}}
+
+
+def three_turns(alpha: Symbol) -> Points:
+    """Return a point where Re α is the second angle, after 2π, with an infinite tangent of α/4."""
+    return lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.mpf(mpmath.pi))}}
+
+
+def back_to_back(second: Symbol, first: Symbol) -> Points:
+    """Return two equal half turns at order 2: their product is −1."""
+    return lambda draw: {"two half turns about one axis": dict.fromkeys((first, second), draw.unit())}
+
+
+def to_a_half_turn(first: Symbol, second: Symbol) -> Points:
+    """Return two vectors of order 1 whose product has the real part 1."""
 
     def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
         v = draw.vector()
@@ -209,15 +167,3 @@ def to_a_half_turn(first: Symbol, second: Symbol) -> Callable[[Draw], Mapping[st
         return {"a half turn as the result": {first: v, second: w}}
 
     return point
-
-
-def rodrigues_by_quotient(env: Env, alpha: Any, u: Vector) -> Vector:
-    """The v of order 1 whose quaternion has this angle and axis: vector part over scalar part."""
-    q = orders.screw_quaternion(env, alpha, u)
-    b: Vector = q.vector / q.scalar
-    return b
-
-
-def component(i: int) -> Callable[[Env, Vector], Any]:
-    """A component of a vector."""
-    return lambda env, a: tuple(a)[i]

@@ -1,7 +1,4 @@
-"""What the symbols of sections 3-5 stand for: poses, the tensors that move lines as poses move points, screws.
-
-Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
-"""
+"""Definitions of sections 3 to 5: poses, the tensors that move lines as poses move points, screws."""
 
 from __future__ import annotations
 
@@ -10,87 +7,38 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
-from derive.maps import first_principles
+from derive.algebra import Tensor, Vector, real_part
 from derive.maps.exponential import tensor_exponential
-from derive.maps.lines import foot as foot_of
 from derive.maps.lines import line_through
 from derive.maps.pose import Pose, pose_from_tensor
 
 from ...language import values
+from ...language.definitions import plain, screw_tensor
 from ...language.evaluation import Env
 from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from ...numbers.draw import rotation as sandwich
-from .orders import screw_quaternion
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)
 
-
-def same(env: Env, a: Any) -> Any:
-    """The value of another symbol."""
-    return a
-
-
-def nilpotent(env: Env, a: Any) -> Any:
-    """``ε a``."""
-    return dualise(0 * a, a)
-
-
-def rotation_of(env: Env, R: Tensor) -> Tensor:
-    """The rotation of an orthogonal dual tensor."""
-    return pose_from_tensor(R).rotation
-
-
-def displacement_of(env: Env, R: Tensor) -> Vector:
-    """Its displacement."""
-    return pose_from_tensor(R).displacement
+rotation_of = plain(lambda R: pose_from_tensor(R).rotation)
+displacement_of = plain(lambda R: pose_from_tensor(R).displacement)
 
 
 def moved_lines(g: Pose) -> Tensor:
-    """The tensor that takes the three lines along the axes to where the pose moves them."""
+    """Return the tensor that takes the three lines along the axes to where the pose moves them."""
     columns = (line_through(g.displacement, g.rotation @ e) for e in AXES)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
-def line_map(env: Env) -> Callable[[Pose], Tensor]:
-    """Poses to tensors, by their action on lines."""
-    return moved_lines
-
-
-def inverse_line_map(env: Env) -> Callable[[Tensor], Pose]:
-    """Tensors to poses: the origin and the three directions from the moved lines."""
-    return pose_from_tensor
-
-
 def poses_of(env: Env) -> Callable[[Tensor], values.Solution]:
-    """Every pose that moves lines as the tensor does."""
+    """Return the condition on a pose to move lines as a tensor does."""
     return lambda R: values.Solution(lambda g: values.equal(env.field, moved_lines(g), R))
 
 
-def tensor_of(env: Env, Q: Tensor, rho: Vector) -> Tensor:
-    """The tensor of a rotation and a displacement."""
-    return moved_lines(Pose(Q, rho))
-
-
-def screw_tensor(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """The orthogonal dual tensor of an angle and an axis, by the action of its quaternion."""
-    return first_principles.tensor_by_sandwich(screw_quaternion(env, alpha, u))
-
-
-def screw_function(env: Env) -> Callable[[Any, Vector], Tensor]:
-    """The same as a function."""
-    return lambda alpha, u: screw_tensor(env, alpha, u)
-
-
-def foot(env: Env, u: Vector) -> Vector:
-    """The point of an axis nearest to the origin."""
-    return foot_of(u)
-
-
 def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
-    """An angle, from 0 to π, and an axis of an orthogonal dual tensor."""
+    """Return an angle, from 0 to π, and an axis of an orthogonal dual tensor."""
     w, cosine, field = R.vect(), (R.trace() - 1) / 2, env.field
     if not field.same(real_part(w.dot(w)), 0):
         length = field.magnitude(w)
@@ -107,19 +55,19 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
 
 
 def screw_map(env: Env) -> values.Map:
-    """(angle, axis) to tensor."""
+    """Return the map from (angle, axis) to the tensor."""
     return values.Map(lambda screw: screw_tensor(env, *screw), lambda R: [invariants(env, R)])
 
 
 def angles_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Every rotation angle about the axis of R that has this sign."""
+    """Return the condition on a rotation angle about the axis of R, taken with this sign."""
     Q = R.map(real_part)
     _, axis = invariants(env, Q)
     return values.Solution(lambda angle: values.equal(env.field, screw_tensor(env, angle, sign * axis), Q))
 
 
 def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Every direction about which R turns, by an angle of this sign, and along which it shifts."""
+    """Return the condition on a direction about which R turns, by an angle of this sign, and along which it shifts."""
     pose = pose_from_tensor(R)
     Q, rho = pose.rotation, pose.displacement
     angle, _ = invariants(env, Q)
@@ -134,7 +82,7 @@ def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
 
 
 def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Every moment of an axis along Re u that makes the same displacement."""
+    """Return the condition on the moment of an axis along Re u to make the same displacement."""
     R = screw_tensor(env, alpha, u)
 
     def is_moment(m: Vector) -> bool:
@@ -145,23 +93,17 @@ def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
 
 
 def is_principal(env: Env, alpha: Any) -> bool:
-    """Whether the rotation angle is in the range of atan2."""
+    """Return whether the rotation angle is in the range of atan2."""
     angle = real_part(alpha)
     return not isinstance(angle, mpmath.mpf) or bool(-mpmath.pi < angle <= mpmath.pi)
 
 
 def half_turn_across(draw: Draw, R: Symbol, v: Symbol) -> Mapping[Symbol, Any]:
-    """A half turn, and a vector across its axis."""
+    """Return a half turn, and a vector across its axis."""
     q = draw.quaternion(mpmath.mpf(mpmath.pi) / 2)
     return {R: sandwich(q), v: q.vector.re.cross(Vector(1, 0, 0))}
 
 
-def tensor_of_quaternion(env: Env) -> Callable[[Quaternion], Tensor]:
-    """A unit quaternion to the tensor of its action."""
-    return first_principles.tensor_by_sandwich
-
-
 def exponential(env: Env, a: Vector) -> Tensor:
-    """The exponential of the skew-symmetric tensor of a vector."""
+    """Return the exponential of the skew-symmetric tensor of a vector."""
     return tensor_exponential(a, env.field)
-

@@ -1,4 +1,4 @@
-r"""How many vectors the map of order n takes to q or −q, for every n, without the formula (49) for them.
+r"""Number of vectors that the map of order n takes to q or −q, for every n, without the formula (49).
 
 For a unit quaternion q = c + s u, s ≠ 0 (for dual ones, the real part of s), a preimage of ±q is a multiple v = t u,
 for the vector part of :math:`(1 + v)^n` is one of v. With
@@ -29,27 +29,28 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
-from derive.proof.ratio import Ratio, RationalFunctions
+from derive.algebra.element import Element
+from derive.algebra.exact import RationalFunctions
 
 from ...language.evaluation import Env
 
-Step = Callable[..., tuple[Ratio, Ratio]]
-"""From ``F``, ``G`` and t to the next of both."""
+Step = Callable[..., tuple[Element, Element]]
+"""Function from ``F``, ``G`` and t to the next of both."""
 
 
-def next_parts(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
-    """Imaginary and real part of ``(G + iF)(1 + it)``."""
+def next_parts(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
+    """Return imaginary and real part of ``(G + iF)(1 + it)``."""
     return F + t * G, G - t * F
 
 
 def counted_by_roots(env: Env) -> bool:
-    """Whether every identity holds on which the number of preimages rests."""
+    """Return whether every identity holds that the number of preimages rests on."""
     return all(_identities(next_parts).values())
 
 
 @cache
 def _identities(step: Step) -> Mapping[str, bool]:
-    """The identities by name, in symbols for what is known at order n − 1 and for n itself."""
+    """Return the truth of the identities by name, with symbols for n and for the polynomials of order n − 1."""
     field = RationalFunctions(["n", "t", "F", "G", "c", "s", "x", "y"])
     n, t, F, G, c, s, x, y = (field.symbol(name) for name in ("n", "t", "F", "G", "c", "s", "x", "y"))
     F_1, G_1 = step(F, G, t)  # of order n, from those of order n − 1
@@ -67,8 +68,8 @@ def _identities(step: Step) -> Mapping[str, bool]:
     }
 
 
-def _degrees_rise(c: Ratio, s: Ratio, t: Ratio, step: Step) -> bool:
-    """Whether the coefficients of tⁿ in F and G repeat after four orders, in F ±s for even orders and ±c for odd."""
+def _degrees_rise(c: Element, s: Element, t: Element, step: Step) -> bool:
+    """Return whether the coefficients of tⁿ repeat after four orders: in F ±s at even orders and ±c at odd ones."""
     a, b = -s, c
     for last in (s, c, s, c):
         if a not in (last, -last):

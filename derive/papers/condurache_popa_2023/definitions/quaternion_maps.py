@@ -1,8 +1,8 @@
-"""What the symbols of section 4 stand for: unit dual quaternions, their displacements and exponentials."""
+"""Definitions of section 4: unit dual quaternions, their displacements and exponentials."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
@@ -11,37 +11,21 @@ from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.maps.pose import pose_from_tensor
 
 from ...language import values
+from ...language.definitions import screw_quaternion
 from ...language.evaluation import Env
 from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
 from . import motions
-from .orders import screw_quaternion
-
-
-def unit(i: int) -> Callable[[Env], Quaternion]:
-    """A basis vector as a quaternion."""
-    return lambda env: Quaternion(0, motions.AXES[i])
-
-
-def multiple(env: Env, factor: Any, axis: Vector) -> Vector:
-    """A number times a vector."""
-    product: Vector = factor * axis
-    return product
 
 
 def displacement(env: Env, q: Quaternion) -> Vector:
-    """The displacement of the pose whose line action is ``l -> q l q*``."""
+    """Return the displacement of the pose whose line action is ``l -> q l q*``."""
     return pose_from_tensor(first_principles.tensor_by_sandwich(q)).displacement
 
 
-def screw(env: Env, alpha: Any, u: Vector) -> Quaternion:
-    """The quaternion of an angle and an axis."""
-    return screw_quaternion(env, alpha, u)
-
-
 def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Every unit quaternion whose action is the rotation by α about u."""
+    """Return the condition on a unit quaternion to act as the rotation by α about u."""
     R = tensor_exponential(alpha * u, env.field)
 
     def acts_so(q: Quaternion) -> bool:
@@ -53,19 +37,18 @@ def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
 
 
 def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
-    """The angle between 0 and π, and the axis, whose cosine and sine q is made of."""
+    """Return the angle between 0 and π, and the axis, of a unit quaternion."""
     field, w = env.field, q.vector
-    if values.equal(field, w.re, 0 * w.re) if env.dual else False:
+    if env.dual and values.equal(field, w.re, 0 * w.re):
         length = field.magnitude(w.du)
         axis = w.du / length if not field.same(length, 0) else motions.AXES[0]
-        u = dualise(axis, 0 * axis)
-        return field.atan2(dualise(0 * length, length), q.scalar), u
+        return field.atan2(dualise(0 * length, length), q.scalar), dualise(axis, 0 * axis)
     length = field.magnitude(w)
     return field.atan2(length, q.scalar), w / length
 
 
 def exponential_map(env: Env) -> values.Map:
-    """Dual vectors a to ``exp(a/2)``."""
+    """Return the map from dual vectors a to ``exp(a/2)``."""
 
     def preimage(q: Quaternion) -> list[Vector]:
         angle, axis = half_angle(env, q)
@@ -75,7 +58,7 @@ def exponential_map(env: Env) -> values.Map:
 
 
 def covering(env: Env) -> values.Map:
-    """Unit quaternions to tensors."""
+    """Return the map from unit quaternions to tensors."""
 
     def preimages(R: Tensor) -> list[Quaternion]:
         q = screw_quaternion(env, *motions.invariants(env, R))
@@ -85,6 +68,6 @@ def covering(env: Env) -> values.Map:
 
 
 def opposite(draw: Draw, first: Symbol, second: Symbol) -> Mapping[Symbol, Any]:
-    """A quaternion and its opposite."""
+    """Return a quaternion and its opposite."""
     q = draw.quaternion(draw.real())
     return {first: q, second: -q}

@@ -1,4 +1,4 @@
-"""The entries of the paper, a module for each of its sections, or for a part of a long one, in printed order.
+"""Entries of the paper in printed order, by section.
 
 ======  =============================================================================
 s02_1   dual numbers

@@ -4,26 +4,9 @@ from __future__ import annotations
 
 from ...equation import equation
 from ...language.claims import proposition
+from ...language.definitions import from_parts
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    arctan,
-    both,
-    cos,
-    cos2,
-    define,
-    epsilon,
-    equal,
-    iff,
-    negated,
-    nonzero,
-    norm,
-    remark,
-    sin,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import ATOM, Symbol
 from ..definitions import dual_algebra
 from ..symbols import dual, n, real
@@ -41,9 +24,9 @@ prime = define("derivative", "{0}'", "{0}'", ATOM, (ATOM,), lambda env, function
 
 
 PARTS = (
-    let(a_, dual_algebra.from_parts, a, a0), let(b_, dual_algebra.from_parts, b, b0), let(sgn, dual_algebra.sign),
-    let(angle_, dual_algebra.from_parts, angle, a0),
-)  # fmt: skip
+    let(a_, from_parts, a, a0), let(b_, from_parts, b, b0), let(sgn, dual_algebra.sign),
+    let(angle_, from_parts, angle, a0),
+)
 ZERO = (let(divides_zero, dual_algebra.multiplies_singularly, a_), let(invertible, dual_algebra.multiplies_onto, a_))
 
 ENTRIES = (
@@ -89,4 +72,4 @@ ENTRIES = (
              extract="a r c t a n a _ = a r c t a n a + ε a 0 1 + a 2", where=PARTS,
              because=equal(tan(angle + epsilon * (a0 / (1 + tan(angle) ** 2))), tan(angle) + epsilon * a0),
              remark="The supporting identity: the dual number on the right has the tangent a."),
-)  # fmt: skip
+)

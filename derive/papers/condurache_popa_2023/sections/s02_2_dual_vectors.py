@@ -2,29 +2,14 @@
 
 from __future__ import annotations
 
-from derive.algebra import Vector
+from derive.algebra import Tensor, Vector
 
 from ...equation import equation
+from ...language.definitions import multiple, vector_from_parts
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    bracket,
-    cases,
-    cross,
-    dot,
-    epsilon,
-    equal,
-    nonzero,
-    norm,
-    pm,
-    remark,
-    triple,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Symbol
-from ..definitions import dual_algebra, quaternion_maps
+from ..definitions import dual_algebra
 from ..symbols import dual, real_vector, vector
 from ..symbols import unit as unit_vector
 
@@ -41,8 +26,8 @@ u = unit_vector("u")
 basis = tuple(Symbol(f"e{i}", "dual vector", rf"\mathbf{{e}}_{i}", f"e{i}") for i in (1, 2, 3))
 
 
-PARTS = (let(a_, dual_algebra.vector_from_parts, a, a0),)
-BASIS = tuple(let(e, dual_algebra.basis(i)) for i, e in enumerate(basis))
+PARTS = (let(a_, vector_from_parts, a, a0),)
+BASIS = tuple(let(e, lambda env, row=row: Vector(*row)) for e, row in zip(basis, Tensor.identity().rows, strict=True))
 e1, e2, e3 = basis
 
 ENTRIES = (
@@ -67,7 +52,7 @@ ENTRIES = (
              remark="Line 59 leaves the dual part open where Re a = 0; the form here makes |λ a| = |λ| |a|."),
     equation("5", "a dual vector is a dual number times a unit dual vector", 64, equal(a_, alpha * u_a),
              extract="a _ = α _ u _ a",
-             where=(let(alpha, dual_algebra.magnitude, a_), let(u_a, dual_algebra.one_axis, a_))),
+             where=(let(alpha, lambda env, a: env.field.magnitude(a), a_), let(u_a, dual_algebra.one_axis, a_))),
     equation("polar-magnitude", "the dual number of Proposition 1", 65, equal(pm(alpha), norm(a_)),
              extract="± α _ = a _", where=(let(alpha, dual_algebra.coordinates, a_),)),
     equation("6", "the unit dual vector of Proposition 1", 66,
@@ -83,7 +68,7 @@ ENTRIES = (
              remark="The supporting identity is the case Re a = 0. For a = 0 any unit vector serves."),
     equation("polar-unique", "both are unique up to sign", 67,
              both(equal(pm(lam), norm(a_)), equal(pm(u), a_ / norm(a_))),
-             where=(let(a_, quaternion_maps.multiple, lam, u),), claimed=nonzero(Re(lam)),
+             where=(let(a_, multiple, lam, u),), claimed=nonzero(Re(lam)),
              stated=(67, "for R e a _ 0"),
              remark="a is any product λ u of a dual number and a unit dual vector."),
     equation("line", "the line of a dual vector", 68,
@@ -95,4 +80,4 @@ ENTRIES = (
                     words(r"\mathbf{v} \in V_3,\ \lambda \in \mathbb{R}", "vV3λR")),
              extract="r = v + λ a 0 a 0 , v V 3 , λ R", where=(let(r, dual_algebra.on_free_line, a0, w),),
              condition=nonzero(a0), remark="a = 0 has no line."),
-)  # fmt: skip
+)

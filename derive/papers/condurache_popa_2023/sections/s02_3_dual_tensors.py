@@ -5,28 +5,9 @@ from __future__ import annotations
 from derive.algebra import Tensor
 
 from ...equation import Reading, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import dual_of, plain, real_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    bracket,
-    cross,
-    define,
-    det,
-    dot,
-    dyad,
-    epsilon,
-    equal,
-    half,
-    nonzero,
-    skew,
-    summation,
-    trace,
-    transpose,
-    triple,
-    vect,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import ATOM, LIST, POWER, Symbol
 from ..definitions import dual_algebra
 from ..symbols import quaternion, tensor, v, vector
@@ -47,20 +28,20 @@ i = Symbol("i", "index", "i", "i")
 column_row = define(
     "column times row", "{0}\\, {1}^{{T}}", "{0} {1}^T", POWER, (ATOM, ATOM),
     lambda env, a, b: Tensor.from_entries(a(j) * b(k) for j in (1, 2, 3) for k in (1, 2, 3)),
-)  # fmt: skip
+)
 component = define("component", "{0}_{{{1}}}", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, k: f(k))
 rows = define(
     "rows", r"\begin{{pmatrix}} {0} & {1} & {2} \\ {3} & {4} & {5} \\ {6} & {7} & {8} \end{{pmatrix}}",
     "({0},{1},{2},{3},{4},{5},{6},{7},{8})", ATOM, (LIST,), lambda env, *entries: Tensor.from_entries(entries),
-)  # fmt: skip
+)
 
-
+components = plain(lambda a, frame: lambda k: frame(k).dot(a))
 FRAME = (
-    let(frame, dual_algebra.frame, turn), let(columns["a"], dual_algebra.components, a_, frame),
-    let(columns["b"], dual_algebra.components, b_, frame),
-)  # fmt: skip
+    let(frame, dual_algebra.frame, turn), let(columns["a"], components, a_, frame),
+    let(columns["b"], components, b_, frame),
+)
 axial_of_A = Symbol("a of A", "dual vector", r"\underline{\mathbf{a}}", "a")
-SKEW = (let(A_, dual_algebra.skew_part, T_), let(axial_of_A, dual_algebra.axial, A_))
+SKEW = (let(A_, plain(lambda T: T - T.transpose), T_), let(axial_of_A, dual_algebra.axial, A_))
 regular = nonzero(Re(triple(v1, v2, v3)))
 a1, a2, a3 = (component(columns["a"], k) for k in (1, 2, 3))
 dyad_matrix = Symbol("matrix of a⊗b", "tensor", r"\left[\underline{a} \otimes \underline{b}\right]", "ab")
@@ -122,4 +103,4 @@ ENTRIES = (
              extract="a ~ _ = 0 _ a _ 3 a _ 2 a _ 3 0 _ a _ 1 a _ 2 a _ 1 0 _",
              where=(*FRAME, let(a_tilde, dual_algebra.matrix_of_cross, a_, frame)),
              remark="Both are skew-symmetric; which entries carry the lost minus signs, the text does not show."),
-)  # fmt: skip
+)

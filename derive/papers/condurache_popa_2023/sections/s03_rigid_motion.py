@@ -2,40 +2,14 @@
 
 from __future__ import annotations
 
+from derive.maps.lines import foot
+from derive.maps.pose import Pose, pose_from_tensor
+
 from ...equation import equation
-from ...language.changes import SWAPPED
-from ...language.claims import dual_of, homogeneous, orthogonal, pose, proposition, real_of
+from ...language.claims import homogeneous, orthogonal, pose, proposition
+from ...language.definitions import dual_of, nilpotent, plain, real_of, same, screw_tensor
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    both,
-    cases,
-    cos,
-    cot,
-    cross,
-    define,
-    det,
-    dot,
-    epsilon,
-    equal,
-    exp,
-    half,
-    identity,
-    implies,
-    nonzero,
-    norm,
-    reaches,
-    remark,
-    root,
-    sin,
-    skew,
-    trace,
-    transpose,
-    vect,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import ATOM, LIST, PRODUCT, Symbol, Trait
 from ..definitions import motions
 from ..symbols import alpha, tensor, u
@@ -65,23 +39,24 @@ v = Symbol("v real", "real vector", r"\mathbf{v}", "v")
 sign = Symbol("sign", "sign", r"\pm", "±")
 principal = proposition("principal angle", r"$-\pi < \alpha \leq \pi$")
 of_two = define("of two", r"{0}\left({1}, {2}\right)", "{0} {1},{2}", ATOM, (ATOM, LIST, LIST),
-                lambda env, f, a, b: f(a, b))  # fmt: skip
+                lambda env, f, a, b: f(a, b))
 atan2 = define("atan2", r"\operatorname{{atan2}}\left({0};\, {1}\right)", "atan2 {0};{1}", PRODUCT, (LIST, LIST),
-               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL, changes=(SWAPPED,))  # fmt: skip
+               lambda env, y, x: env.field.atan2(y, x), traits=Trait.TRANSCENDENTAL)
 when = define("when", r"\text{{when }} {0}", "when {0}", LIST, (LIST,), lambda env, a: a)
 when_between = define(
     "when between", r"\text{{when }} {0} \in \left({1}, {2}\right)", "when {0} {1},{2}", LIST, (LIST,),
     lambda env, a, low, high: not env.field.ordered
     or (low < a < high and not env.field.same(a, low) and not env.field.same(a, high)),
-)  # fmt: skip
+)
 
 INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
 GIVEN = tuple(let(symbol, homogeneous, Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
-PHI = (let(phi, motions.line_map), let(phi_inv, motions.inverse_line_map))
+PHI = (let(phi, lambda env: motions.moved_lines), let(phi_inv, lambda env: pose_from_tensor))
 SCREW = (
-    let(R, motions.screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
-    let(axis, real_of, u), let(moment, dual_of, u), let(point, motions.foot, u), let(R_of, motions.screw_function),
-)  # fmt: skip
+    let(R, screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
+    let(axis, real_of, u), let(moment, dual_of, u), let(point, plain(foot), u),
+    let(R_of, lambda env: lambda alpha, u: screw_tensor(env, alpha, u)),
+)
 versine = 1 - cos(angle)
 size = root((1 + trace(Q)) * (3 - trace(Q)))
 
@@ -107,9 +82,9 @@ FIRST = (
     equation("structural-invariants", "the structural invariants", 104,
              both(equal(Q, Re(R)), equal(rho, vect(dot(Du(R), transpose(Q))))),
              extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
-             where=(let(Q, motions.same, any_turn), let(rho, motions.same, any_shift),
-                    let(R, motions.tensor_of, any_turn, any_shift))),
-)  # fmt: skip
+             where=(let(Q, same, any_turn), let(rho, same, any_shift),
+                    let(R, plain(lambda Q, rho: motions.moved_lines(Pose(Q, rho))), any_turn, any_shift))),
+)
 
 NATURAL = (
     equation("17", "screw form of an orthogonal dual tensor", 108,
@@ -144,16 +119,16 @@ NATURAL = (
                     let(principal, motions.is_principal, alpha)),
              claimed=principal, stated=(110, "α = a t a n 2")),
     equation("natural-rotation", "a real dual angle is a rotation", 111, equal(Q * point + rho, point),
-             where=(let(R, motions.screw_tensor, turn_only, u), *SCREW[1:]),
+             where=(let(R, screw_tensor, turn_only, u), *SCREW[1:]),
              remark="Points of the axis stay where they are."),
     equation("natural-translation", "a dual angle ε d is a translation", 111, equal(Q, I),
-             where=(let(alpha, motions.nilpotent, shift_only), *SCREW)),
+             where=(let(alpha, nilpotent, shift_only), *SCREW)),
     equation("mozzi-chasles", "the axis is the Mozzi-Chasles axis", 111,
              equal(Q * (point + lam * axis) + rho, point + lam * axis + shift * axis), where=SCREW),
     equation("19", "structural invariants from natural ones", 114,
              both(equal(Q, I + sin(angle) * skew(axis) + versine * skew(axis) ** 2),
                   equal(rho, shift * axis + sin(angle) * moment + versine * cross(axis, moment))),
              extract="Q = I + s i n α u ~ + 1 c o s α u ~ 2 ρ = d u + s i n α u 0 + 1 c o s α u × u 0", where=SCREW),
-)  # fmt: skip
+)
 
 ENTRIES = (*FIRST, *NATURAL)

@@ -2,37 +2,14 @@
 
 from __future__ import annotations
 
+from derive.algebra import Quaternion
+from derive.maps.first_principles import tensor_by_sandwich
+
 from ...equation import Reading, equation
-from ...language.claims import dual_of, orthogonal, real_of, scalar_part, unit_quaternion, vector_part
+from ...language.claims import orthogonal, unit_quaternion
+from ...language.definitions import dual_of, multiple, real_of, scalar_part, screw_quaternion, vector_part
 from ...language.evaluation import let
-from ...language.notation import (
-    both,
-    branches,
-    conjugate,
-    cos,
-    couple,
-    cross,
-    define,
-    dot,
-    dyad,
-    epsilon,
-    equal,
-    exp,
-    half,
-    identity,
-    iff,
-    nonzero,
-    norm,
-    pm,
-    reaches,
-    root,
-    sin,
-    skew,
-    trace,
-    transpose,
-    vect,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import PRODUCT, Symbol
 from ..definitions import motions, quaternion_maps
 from ..symbols import alpha, quaternion, tensor, u, vector
@@ -47,7 +24,7 @@ w, w1, w2 = (
     Symbol(f"vector{i}", "dual vector", rf"\underline{{\mathbf{{q}}}}{i and f'_{i}'}", f"q{i}") for i in ("", "1", "2")
 )
 q_re, q_du = (Symbol(name, "real quaternion", latex, text) for name, latex, text in (
-    ("q real", r"\hat{\mathbf{q}}", "q^"), ("q0", r"\hat{\mathbf{q}}^0", "q^0")))  # fmt: skip
+    ("q real", r"\hat{\mathbf{q}}", "q^"), ("q0", r"\hat{\mathbf{q}}^0", "q^0")))
 unit = quaternion("q")
 units = tuple(
     Symbol(f"unit{i}", "unit quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2)
@@ -65,9 +42,9 @@ scalar = define("scalar part", r"\operatorname{{scal}} {0}", "{0}", PRODUCT, (PR
 PARTS = (let(s, scalar_part, any_q), let(w, vector_part, any_q))
 INDEXED = (
     let(s1, scalar_part, q1), let(w1, vector_part, q1), let(s2, scalar_part, q2), let(w2, vector_part, q2),
-)  # fmt: skip
+)
 HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit), let(rho, quaternion_maps.displacement, unit))
-ACTION = (let(Delta, motions.tensor_of_quaternion), let(Delta_map, quaternion_maps.covering))
+ACTION = (let(Delta, lambda env: tensor_by_sandwich), let(Delta_map, quaternion_maps.covering))
 UNIT_PARTS = (let(s, scalar_part, unit), let(w, vector_part, unit))
 
 ALGEBRA = (
@@ -83,7 +60,8 @@ ALGEBRA = (
              both(equal(q1 * q2 * q3, q1 * (q2 * q3)),
                   equal(q1 * (lam * q2 + mu * q3), lam * (q1 * q2) + mu * (q1 * q3)))),
     equation("non-commutative", "the product does not commute", 125, nonzero(i_ * j_ - j_ * i_),
-             where=(let(i_, quaternion_maps.unit(0)), let(j_, quaternion_maps.unit(1)))),
+             where=(let(i_, lambda env: Quaternion(0, motions.AXES[0])),
+                    let(j_, lambda env: Quaternion(0, motions.AXES[1])))),
     equation("conjugate", "conjugate of a dual quaternion", 125, equal(conjugate(any_q), couple(s, -w)),
              extract="q ^ _ * = q _ , q _", where=PARTS, fixed_by="line 195, where the conjugate of 1 + v is 1 − v"),
     equation("quaternion-norm", "norm of a dual quaternion", 125,
@@ -99,7 +77,7 @@ ALGEBRA = (
              extract="q ^ _ = q _ + q _", where=PARTS),
     equation("quaternion-parts", "real and dual part of a dual quaternion", 125, equal(any_q, q_re + epsilon * q_du),
              extract="q ^ _ = q ^ + ε q ^ 0", where=(let(q_re, real_of, any_q), let(q_du, dual_of, any_q))),
-)  # fmt: skip
+)
 
 UNITS = (
     equation("22", "unit dual quaternion by rotation and displacement", 129,
@@ -122,14 +100,14 @@ UNITS = (
              extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2 = e x p α _ 2 u _",
              where=(let(unit, quaternion_maps.lift, alpha, u),)),
     equation("exponential-unit", "the exponential is a unit quaternion", 136, unit_quaternion(exp(half * euler)),
-             where=(let(euler, quaternion_maps.multiple, alpha, u),)),
+             where=(let(euler, multiple, alpha, u),)),
     equation("exponential-onto", "the exponential is onto", 136, reaches(exp_map, unit),
              where=(let(exp_map, quaternion_maps.exponential_map),)),
     equation("24", "tensor of a unit dual quaternion", 141, equal(Delta(s + w), I + 2 * s * skew(w) + 2 * skew(w) ** 2),
              extract="q _ + q _ = I _ + 2 q _ q ~ _ + 2 q ~ _ 2", where=(*ACTION, *UNIT_PARTS),
              remark="Δ(q) is the tensor of v ↦ q v q*."),
     equation("24-exponential", "the tensor is an exponential", 143, equal(Delta(unit), exp(alpha * skew(u))),
-             extract="q ^ _ = e x p α _   u _ ~", where=(*ACTION, let(unit, quaternion_maps.screw, alpha, u))),
+             extract="q ^ _ = e x p α _   u _ ~", where=(*ACTION, let(unit, screw_quaternion, alpha, u))),
     equation("homomorphism-well-defined", "the tensor is orthogonal", 143, orthogonal(Delta(unit)), where=ACTION),
     equation("homomorphism", "products go to products", 143,
              equal(Delta(units[1] * units[0]), Delta(units[1]) * Delta(units[0])),
@@ -145,6 +123,6 @@ UNITS = (
                           equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I,
                                 4 * dyad(w, w))),
              remark="The supporting identity: the tensor determines all products of two components of q."),
-)  # fmt: skip
+)
 
 ENTRIES = (*ALGEBRA, *UNITS)

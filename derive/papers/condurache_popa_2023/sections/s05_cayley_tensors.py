@@ -3,45 +3,12 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
-from ...language.changes import SWAPPED
-from ...language.claims import defined, dual_of, orthogonal, proposition, real_of, unequal
+from ...language.claims import defined, orthogonal, proposition, unequal
+from ...language.definitions import dual_of, multiple, nilpotent, real_of, same, screw_tensor
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    arctan,
-    both,
-    bracket,
-    cos,
-    define,
-    det,
-    dot,
-    epsilon,
-    equal,
-    exp,
-    factorial,
-    identity,
-    iff,
-    implies,
-    infinity,
-    nonzero,
-    norm,
-    pi,
-    power_of_e,
-    reaches,
-    remark,
-    sin,
-    skew,
-    summation,
-    tan,
-    tan2,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import ATOM, LIST, Symbol
-from ..definitions import low_orders, motions, quaternion_maps
+from ..definitions import dual_algebra, low_orders, motions, orders
 from ..symbols import alpha, tensor, u, v, vector
 
 I, V = identity, skew(v)
@@ -59,7 +26,7 @@ cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
 exp_map = Symbol("exp map", "map", r"\exp", "exp")
 recovered = Symbol("recovered", "dual vector", r"\log \underline{\mathbf{R}}", "log R")
 slope = Symbol("slope", "tensor",
-               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")  # fmt: skip
+               r"\tfrac{d}{d\alpha} \exp(\underline{\alpha}\, \tilde{\underline{\mathbf{u}}})", "slope")
 start = Symbol("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
 angle = Symbol("angle of v", "dual number", r"\underline{\alpha}", "α")
 axis = Symbol("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
@@ -73,16 +40,17 @@ translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 below = proposition("below a half turn", r"$\left|\boldsymbol{\alpha}\right| < \pi$")
 commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LIST, LIST),
-                    lambda env, s, t: s @ t - t @ s, changes=(SWAPPED,))  # fmt: skip
+                    lambda env, s, t: s @ t - t @ s)
 
-EULER = (let(a, quaternion_maps.multiple, alpha, u),)
+EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
-CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
+CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, low_orders.cayley_map))
 TYPES = low_orders.displacement_types(rotates, translates, general)
 EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
-OF_V = (let(R, low_orders.first_order, v), *(let(p, f, R) for p, f in TYPES), let(Q, motions.rotation_of, R),
-        let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))  # fmt: skip
-AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, low_orders.direction, v))
+OF_V = (let(R, orders.at_order(1, orders.rotation), v), *(let(p, f, R) for p, f in TYPES),
+        let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
+        let(v_du, dual_of, v))
+AXIS = (let(angle, lambda env, v: 2 * env.field.atan(env.field.magnitude(v)), v), let(axis, dual_algebra.one_axis, v))
 
 
 ALGEBRA = (
@@ -94,7 +62,7 @@ ALGEBRA = (
              equal(exp(skew(a)), power_of_e(skew(a)), summation(k, 0, infinity, skew(a) ** k / factorial(k))),
              extract="e x p α ~ _ = e α ~ _ = k = 0 α ~ _ k k !",
              where=(*EULER, let(slope, low_orders.exponential_slope, alpha, u),
-                    let(start, low_orders.exponential_start, u)),
+                    let(start, lambda env, u: motions.exponential(env, 0 * u), u)),
              because=both(equal(slope, skew(u) * exp(alpha * skew(u))), equal(start, I)),
              remark="exp is the closed form; it solves the differential equation of the series, from the same start."),
     equation("tensor-exponential-well-defined", "its values are orthogonal", 153, orthogonal(exp(skew(a))),
@@ -102,28 +70,29 @@ ALGEBRA = (
     equation("tensor-exponential-onto", "every orthogonal dual tensor is one", 153, reaches(exp_map, R), where=EXP),
     equation("26", "logarithm of an orthogonal dual tensor", 155, equal(exp(skew(a)), R),
              extract="e x p ( α _ ~ ) = R _", branches=3,
-             where=(let(a, low_orders.turned, alpha, u, turns), let(R, motions.screw_tensor, alpha, u)),
+             where=(let(a, lambda env, alpha, u, k: (alpha + 2 * k * env.field.pi) * u, alpha, u, turns),
+                    let(R, screw_tensor, alpha, u)),
              remark="One value for each number k of additional turns."),
     equation("euler-vector", "Euler dual vector", 157, equal(a, a_re + epsilon * a_du), extract="α _ = α + ε α 0",
              where=(*EULER, let(a_re, real_of, a), let(a_du, dual_of, a))),
     equation("euler-vector-logarithm", "it is a logarithm", 157, equal(exp(skew(a)), R),
-             where=(*EULER, let(R, motions.screw_tensor, alpha, u))),
+             where=(*EULER, let(R, screw_tensor, alpha, u))),
     equation("general-screw", "(i) general screw displacement", 157, general,
              where=(*EULER, *EULER_KINDS), claimed=both(nonzero(Re(a)), nonzero(Du(a)), nonzero(dot(Re(a), Du(a)))),
              stated=(157, "if α 0 ,   α 0 0 and α · α 0 0"),
              condition=nonzero(Re(sin(norm(a) / 2))),
              remark="At Re |α| = 2kπ, k ≠ 0, the rotation is the identity and the displacement a pure translation."),
     equation("pure-translation", "(ii) pure translation", 157, translates,
-             where=(let(alpha, motions.nilpotent, shift_only), *EULER, *EULER_KINDS),
+             where=(let(alpha, nilpotent, shift_only), *EULER, *EULER_KINDS),
              claimed=both(zero(Re(a)), nonzero(Du(a))), stated=(157, "if α = 0 and α 0 0")),
     equation("pure-rotation", "(iii) pure rotation", 157, rotates,
-             where=(let(alpha, motions.same, turn_only), *EULER, *EULER_KINDS),
+             where=(let(alpha, same, turn_only), *EULER, *EULER_KINDS),
              claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a)))), stated=(157, "α 0 and α · α 0 = 0")),
     equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
              where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
                     let(below, low_orders.is_below_half_turn, alpha)), claimed=below,
              stated=(157, "if α < π")),
-)  # fmt: skip
+)
 
 CAYLEY = (
     equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
@@ -162,7 +131,7 @@ CAYLEY = (
              extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
     equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
              where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
-)  # fmt: skip
+)
 
 projector = Q + transpose(Q) + (1 - trace(Q)) * I
 COROLLARY = (
@@ -176,7 +145,7 @@ COROLLARY = (
              implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=OF_V),
     equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
              extract="c a y b ~ _ = R _",
-             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, motions.screw_tensor, alpha, u)),
+             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
              claimed=unequal(Re(alpha), k * pi, k), stated=(181, "R e α _ k π")),
     equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
              iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),
@@ -184,6 +153,6 @@ COROLLARY = (
                   "R e α _ k π ,   k Z .",
              corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
-)  # fmt: skip
+)
 
 ENTRIES = (*ALGEBRA, *CAYLEY, *COROLLARY)

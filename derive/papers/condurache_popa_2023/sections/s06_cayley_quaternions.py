@@ -3,36 +3,12 @@
 from __future__ import annotations
 
 from ...equation import Equation, Reading, equation
-from ...language.claims import defined, dual_of, proposition, real_of, scalar_part, unequal, unit_quaternion
+from ...language.claims import defined, proposition, unequal, unit_quaternion
+from ...language.definitions import dual_of, real_of, scalar_part, screw_quaternion
 from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    both,
-    cos,
-    cross,
-    dot,
-    equal,
-    half,
-    identity,
-    iff,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    tan,
-    trace,
-    transpose,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
-from ..definitions import low_orders, motions, quaternion_maps
+from ..definitions import low_orders, motions, orders, quaternion_maps
 from ..symbols import alpha, quaternion, u, v, vector
 from .s04_dual_quaternions import scalar
 
@@ -58,10 +34,10 @@ rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
 general = proposition("general displacement", "general rigid body displacement")
 
-CAY = (let(cay, low_orders.cayley(2)), let(cay_map, low_orders.map_of_order(2)))
-HALF = (let(cay_half, low_orders.cayley(1)), let(half_map, low_orders.map_of_order(1)))
+CAY = (let(cay, lambda env: lambda v: orders.cayley(env, 2, v)), let(cay_map, low_orders.map_of_order(2)))
+HALF = (let(cay_half, lambda env: lambda v: orders.cayley(env, 1, v)), let(half_map, low_orders.map_of_order(1)))
 SCALAR = (let(q0, scalar_part, q),)
-SCREW = (let(q, quaternion_maps.screw, alpha, u),)
+SCREW = (let(q, screw_quaternion, alpha, u),)
 COMPOSED = (let(q, low_orders.composed(2), sigma2, sigma1), let(sigma, low_orders.preimage(2), q))
 no_full_turn = unequal(Re(alpha), 2 * k * pi, k)
 no_half_turn = remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ"))
@@ -69,14 +45,14 @@ projector = Q + transpose(Q) + (1 - trace(Q)) * identity
 
 
 def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation, ...]:
-    """When the Cayley transform of an order is a rotation, a translation, or neither.
+    """Return entries: when the Cayley transform of an order is a rotation, a translation, or neither.
 
     `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
     """
     types = low_orders.displacement_types(rotates, translates, general)
-    where = (let(R, low_orders.rotation_of_order(order), v), *(let(p, f, R) for p, f in types),
+    where = (let(R, orders.at_order(order, orders.rotation), v), *(let(p, f, R) for p, f in types),
              let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
-             let(v_du, dual_of, v))  # fmt: skip
+             let(v_du, dual_of, v))
     return (
         equation(f"corollary-{number}-rotation", "when the transform is a pure rotation", line,
                  iff(rotates, zero(Du(norm(v)))), where=where, also=low_orders.real_magnitude(v),
@@ -86,7 +62,7 @@ def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation
                  implies(zero(Re(norm(v))), translates), where=where, also=low_orders.unit_magnitude(v)),
         equation(f"corollary-{number}-general", "in all other cases it is neither", line,
                  implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
-    )  # fmt: skip
+    )
 
 
 size = 1 + norm(v_re) ** 2
@@ -140,7 +116,7 @@ WHOLE = (
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
              where=COMPOSED, condition=nonzero(Re(q + 1)), also=low_orders.back_to_back(sigma2, sigma1)),
-)  # fmt: skip
+)
 
 HALVES = (
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
@@ -175,6 +151,6 @@ HALVES = (
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
              where=(let(q, low_orders.composed(1), b2, b1), let(b, low_orders.preimage(1), q)),
              condition=nonzero(Re(1 - dot(b1, b2))), also=low_orders.to_a_half_turn(b1, b2)),
-)  # fmt: skip
+)
 
 ENTRIES = (*WHOLE, *HALVES)

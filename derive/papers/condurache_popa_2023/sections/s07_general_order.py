@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from ...language.definitions import screw_quaternion, screw_tensor
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dyad, identity, nonzero, norm, skew
+from ...language.notation import *
 from ...language.terms import Symbol, Term
 from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders
-from ..definitions.motions import screw_tensor
 from ..symbols import alpha, n, tensor, u, v, vector
 
 I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
@@ -26,24 +26,24 @@ R_of = Symbol("R(v)", "function", r"\underline{\mathbf{R}}", "R")
 
 POLYNOMIALS = (let(p, orders.p, n), let(q, orders.q, n))
 CAYLEY = (*POLYNOMIALS, let(q_hat, orders.cayley, n, v), let(R, orders.rotation, n, v))
-"""Checked against the definition (46)."""
+"""Definitions by (46)."""
 
-SCREW = (*POLYNOMIALS, let(q_hat, orders.screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
-"""Checked against the displacement with the natural invariants α and u."""
+SCREW = (*POLYNOMIALS, let(q_hat, screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
+"""Definitions by the displacement with angle α and axis u."""
 
 SCREW_OF_V = (
     *POLYNOMIALS,
-    let(q_of, cayley_maps.function_of(orders.screw_quaternion), alpha, u),
+    let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
     let(R_of, cayley_maps.function_of(screw_tensor), alpha, u),
 )
-"""The same, written as functions of v."""
+"""Definitions by the displacement, written as functions of v."""
 
 
 def finite(angle: Term) -> Term:
-    """tan has a value."""
+    """Return the condition that the tangent of an angle has a value."""
     return nonzero(Re(cos(angle)))
 
 
 def full_turns(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Points at which q_3 or q_4 has real part 0."""
+    """Return points at which q_3 or q_4 has real part 0."""
     return {"Re |v|² = 3": {v: draw.vector(re=(1, -1, 1))}, "Re |v|² = 1": {v: draw.vector(re=(0, 1, 0))}}

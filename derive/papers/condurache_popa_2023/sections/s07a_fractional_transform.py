@@ -2,38 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ...equation import Reading, equation
 from ...language.claims import proposition
-from ...language.evaluation import let
-from ...language.notation import (
-    Du,
-    Re,
-    binomial,
-    both,
-    branches,
-    cases,
-    conjugate,
-    cos,
-    cot,
-    dot,
-    equal,
-    floor_over,
-    iff,
-    implies,
-    negated,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    reaches,
-    remark,
-    root,
-    sin,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.definitions import scalar_part, screw_quaternion
+from ...language.evaluation import Env, let
+from ...language.notation import *
 from ...language.terms import Number, Symbol
 from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders, preimages
@@ -66,21 +41,22 @@ is_rotation, is_translation, is_screw = (
     for name in ("pure rotation", "pure translation", "general screw displacement")
 )
 
-STEP = (let(p_next, cayley_maps.next_p, n), let(q_next, cayley_maps.next_q, n),
-        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))  # fmt: skip
+STEP = (let(p_next, orders.next_p, n), let(q_next, orders.next_q, n),
+        let(p_1, orders.at_order(1, orders.p)), let(q_1, orders.at_order(1, orders.q)))
 step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)), equal(p_1(X), 1), equal(q_1(X), 1))
 ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
-        let(scalar, cayley_maps.scalar, target),
-        let(s_1, cayley_maps.scalar_of(1), v), let(s_2, cayley_maps.scalar_of(2), v))  # fmt: skip
+        let(scalar, scalar_part, target),
+        let(s_1, lambda env, v: orders.cayley(env, 1, v).scalar, v),
+        let(s_2, lambda env, v: orders.cayley(env, 2, v).scalar, v))
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
 turned = (alpha + 2 * k * pi) / (2 * n)
 turn = k * pi / n
 both_signs = equal(preimage_count(cay_counted, target) + preimage_count(cay_counted, -target), n)
 several = both(nonzero(Re(target**2 - 1)), nonzero(Re(target**2 - (-Number(1)) ** n)))
 COEFFICIENTS = (
-    let(r_0, cayley_maps.principal_coefficient, n, alpha),
+    let(r_0, lambda env, n, alpha: cayley_maps.branch_coefficient(env, n, 0, alpha), n, alpha),
     let(r_k, cayley_maps.branch_coefficient, n, k, alpha),
     let(v_0, cayley_maps.rodrigues_vector, n, alpha, u),
     let(v_k, cayley_maps.branch, n, k, alpha, u),
@@ -88,11 +64,16 @@ COEFFICIENTS = (
 TYPES = (
     let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
     let(is_translation, cayley_maps.translation, q_hat), let(is_screw, cayley_maps.screw, q_hat), *POLYNOMIALS,
-)  # fmt: skip
+)
+
+
+def at_infinity(env: Env, n: int, k: int) -> Any:
+    """Return the coefficient of v_k at α = nπ, where v_0 is infinite."""
+    return cayley_maps.branch_coefficient(env, n, k, n * env.field.pi)
 
 
 def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Two displacements whose product is a half turn at n = 1, and −1 at n = 2."""
+    """Return two displacements whose product is a half turn at n = 1, and −1 at n = 2."""
     return {"a quarter turn twice": {v_1: draw.still((1, 0, 0), (1, 2, 3)), v_2: draw.still((1, 0, 0), (0, 1, 2))}}
 
 
@@ -114,7 +95,7 @@ FRACTIONAL = (
     equation("47", "inverse of the transform", 241,
              equal(v, (q_hat**(2 / n) - 1) / (q_hat**(2 / n) + 1)),
              extract="v _ = q ^ _ 2 n 1 q ^ _ 2 n + 1",
-             where=(let(v, orders.preimage, n, alpha, u), let(q_hat, orders.screw_quaternion, alpha, u)),
+             where=(let(v, orders.preimage, n, alpha, u), let(q_hat, screw_quaternion, alpha, u)),
              condition=nonzero(Re(q_hat**(2 / n) + 1)),
              remark="Executed with the principal root; the other branches are (49)."),
     equation("theorem-12-branches", "the inverse has n branches", 240, branches(cay_counted, target, n), where=ONTO,
@@ -124,7 +105,7 @@ FRACTIONAL = (
              "where Re q² = (−1)ⁿ, and a translation has infinitely many preimages on the branches k ≠ 0."),
     equation("theorem-12-preimages", "every branch is mapped back to q", 240, equal(image, q_hat),
              where=(let(v_k, cayley_maps.branch, n, k, alpha, u), let(image, orders.cayley, n, v_k),
-                    let(q_hat, orders.screw_quaternion, alpha, u)),
+                    let(q_hat, screw_quaternion, alpha, u)),
              condition=finite(turned), said="The inverse of the previous fractional order Cayley map",
              corrected=equal(image, pm(q_hat)),
              remark="The other sign appears on odd branches of even order already."),
@@ -158,12 +139,12 @@ FRACTIONAL = (
              remark="At k = n/2 the tangent is infinite, and v_k = −1/v₀."),
     equation("shadow-at-infinity", "shadow where the principal parameter is infinite", 251,
              (Reading(tends(Re(r_far), -cot(turn)), "with a minus"), Reading(tends(Re(r_far), cot(turn)), "without")),
-             extract="R e v _ k c o t k π n", where=(let(r_far, cayley_maps.coefficient_at_infinity, n, k),),
+             extract="R e v _ k c o t k π n", where=(let(r_far, at_infinity, n, k),),
              claimed=nonzero(k), stated=(251, "For k = 1 , , n 1"), orders=(2, 3, 4, 5)),
     equation("shadow-avoids-singularity", "where v is infinite, a shadow is finite", 251,
              nonzero(sin(pi / n)), where=(), condition=no_less(n, 2),
              remark="At Re α = nπ the shadow k = 1 is −cot(π/n) u; order 1 has no shadow."),
-)  # fmt: skip
+)
 
 BY_INDUCTION = (*CAYLEY, let(by_induction, cayley_maps.proved(51, 52, 53)))
 POLYNOMIAL = (
@@ -197,7 +178,7 @@ POLYNOMIAL = (
                                       (-norm(v)**(4 * power + 2), equal(exponent, 4 * power + 2)),
                                       (-norm(v)**(4 * power + 2) * v, equal(exponent, 4 * power + 3)))),
              extract="v _ k = v _ 4 p , k = 4 p v _ 4 p v _ , k = 4 p + 1 v _ 4 p + 2 , k = 4 p + 2 "
-                     "v _ 4 p + 2 v _ , k = 4 p + 3", where=(let(power, cayley_maps.quarter, exponent),), branches=12,
+                     "v _ 4 p + 2 v _ , k = 4 p + 3", where=(let(power, lambda env, k: k // 4, exponent),), branches=12,
              because=both(equal(v**2, -norm(v)**2), equal(v**4, norm(v)**4)),
              fixed_by="line 195: (1 + v)(1 − v) = 1 − v² = 1 + |v|²",
              remark="Every p by v⁴ = |v|⁴; p = 0 is v² = −|v|²."),
@@ -215,7 +196,7 @@ POLYNOMIAL = (
     equation("57", "orthogonal dual tensor of order n", 279,
              equal(R, I + 2 * p(norm(v)) * q(norm(v)) / (1 + x)**n * V + 2 * (q**2)(norm(v)) / (1 + x)**n * V**2),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),
-)  # fmt: skip
+)
 
 quotient_2, quotient_1 = ((1 + a) / (1 - a) for a in (v_2, v_1))
 product = (quotient_2 ** (n / 2) * quotient_1 ** (n / 2)) ** (2 / n)
@@ -227,6 +208,6 @@ COMPOSITION = (
              condition=nonzero(Re(product + 1)), also=opposite_axes,
              remark="Executed with principal roots; the other roots give shadows. Roots of products of two general "
              "quaternions leave every exact field at hand."),
-)  # fmt: skip
+)
 
 ENTRIES = (*FRACTIONAL, *POLYNOMIAL, *COMPOSITION)

@@ -7,11 +7,11 @@ from typing import Any
 import mpmath
 
 from ...equation import Equation, equation
+from ...language.definitions import screw_quaternion, screw_tensor
 from ...language.evaluation import let
-from ...language.notation import both, equal, norm, pm, root, skew, tan
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
-from ..definitions.motions import screw_tensor
 from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import I as identity
 from .s07_general_order import R, V, X, finite, k, q_hat, x
@@ -29,32 +29,32 @@ q = {i: Symbol(f"q{i}", "function", f"q_{{{i}}}", f"q{i}") for i in range(1, 6)}
 
 
 def polynomials(i: int, line: int, first: Any, second: Any, extract: str) -> Equation:
-    """An entry for the polynomials of one order."""
+    """Return the entry for the polynomials of one order."""
     where = (let(p[i], orders.at_order(i, orders.p)), let(q[i], orders.at_order(i, orders.q)))
     statement = both(equal(p[i](X), first), equal(q[i](X), second))
     return equation(f"list-{i}-polynomials", f"p and q, n = {i}", line, statement, extract=extract, where=where)
 
 
 def quaternion(i: int, line: int, value: Any, extract: str) -> Equation:
-    """An entry for the unit dual quaternion of one order."""
+    """Return the entry for the unit dual quaternion of one order."""
     where = (let(q_hat, orders.at_order(i, orders.cayley), v),)
     return equation(f"list-{i}-quaternion", f"unit dual quaternion, n = {i}", line, equal(pm(q_hat), value),
-                    extract=extract, where=where)  # fmt: skip
+                    extract=extract, where=where)
 
 
 def parameter(slug: str, i: int, line: int) -> Equation:
-    """An entry for the vector of one order."""
+    """Return the entry for the vector of one order."""
     where = (let(v, orders.at_order(i, orders.preimage), alpha, u),)
     return equation(f"{slug}-{i}-vector", f"vector, n = {i}", line, equal(v, tan(alpha / (2 * i)) * u),
                     extract=f"v _ = t a n α _ {2 * i} u _", where=where, condition=finite(alpha / (2 * i)),
-                    also=lambda draw: {f"Re α = {i}π": {alpha: draw.number(i * mpmath.pi)}})  # fmt: skip
+                    also=lambda draw: {f"Re α = {i}π": {alpha: draw.number(i * mpmath.pi)}})
 
 
 def tensor(i: int, line: int, value: Any, extract: str) -> Equation:
-    """An entry for the orthogonal dual tensor of one order."""
+    """Return the entry for the orthogonal dual tensor of one order."""
     where = (let(R, orders.at_order(i, orders.rotation), v),)
     return equation(f"tensor-{i}", f"orthogonal dual tensor, n = {i}", line, equal(R, value), extract=extract,
-                    where=where)  # fmt: skip
+                    where=where)
 
 
 QUATERNIONS = (
@@ -73,13 +73,13 @@ QUATERNIONS = (
     quaternion(5, 275, 1 / root((1 + x)**5) * (p5 + q5 * v),
                "± q ^ _ = 1 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 + 5 10 v _ 2 + v _ 4 v _"),
     *(parameter("list", i, 270 + i) for i in range(1, 6)),
-)  # fmt: skip
+)
 
 SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
              equal(pm(q_hat), 1 / root((1 + norm(v_k)**2)**n) * (p_n(norm(v_k)) + q_n(norm(v_k)) * v_k)),
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
-                    let(q_hat, orders.screw_quaternion, alpha, u)),
+                    let(q_hat, screw_quaternion, alpha, u)),
              condition=finite(turned)),
     equation("tensor-shadows", "so do the tensors", 276,
              equal(R, identity + 2 * p_n(norm(v_k)) * q_n(norm(v_k)) / (1 + norm(v_k)**2)**n * skew_k
@@ -87,7 +87,7 @@ SHADOWS = (
              where=(let(p_n, orders.p, n), let(q_n, orders.q, n), let(v_k, cayley_maps.branch, n, k, alpha, u),
                     let(R, screw_tensor, alpha, u)),
              condition=finite(turned)),
-)  # fmt: skip
+)
 
 TENSORS = (
     tensor(1, 281, identity + 2 / (1 + x) * (V + V**2), "R _ = I _ + 2 1 + v _ 2 v ~ _ + v ~ _ 2"),
@@ -100,6 +100,6 @@ TENSORS = (
     tensor(5, 285, identity + 2 * q5 / (1 + x)**5 * (p5 * V + q5 * V**2),
            "R _ = I _ + 2 5 10 v _ 2 + v _ 4 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 v ~ _ + 5 10 v _ 2 + v _ 4 v ~ _ 2"),
     *(parameter("tensor", i, 280 + i) for i in range(1, 6)),
-)  # fmt: skip
+)
 
 ENTRIES = (*QUATERNIONS, *SHADOWS, *TENSORS)

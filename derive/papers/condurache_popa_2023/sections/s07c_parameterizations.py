@@ -3,31 +3,11 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.definitions import multiple, screw_quaternion
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    binomial,
-    both,
-    conjugate,
-    cot,
-    equal,
-    floor_over,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    pm,
-    remark,
-    root,
-    sin,
-    skew,
-    summation,
-    tan,
-    words,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Number, Symbol
-from ..definitions import cayley_maps, orders
+from ..definitions import cayley_maps
 from ..operators import positive, preimage_count
 from ..symbols import alpha, n, u, v
 from .s07_general_order import POLYNOMIALS, I, R, V, X, a, a_value, finite, k, p, q, q_hat, q_of, w, x
@@ -41,15 +21,15 @@ phi_inv = Symbol("φ⁻¹", "function", r"\varphi^{-1}", "φ1")
 axis = Symbol("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
 W, xw = skew(w), norm(w) ** 2
 
-FACTOR = (let(a, cayley_maps.constant, a_value), let(v, cayley_maps.product, a_value, w))
-"""v and a(v) ≠ 0 in any relation: v = a w with w and a free."""
+FACTOR = (let(a, cayley_maps.constant, a_value), let(v, multiple, a_value, w))
+"""Definitions of v and a(v) ≠ 0 in any relation: v = a w with w and a free."""
 
 MODIFIED = (
     *FACTOR, *POLYNOMIALS, let(caym_v, cayley_maps.modified, n, a_value, v),
     let(caym, cayley_maps.function_of(cayley_maps.modified_root), n, a_value, v),
     let(q_of, cayley_maps.function_of(cayley_maps.modified), n, a_value, v),
     let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.proved(51, 52, 53)),
-)  # fmt: skip
+)
 
 THEOREM_15 = (
     equation("59", "modified fractional Cayley transform", 293,
@@ -67,44 +47,46 @@ THEOREM_15 = (
     equation("60", "inverse of the modified transform", 298,
              remark(equal(v_of_q(q_hat), a(v) * tan(turned) * u), words(r"k = 0, 1, \dots, n-1", "k=0,1,n-1")),
              extract="v _ q _ ^ = a v _ t a n α _ + 2 k π 2 n u _ , k = 0,1 , , n 1",
-             where=(let(q_hat, orders.screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
+             where=(let(q_hat, screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(v, cayley_maps.solutions, n, a_value, q_hat),
                     let(v_of_q, cayley_maps.function_of(cayley_maps.solutions), n, a_value, q_hat)),
              condition=finite(turned)),
     equation("theorem-15-branches", "the inverse has n branches for every a(v)", 297,
              equal(preimage_count(caym_map, q_hat) + preimage_count(caym_map, -q_hat), n),
-             where=(let(q_hat, orders.screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
+             where=(let(q_hat, screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(caym_map, cayley_maps.cayley_function_of_growing_scale, n),
                     let(v, cayley_maps.solutions, n, a_value, q_hat)),
              condition=finite(turned), said="the inverse of the mapping Equation (59) contains n branches",
              corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
-)  # fmt: skip
+)
 
 THEOREM_16 = (
     equation("61", "unit dual quaternion of a vectorial parameterization", 301,
              equal(pm(q_of(v)), (a(v) + v)**n / root((a(v)**2 + x)**n)),
              extract="± q _ ^ v _ = a v _ + v _ n a v _ 2 + v _ 2 n",
-             where=(let(a, cayley_maps.constant, a_value), let(v, cayley_maps.scaled_rodrigues, n, a_value, alpha, u),
-                    let(q_of, cayley_maps.function_of(orders.screw_quaternion), alpha, u)),
+             where=(let(a, cayley_maps.constant, a_value),
+                    let(v, lambda env, n, a, *screw: a * cayley_maps.rodrigues_vector(env, n, *screw),
+                        n, a_value, alpha, u),
+                    let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u)),
              condition=finite(alpha / (2 * n)),
              remark="v = φ(α) u with any value a(v) = φ(α) cot(α/2n); another k is another angle and ±."),
     equation("theorem-16-factor", "factor a(v) of a vectorial parameterization", 302,
              equal(a(v), norm(v) * cot((phi_inv(norm(v)) + 2 * k * pi) / (2 * n))),
              extract="a v _ = v _ c o t φ 1 v _ + 2 k π 2 n",
              where=(let(phi_inv, cayley_maps.constant, alpha), let(axis, cayley_maps.direction, v),
-                    let(target, orders.screw_quaternion, alpha, axis),
+                    let(target, screw_quaternion, alpha, axis),
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
              condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="Where Re v = 0 the factor is the limit 2n φ′(0) on the principal branch."),
     equation("theorem-16-step", "the same before φ is inverted", 304, equal(a(v), norm(v) * cot(turned)),
              extract="a v _ = v _ c o t α _ + 2 k π 2 n",
-             where=(let(axis, cayley_maps.direction, v), let(target, orders.screw_quaternion, alpha, axis),
+             where=(let(axis, cayley_maps.direction, v), let(target, screw_quaternion, alpha, axis),
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
              condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="It follows from (60), not from (61)."),
-)  # fmt: skip
+)
 
 THEOREM_17 = (
     equation("62", "unit dual quaternion by p_n and q_n", 307,
@@ -130,6 +112,6 @@ THEOREM_17 = (
              corrected=equal(R, I + 2 * p(norm(w)) * q(norm(w)) / (1 + xw)**n * W
                              + 2 * (q**2)(norm(w)) / (1 + xw)**n * W**2),
              remark="With w = v/a(v)."),
-)  # fmt: skip
+)
 
 ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

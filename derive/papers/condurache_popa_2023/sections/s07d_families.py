@@ -8,11 +8,11 @@ from typing import Any
 from derive.maps.families import breusing, lambert, orthographic
 
 from ...equation import Reading, equation
+from ...language.definitions import multiple, screw_quaternion
 from ...language.evaluation import Definition, let
-from ...language.notation import Re, both, cos, cot, equal, exp, nonzero, norm, pm, root, sin, skew, tan
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
-from ..definitions.quaternion_maps import multiple
 from ..operators import limit, positive
 from ..symbols import alpha, n, u, v, vector
 from .s07_general_order import (
@@ -31,7 +31,7 @@ from .s07_general_order import (
     q_of,
     w,
     x,
-)  # fmt: skip
+)
 from .s07c_parameterizations import W, xw
 
 alpha_vector = vector("α", r"\alpha")
@@ -42,16 +42,16 @@ one, two = (let(Symbol(f"order {i}", "number", str(i), str(i)), orders.at_order(
 
 
 def family(definition: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
-    """v of a family, and every factor a(v) that makes its Cayley map the displacement of α and u."""
+    """Return definitions of v of a family and of every factor a(v) for which its Cayley map is the displacement."""
     of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
     return (*((order,) if order else ()), let(v, definition, *arguments),
-            let(screw, orders.screw_quaternion, alpha, u),
-            let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)  # fmt: skip
+            let(screw, screw_quaternion, alpha, u),
+            let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)
 
 
 NORMAL = (*SCREW, *family(cayley_maps.normal_vector, None), let(w, cayley_maps.rodrigues_vector, n, alpha, u),
-          let(alpha_vector, multiple, alpha, u))  # fmt: skip
+          let(alpha_vector, multiple, alpha, u))
 pw, qw, qw2, power = p(norm(w)), q(norm(w)), (q**2)(norm(w)), (1 + xw) ** n
 R_by_w = I + 2 * pw * qw / power * V + 2 * qw2 / power * V**2
 R_corrected = I + 2 * pw * qw / power * W + 2 * qw2 / power * W**2
@@ -78,7 +78,7 @@ FIRST = (
              extract="lim n I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2 = e x p α ~ _",
              where=NORMAL, corrected=equal(limit(n, R_corrected), exp(skew(alpha_vector))),
              remark="As printed the terms grow with n."),
-)  # fmt: skip
+)
 
 forward_2, forward_4, forward_n = (positive(Re(cos(alpha / m))) for m in (2, 4, 2 * n))
 ORTHOGRAPHIC = family(cayley_maps.member(orthographic()), one)
@@ -103,16 +103,16 @@ SECOND = (
              equal(R_of(v), I + 4 * root(1 - x) * (1 - x) * V + 8 * (1 - x) * V**2),
              extract="R _ v _ = I _ + 4 1 v _ 2 1 v _ 2 v ~ _ + 8 1 v _ 2 v ~ _ 2", where=LAMBERT, condition=forward_4,
              corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2)),
-)  # fmt: skip
+)
 
 w_two = vector("w of order 2", "w", "w")
 image_two = Symbol("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
-BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, cayley_maps.square_of_breusing, c),
+BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, lambda env, c: (1 - c * c) / c, c),
             let(w_two, cayley_maps.rodrigues_vector, two.symbol, alpha, u),
-            let(image_two, orders.cayley, two.symbol, w_two))  # fmt: skip
+            let(image_two, orders.cayley, two.symbol, w_two))
 ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),
               let(q_of, cayley_maps.function_of(cayley_maps.modified), two.symbol, a_value, v),
-              let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.symbol, a_value, v))  # fmt: skip
+              let(R_of, cayley_maps.function_of(cayley_maps.modified_tensor), two.symbol, a_value, v))
 factor = equal(a(v), root((root(4 + norm(v) ** 4) - x) / 2))
 FOURTH = (
     equation("breusing-vector", "Breusing parameters and their factor", 333,
@@ -138,11 +138,11 @@ FOURTH = (
              extract="R _ v _ = I _ + 4 a v _ a 2 v _ v _ 2 a v _ 2 + v _ 2 2 v ~ _ + 8 a 2 v _ a v _ 2 "
              "+ v _ 2 2 v ~ _ 2",
              where=ANY_FACTOR, remark="For every a(v)."),
-)  # fmt: skip
+)
 
 SINES = (
-    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.power_scalar, n), let(Q, cayley_maps.power_vector, n),
-)  # fmt: skip
+    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.powers(0), n), let(Q, cayley_maps.powers(1), n),
+)
 FIFTH = (
     equation("sine-vector", "sine family and its factor", 337,
              both(equal(v, sin(alpha / (2 * n)) * u), equal(a(v), root(1 - x))),
@@ -158,6 +158,6 @@ FIFTH = (
              extract="P n v _ = 1 v _ 2 n p n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
     equation("sine-Q", "Q_n by q_n", 340, equal(Q(norm(v)), root((1 - x)**(n - 1)) * q(norm(v) / root(1 - x))),
              extract="Q n v _ = 1 v _ 2 n 1 q n v _ 1 v _ 2", where=SINES, condition=nonzero(Re(1 - x))),
-)  # fmt: skip
+)
 
 ENTRIES = (*FIRST, *SECOND, *FOURTH, *FIFTH)

@@ -16,13 +16,13 @@ KNOWN = (*s06_cayley_quaternions.ENTRIES, *s07a_fractional_transform.ENTRIES, *s
 
 
 def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
-    """A sentence that takes something from an equation, which another one displays."""
+    """Return the entry for a sentence that names one equation and means another."""
     wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)
     )
     where = (let(wrong, displays(KNOWN, str(named), part)), let(right, displays(KNOWN, str(meant), part)))
     return equation(slug, "an equation by its number", line, wrong, where=where, said=said, corrected=right,
-                    remark=remark)  # fmt: skip
+                    remark=remark)
 
 
 ENTRIES = (
@@ -35,4 +35,4 @@ ENTRIES = (
               "Equation (60) is meant; (61) is what the theorem claims, and has no angle."),
     reference("corollary-5-reference", "The orthogonal dual tensor associated with Equation (63) is:", 313, 63, 62,
               q_of, "Equation (62) is meant; (63) is the polynomial p_n."),
-)  # fmt: skip
+)

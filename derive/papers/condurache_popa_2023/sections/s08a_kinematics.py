@@ -2,31 +2,15 @@
 
 from __future__ import annotations
 
+from derive.algebra import Tensor
+from derive.maps.lines import line_through
+
 from ...equation import Reading, equation
+from ...language.definitions import image, plain, screw_quaternion, screw_tensor, skew_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cos,
-    cot,
-    cross,
-    ddt,
-    det,
-    dot,
-    epsilon,
-    equal,
-    half,
-    identity,
-    nonzero,
-    rate,
-    sin,
-    skew,
-    transpose,
-    vect,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Symbol
-from ..definitions import orders, velocities
-from ..definitions.motions import screw_tensor
+from ..definitions import velocities
 from ..operators import equations_in
 from ..symbols import alpha, tensor, u, vector
 
@@ -53,32 +37,32 @@ Theta = Symbol("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
 half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
 
 MOTION = (
-    let(R, screw_tensor, alpha, u), let(q_hat, orders.screw_quaternion, alpha, u), let(omega, velocities.twist, R),
-    let(omega_B, velocities.body_twist, R), let(skew_B, velocities.skew_body_twist, R),
-    let(line_0, velocities.at_rest, free_line), let(line, velocities.carried, R, line_0),
-    let(zero_tensor, velocities.zero_tensor), let(Theta, velocities.axis_operator, alpha, u),
+    let(R, screw_tensor, alpha, u), let(q_hat, screw_quaternion, alpha, u), let(omega, velocities.twist, R),
+    let(omega_B, velocities.body_twist, R), let(skew_B, skew_of, omega_B),
+    let(line_0, velocities.at_rest, free_line), let(line, image, R, line_0),
+    let(zero_tensor, lambda env: Tensor.identity() * 0), let(Theta, velocities.axis_operator, alpha, u),
     let(half_sine, velocities.half_sine, alpha),
-)  # fmt: skip
+)
 PARTS = (
     let(R, screw_tensor, alpha, u), let(omega, velocities.twist, R), let(Q, velocities.rotation_part, R),
-    let(rho, velocities.displacement_part, R), let(w_real, velocities.rotation_rate, Q),
+    let(rho, velocities.displacement_part, R), let(w_real, velocities.twist, Q),
     let(v_real, velocities.velocity_at_origin, Q, rho),
-)  # fmt: skip
+)
 
 VELOCITY = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
              where=(let(line_t, velocities.moved_line, R_t, point, along),
-                    let(line_0, velocities.first_line, point, along)),
+                    let(line_0, plain(line_through), point, along)),
              remark="l₀ is the line in the body axes, so at t₀ in space if R(t₀) = I."),
     equation("67", "velocity of a line", 349, equal(rate(line), Phi * line), extract="l ˙ _ = Φ _ l _",
-             where=(*MOTION, let(Phi, velocities.skew_twist, R)), moving=True),
+             where=(*MOTION, let(Phi, skew_of, omega)), moving=True),
     equation("68", "velocity dual tensor", 351, equal(Phi, rate(R) * transpose(R)), extract="Φ _ = R ˙ _ R _ T",
              where=(*MOTION, let(Phi, velocities.velocity_operator, R)), moving=True),
     equation("velocity-tensor-sum", "derivative of R Rᵀ = I", 352,
              equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor),
              extract="R ˙ _ R _ T + R _ R ˙ _ T = 0 _", where=MOTION, moving=True),
     equation("velocity-tensor-skew", "Φ is skew-symmetric", 352, equal(Phi, -transpose(Phi)), extract="Φ _ = Φ _ T",
-             where=(*MOTION, let(Phi, velocities.spin, R)), moving=True,
+             where=(*MOTION, let(Phi, lambda env, R: env.rate(R) @ R.transpose, R)), moving=True,
              fixed_by="the same line: Ṙ Rᵀ + R Ṙᵀ = 0, to which it is said to be equivalent"),
     equation("dual-angular-velocity", "dual angular velocity", 353, equal(omega, vect(rate(R) * transpose(R))),
              extract="ω _ = v e c t R ˙ _ R _ T",
@@ -87,14 +71,14 @@ VELOCITY = (
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
              equal(v_real, rate(rho) - cross(w_real, rho)), extract="v = ρ ˙ ω × ρ", where=PARTS, moving=True),
-)  # fmt: skip
+)
 
 TENSOR = (
     equation("70", "Poisson-Darboux problem, spatial twist", 359, equal(rate(R), skew(omega) * R),
              extract="R ˙ _ = ω ~ _ R _", where=MOTION, moving=True),
     equation("theorem-19-unique", "the solution is unique", 358,
              equal(transpose(skew(omega) * other) * T + transpose(other) * (skew(omega) * T), zero_tensor),
-             where=(let(zero_tensor, velocities.zero_tensor),),
+             where=(let(zero_tensor, lambda env: Tensor.identity() * 0),),
              remark="SᵀT of two solutions is constant, so that S = T if S is orthogonal and both start alike; a linear "
              "equation with a continuous ω has a solution."),
     equation("71", "derivative of R Rᵀ in the proof", 363,
@@ -107,7 +91,8 @@ TENSOR = (
              "linear problem, with derivative ω̃Z − Zω̃ and Z(t₀) = I."),
     equation("72", "R Rᵀ is constant", 365, equal(R * transpose(R), at_start, identity),
              extract="R _ R _ T = R _ R _ T t 0 = I _",
-             where=(let(at_start, velocities.product_at_start, R_0), let(zero_tensor, velocities.zero_tensor)),
+             where=(let(at_start, plain(lambda R: R @ R.transpose), R_0),
+                    let(zero_tensor, lambda env: Tensor.identity() * 0)),
              because=equal(skew(omega) * identity - identity * skew(omega), zero_tensor),
              remark="By (71) Z = R Rᵀ solves Ż = ω̃Z − Zω̃ with Z(t₀) = I, and so does Z = I, the supporting identity; "
              "with a continuous ω a linear problem has one solution."),
@@ -122,7 +107,7 @@ TENSOR = (
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),
              extract="R ˙ _ = R _ ω ~ _ B", where=MOTION, moving=True),
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
-)  # fmt: skip
+)
 
 Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
 QUATERNION = (
@@ -151,6 +136,6 @@ QUATERNION = (
     equation("80", "body twist by the natural invariants", 387,
              equal(omega_B, rate(alpha) * u + sin(alpha) * rate(u) - (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
-)  # fmt: skip
+)
 
 ENTRIES = (*VELOCITY, *TENSOR, *QUATERNION)

@@ -4,30 +4,12 @@ from __future__ import annotations
 
 from ...equation import Reading, equation
 from ...language.claims import proposition
+from ...language.definitions import inverse_of, multiple, screw_tensor, transpose_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cases,
-    cot,
-    equal,
-    half,
-    iff,
-    implies,
-    nonzero,
-    norm,
-    pi,
-    rate,
-    sin,
-    skew,
-    transpose,
-    zero,
-)  # fmt: skip
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
-from ..definitions.motions import screw_tensor
-from ..definitions.quaternion_maps import multiple
 from ..operators import equations_in, provided
 from ..symbols import alpha, dual, n, u, v, vector
 from .s07_general_order import POLYNOMIALS, VV, I, V, full_turns, p, q, x
@@ -53,10 +35,10 @@ q_now = Symbol("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\righ
 TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R))
 EXPONENTIAL = (
     let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, velocities.sinc),
-    let(dexp, velocities.dexp, a), let(dexp_inv, velocities.dexp_inv, a), let(dexp_T, velocities.dexp_transpose, a),
-    let(dexp_inv_T, velocities.dexp_inv_transpose, a), let(invertible, velocities.is_invertible, dexp),
+    let(dexp, velocities.dexp, a), let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp),
+    let(dexp_inv_T, transpose_of, dexp_inv), let(invertible, velocities.is_invertible, dexp),
     let(half_sine, velocities.half_sine, alpha), let(half_sinc, velocities.half_sinc, alpha),
-)  # fmt: skip
+)
 full_turn = nonzero(Re(half_sinc))
 
 DEXP = (
@@ -90,13 +72,13 @@ DEXP = (
              (Reading(equal(rate(a), dexp_inv_T * omega_B), "inverse transpose"),
               Reading(equal(rate(a), dexp_T * omega_B), "transpose")),
              extract="α _ ˙ = d e x p α _ T ω _ B", where=EXPONENTIAL, moving=True, condition=full_turn),
-)  # fmt: skip
+)
 
 CAYLEY = (
-    *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, velocities.dcay, n, v),
-    let(dcay_inv, velocities.dcay_inv, n, v), let(dcay_inv_T, velocities.dcay_inv_transpose, n, v),
-    let(q_now, velocities.q_now, n, v),
-)  # fmt: skip
+    *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, orders.tangent, n, v),
+    let(dcay_inv, inverse_of, dcay), let(dcay_inv_T, transpose_of, dcay_inv),
+    let(q_now, lambda env, n, v: orders.q(env, n)(env.now(v)), n, v),
+)
 regular = nonzero(Re(q_now))
 for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
 
@@ -131,6 +113,6 @@ RODRIGUES = (
              condition=regular, also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("six-real-equations", "the vector problems are six real equations", 412,
              both(equal(equations_in(a), 6), equal(equations_in(v), 6)), where=(let(a, multiple, alpha, u),)),
-)  # fmt: skip
+)
 
 ENTRIES = (*DEXP, *RODRIGUES)

@@ -3,19 +3,9 @@
 from __future__ import annotations
 
 from ...equation import equation
+from ...language.definitions import inverse_of
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    equal,
-    half,
-    nonzero,
-    pi,
-    pm,
-    remark,
-    root,
-    tan,
-    words,
-)
+from ...language.notation import *
 from ...language.terms import Symbol, Term
 from ..definitions import orders
 from ..symbols import X, alpha, u, v
@@ -23,33 +13,29 @@ from .s07_general_order import VV, I, R, V, finite, k, q_hat, x
 
 
 class Order:
-    """The symbols that belong to one order, and what they stand for."""
+    """Symbols of one order with their definitions."""
 
     def __init__(self, n: int) -> None:
         self.p, self.q = (Symbol(f"{f}{n}", "function", f"{f}_{{{n}}}", f"{f}{n}") for f in "pq")
         self.dcay = Symbol(f"dcay{n}", "tensor", rf"\mathrm{{dcay}}_{{{n}}}", f"dcay{n}")
         self.dcay_inv = Symbol(f"dcay{n}⁻¹", "tensor", rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}", f"dcay{n}-1")
         of_x = ((self.p, orders.p), (self.q, orders.q))
-        of_v = (
-            (q_hat, orders.cayley),
-            (R, orders.rotation),
-            (self.dcay, orders.tangent),
-            (self.dcay_inv, orders.tangent_inv),
-        )
+        of_v = ((q_hat, orders.cayley), (R, orders.rotation), (self.dcay, orders.tangent))
         self.where = (
             *(let(symbol, orders.at_order(n, definition)) for symbol, definition in of_x),
             *(let(symbol, orders.at_order(n, definition), v) for symbol, definition in of_v),
+            let(self.dcay_inv, inverse_of, self.dcay),
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 
 
 def branch_of(n: int) -> Term:
-    """The angle of branch k, ``(α + 2kπ)/2n``."""
+    """Return the angle of branch k, ``(α + 2kπ)/2n``."""
     return (alpha + 2 * k * pi) / (2 * n)
 
 
-def branches(n: int) -> Term:
-    """The range of k as it is printed."""
+def branch_range(n: int) -> Term:
+    """Return the range of k as it is printed."""
     return words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}")
 
 
@@ -69,13 +55,14 @@ FIRST = (
              extract="d c a y 1 = 2 1 + v _ 2 I _ + v ~ _", where=o1.where),
     equation("98", "kinematic tensor, n = 1", 424, equal(o1.dcay_inv, half * I - half * V + half * VV),
              extract="d c a y 1 1 = 1 2 I _ 1 2 v ~ _ + 1 2 v _ v _", where=o1.where),
-)  # fmt: skip
+)
 
 o2 = Order(2)
 SECOND = (
     equation("99", "Rodrigues dual vectors, n = 2", 426,
-             remark(equal(v, tan(branch_of(2)) * u), branches(2)), extract="v _ = t a n α _ + 2 k π 4 u _ ; k = 0,1",
-             where=o2.preimage, condition=finite(branch_of(2)), branches=2),
+             remark(equal(v, tan(branch_of(2)) * u), branch_range(2)),
+             extract="v _ = t a n α _ + 2 k π 4 u _ ; k = 0,1", where=o2.preimage, condition=finite(branch_of(2)),
+             branches=2),
     equation("100", "p₂", 427, equal(o2.p(X), 1 - X**2), extract="p 2 X = 1 X 2", where=o2.where),
     equation("101", "q₂", 428, equal(o2.q(X), 2), extract="q 2 X = 2", where=o2.where),
     equation("102", "unit dual quaternion, n = 2", 429, equal(pm(q_hat), 1 / (1 + x) * ((1 - x) + 2 * v)),
@@ -91,12 +78,12 @@ SECOND = (
              extract="d c a y 2 1 = 1 v _ 2 2 I _ 1 2 v ~ _ + 1 2 v _ v _", where=o2.where,
              remark="Contradicts (89) at n = 2, where p₂/2q₂ is (1 − |v|²)/4.",
              corrected=equal(o2.dcay_inv, (1 - x) / 4 * I - half * V + half * VV)),
-)  # fmt: skip
+)
 
 o3 = Order(3)
 THIRD = (
     equation("106", "Rodrigues dual vectors, n = 3", 434,
-             remark(equal(v, tan(branch_of(3)) * u), branches(3)),
+             remark(equal(v, tan(branch_of(3)) * u), branch_range(3)),
              extract="v _ = t a n α _ + 2 k π 6 u _ ; k = 0,2", where=o3.preimage, condition=finite(branch_of(3)),
              branches=3),
     equation("107", "p₃", 435, equal(o3.p(X), 1 - 3 * X**2), extract="p 3 X = 1 3 X 2", where=o3.where),
@@ -120,6 +107,6 @@ THIRD = (
              remark="Contradicts (89) at n = 3, where p₃/2q₃ is the factor of I.",
              corrected=equal(o3.dcay_inv,
                              (1 - 3 * x) / (2 * (3 - x)) * I - half * V + (11 - x) / (6 * (3 - x)) * VV)),
-)  # fmt: skip
+)
 
 ENTRIES = (*FIRST, *SECOND, *THIRD)

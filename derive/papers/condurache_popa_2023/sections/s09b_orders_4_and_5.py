@@ -5,17 +5,17 @@ from __future__ import annotations
 import mpmath
 
 from ...equation import equation
-from ...language.notation import Re, both, equal, half, nonzero, norm, pm, remark, root, tan
+from ...language.notation import *
 from ..symbols import X, u, v
 from .s07_general_order import VV, I, R, V, finite, q_hat, x
-from .s09a_orders_1_to_3 import ROOT, Order, branch_of, branches
+from .s09a_orders_1_to_3 import ROOT, Order, branch_of, branch_range
 
 x2 = norm(v) ** 4
 
 o4 = Order(4)
 p4, q4 = 1 - 6 * x + x2, 4 * (1 - x)
 FOURTH = (
-    equation("113", "Rodrigues dual vectors, n = 4", 442, remark(equal(v, tan(branch_of(4)) * u), branches(4)),
+    equation("113", "Rodrigues dual vectors, n = 4", 442, remark(equal(v, tan(branch_of(4)) * u), branch_range(4)),
              extract="v _ = t a n α _ + 2 k π 8 u _ ; k = 0,3", where=o4.preimage, condition=finite(branch_of(4)),
              branches=4),
     equation("114", "p₄", 443, equal(o4.p(X), 1 - 6 * X**2 + X**4), extract="p 4 X = 1 6 X 2 + X 4", where=o4.where),
@@ -40,13 +40,13 @@ FOURTH = (
              also=lambda draw: {"Re |v| = 1": {v: draw.unit()}},
              remark="Contradicts (89) at n = 4 in the factor of v ⊗ v.",
              corrected=equal(o4.dcay_inv, p4 / (8 * (1 - x)) * I - half * V + (3 - x) / (4 * (1 - x)) * VV)),
-)  # fmt: skip
+)
 
 o5 = Order(5)
 p5, q5 = 1 - 10 * x + 5 * x2, 5 - 10 * x + x2
 p5_printed = 1 - 10 * x + x2
 FIFTH = (
-    equation("120", "Rodrigues dual vectors, n = 5", 450, remark(equal(v, tan(branch_of(5)) * u), branches(5)),
+    equation("120", "Rodrigues dual vectors, n = 5", 450, remark(equal(v, tan(branch_of(5)) * u), branch_range(5)),
              extract="v _ = t a n α _ + 2 k π 10 u _ ; k = 0,4", where=o5.preimage, condition=finite(branch_of(5)),
              branches=5),
     equation("121", "p₅ and q₅", 451,
@@ -73,6 +73,6 @@ FIFTH = (
              also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * mpmath.tan(mpmath.pi / 5)}},
              remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅.",
              corrected=equal(o5.dcay_inv, p5 / (2 * q5) * I - half * V + (45 - 34 * x + x2) / (10 * q5) * VV)),
-)  # fmt: skip
+)
 
 ENTRIES = (*FOURTH, *FIFTH)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ...equation import Equation, equation
-from ...language.claims import dual_of, orthogonal, real_of, unit_quaternion
+from ...language.claims import orthogonal, unit_quaternion
+from ...language.definitions import component_of, dual_of, real_of
 from ...language.evaluation import let
-from ...language.notation import both, bracket, equal, half, tan
+from ...language.notation import *
 from ...language.terms import Symbol
 from ..definitions import low_orders
 from ..symbols import alpha, u
@@ -21,16 +22,16 @@ u_re, u_du = (Symbol(f"u real{i}", "real vector", rf"\mathbf{{u}}{i}", f"u{i}") 
 PARTS = (
     let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(b_re, real_of, b_), let(b_du, dual_of, b_), let(u_re, real_of, u), let(u_du, dual_of, u),
-)  # fmt: skip
-"""The symbols; a half turn has no b."""
+)
+"""Definitions of the symbols; a half turn has no b."""
 
 
 def _components(i: int) -> tuple[Equation, Equation]:
-    """(126) to (128) and (129) to (131): one component of the real and of the dual part."""
+    """Return one of (126) to (128) and one of (129) to (131): a component of the real and of the dual part."""
     b_i, b0_i = (Symbol(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
     u_i, u0_i = (Symbol(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
     whole = ((b_i, b_re), (b0_i, b_du), (u_i, u_re), (u0_i, u_du))
-    where = (*PARTS, *(let(symbol, low_orders.component(i - 1), vector) for symbol, vector in whole))
+    where = (*PARTS, *(let(symbol, component_of(i), vector) for symbol, vector in whole))
     square = 1 + tan(angle / 2) ** 2
     return (
         equation(str(125 + i), f"Rodrigues parameter {i}", 458 + i, equal(b_i, tan(angle / 2) * u_i),
@@ -41,7 +42,7 @@ def _components(i: int) -> tuple[Equation, Equation]:
                  components=True,
                  remark="Contradicts (92): the dual part of tan(α/2) u has a term along u and a factor 1/2.",
                  corrected=equal(b0_i, half * shift * bracket(square) * u_i + tan(angle / 2) * u0_i)),
-    )  # fmt: skip
+    )
 
 
 pairs = tuple(_components(i) for i in (1, 2, 3))
@@ -60,4 +61,4 @@ ENTRIES = (
              said="Equations (95)–(98) present, respectively, the dual orthogonal tensor, dual quaternion",
              corrected=both(unit_quaternion(q_hat), orthogonal(R)),
              remark="Named in the order tensor, quaternion; (95) is the quaternion and (96) the tensor."),
-)  # fmt: skip
+)

@@ -9,14 +9,14 @@ from ..operators import is_algebraic
 from . import s07a_fractional_transform, s07c_parameterizations, s07d_families, s08b_tangent_operators
 
 DIRECT = ("50", "57", "88", "89", "62", "65")
-"""The maps from v to displacements and twists."""
+"""Equations of the maps from v to displacements and twists."""
 
 direct = proposition("maps from v", "no transcendental function in the maps from v: (50), (57), (62), (65), (88), (89)")
 every = proposition("all maps", "no transcendental function in any display of sections 7 and 8 about maps")
 MAPS: tuple[Equation, ...] = (
     *s07a_fractional_transform.ENTRIES, *s07c_parameterizations.ENTRIES, *s07d_families.ENTRIES,
     *s08b_tangent_operators.ENTRIES,
-)  # fmt: skip
+)
 
 
 def _direct(env: Env) -> bool:
@@ -33,4 +33,4 @@ ENTRIES = (
               Reading(every, "all expressions, the inverse maps and the exponential among them")),
              where=(let(direct, _direct), let(every, _every)),
              remark="(49), (60), (61) and the families need tan, cot or sin of the angle; (82) and (84) sinc and cot."),
-)  # fmt: skip
+)

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from typing import Any
 
 from ...equation import equation
+from ...language.definitions import *
 from ...language.evaluation import Env, let
-from ...language.notation import both, equal, negated, nonzero, summation
+from ...language.notation import *
 from ...language.terms import Symbol
-from .. import definitions
 from ..operators import Cos, Sin, coefficient, group, natural
 from ..symbols import e, hat, k, real, shown
 
@@ -19,7 +19,7 @@ a, a_, a_hat, b_hat, c_hat = real("a"), real("a", star=True), *(hat(name, "dual 
 NUMBERS = (
     equation("dual-number", "dual numbers and the dual unit", 23,
              both(equal(a_hat, a + e * a_), equal(e**2, 0), nonzero(e)),
-             where=(let(a_hat, definitions.dual_number, a, a_),)),
+             where=(let(a_hat, from_parts, a, a_),)),
     equation("addition", "sum of dual numbers", 25,
              equal(group(a1 + e * a1_) + group(b1 + e * b1_), group(a1 + b1) + e * (a1_ + b1_)),
              extract=shown(r"(a_{1} + ea_{1}^{*}) + (b_{1} + eb_{1}^{*}) = (a_{1} + b_{1}) + e(a_{1}^{*} + "
@@ -39,7 +39,7 @@ NUMBERS = (
     equation("no-field", "the dual numbers are not a field", 28,
              both(nonzero(e), negated(equal(e * a_hat, 1))), because=equal((e * a_hat) * e, 0),
              remark="If e had the inverse â then e would be (e â) e = 0."),
-)  # fmt: skip
+)
 
 # ---- functions ------------------------------------------------------------------------------------------------
 
@@ -57,7 +57,7 @@ def _coefficients(env: Env, *numbers: Any) -> Callable[[int], Any]:
 
 
 def _function(env: Env, centre: Any, *numbers: Any) -> Callable[[Any], Any]:
-    """The function with that expansion, by Horner's rule."""
+    """Return the function with that expansion, by Horner's rule."""
 
     def value(point: Any) -> Any:
         result: Any = 0
@@ -73,7 +73,7 @@ def _derivative(env: Env, centre: Any, *numbers: Any) -> Callable[[Any], Any]:
 
 
 SERIES = (let(a_k, _coefficients, *series), let(f, _function, x_0, *series), let(f_prime, _derivative, x_0, *series),
-          let(top, lambda env: DEGREE))  # fmt: skip
+          let(top, lambda env: DEGREE))
 power = x - x_0
 
 FUNCTIONS = (
@@ -91,14 +91,14 @@ FUNCTIONS = (
     equation("sine", "sine of a dual number", 39,
              equal(Sin(angle_hat), Sin(group(angle + e * x_)), Sin(angle) + e * x_ * Cos(angle)),
              extract=shown(r"Sin\hat{x} = Sin(x + ex^*) = Sinx + ex^*Cosx"),
-             where=(let(angle_hat, definitions.dual_number, angle, x_),)),
+             where=(let(angle_hat, from_parts, angle, x_),)),
     equation("cosine", "cosine of a dual number", 40,
              equal(Cos(angle_hat), Cos(group(angle + e * x_)), Cos(angle) - e * x_ * Sin(angle)),
              extract=shown(r"Cos\hat{x} = Cos(x + ex^*) = Cosx - ex^*Sinx"),
-             where=(let(angle_hat, definitions.dual_number, angle, x_),)),
+             where=(let(angle_hat, from_parts, angle, x_),)),
     equation("exponential", "exponential of a dual number", 41,
              equal(natural(x_hat), natural(x) + e * x_ * natural(x)),
-             extract=shown(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, definitions.dual_number, x, x_),)),
-)  # fmt: skip
+             extract=shown(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, from_parts, x, x_),)),
+)
 
 ENTRIES = (*NUMBERS, *FUNCTIONS)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from derive.maps import lines
+
 from ...equation import equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
-from ...language.notation import both, cos, cross, dot, equal, iff, nonzero, zero
+from ...language.notation import *
 from ...language.terms import Number, Symbol
 from .. import definitions
 from ..operators import at_least, column, group, length, parts, square_root
@@ -19,7 +21,7 @@ a_hat, b_hat = (hat(name, "dual number") for name in "ab")
 six = tuple(real("v", index, star) for star in (False, True) for index in (1, 2, 3))
 v1, v2, v3, v1_, v2_, v3_ = six
 size, axis = Symbol("size", "dual number"), Symbol("axis", "unit vector")
-POLAR = (let(v_hat, definitions.along, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
+POLAR = (let(v_hat, multiple, size, axis), let(v, real_of, v_hat), let(v_, dual_of, v_hat))
 unit_hat = hat("v", "unit vector")
 UNIT = (let(v, real_of, unit_hat), let(v_, dual_of, unit_hat))
 vr, vr_ = arrow("v", seen_as="r"), arrow("v", star=True, seen_as="r*")
@@ -61,7 +63,7 @@ VECTORS = (
     equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=shown("1 = (1,0)")),
     equation("unit-vector", "dual unit vectors", 49, both(equal(length(v), 1), zero(dot(v, v_))),
              extract=shown(r"\|v\| = 1 v \cdot v^* = 0"), where=UNIT),
-)  # fmt: skip
+)
 
 # ---- lines ----------------------------------------------------------------------------------------------------
 
@@ -75,15 +77,15 @@ distance = Symbol("distance", "real", r"d\left(l_a, l_b\right)")
 angle = Symbol("angle", "real", r"\angle\left(l_a, l_b\right)")
 ONE = Symbol("one", "number")
 LINES = (
-    let(ONE, lambda env: 1), let(f_hat, definitions.dual_number, f, f_), let(normal, definitions.axis_of, frame),
+    let(ONE, lambda env: 1), let(f_hat, from_parts, f, f_), let(normal, definitions.axis_of, frame),
     let(l_a, definitions.across, ONE, frame), let(l_b, definitions.turned, l_a, f_hat, normal),
     let(distance, definitions.distance, l_a, l_b), let(angle, definitions.angle_between, l_a, l_b),
-)  # fmt: skip
+)
 
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
              both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
-             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, definitions.foot, l_a)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, plain(lines.foot), l_a)),
              remark="The line through p with direction a. Every line is two points, one for each orientation."),
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),
@@ -92,6 +94,6 @@ STUDY = (
              remark="The angle of two directions is at most π."),
     equation("study-distance", "f* is the distance of the lines", 23, equal(f_, distance), where=LINES,
              condition=at_least(f_, 0), remark="A distance has no sign: it is |f*|."),
-)  # fmt: skip
+)
 
 ENTRIES = (*VECTORS, *STUDY)

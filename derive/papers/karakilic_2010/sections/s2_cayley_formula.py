@@ -2,57 +2,32 @@
 
 from __future__ import annotations
 
+from derive.algebra import dual_part, real_part
+from derive.maps import rodrigues
+
 from ...equation import Reading, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
-from ...language.notation import (
-    Re,
-    both,
-    cross,
-    det,
-    dot,
-    equal,
-    half,
-    identity,
-    nonzero,
-    norm,
-    reaches,
-    transpose,
-    zero,
-)
+from ...language.notation import *
 from ...language.terms import Symbol
 from ...numbers.draw import Draw
 from ...numbers.quantities import QUANTITIES
 from .. import definitions
-from ..operators import (
-    column,
-    component,
-    entry,
-    everywhere,
-    group,
-    inner,
-    length,
-    matrix,
-    parts,
-    quadratic,
-    sum_above,
-    sum_all,
-    sum_upper,
-)
+from ..operators import *
 from ..symbols import e, hat, i, j, real, shown
 
 I = identity
 A, x, X, z, b, y = hat("A", "orthogonal tensor"), *(hat(name, "dual vector") for name in "xXzby")
 B, b_ij = hat("B", "tensor"), hat("b", "tensor")
 B_bare = Symbol("B", "tensor", "B", "B")
-MOVED = (let(X, definitions.moved, x, A),)
-FROM_A = (*MOVED, let(B, definitions.cayley_matrix, A), let(b_ij, definitions.cayley_matrix, A))
+MOVED = (let(X, image, A, x),)
+FROM_A = (*MOVED, let(B, plain(rodrigues.cayley_matrix), A), let(b_ij, plain(rodrigues.cayley_matrix), A))
 INVARIANT = (let(B, definitions.skew_rodrigues, A), let(B_bare, definitions.skew_rodrigues, A))
 no_half_turn = nonzero(Re(det(A + I)))
 
 
 def reflections(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Orthogonal with determinant −1."""
+    """Return an orthogonal tensor with determinant −1."""
     return {"reflection": {A: -QUANTITIES["orthogonal tensor"].generic(draw)}}
 
 
@@ -72,7 +47,7 @@ MOTION = (
              where=MOVED, condition=no_half_turn, also=reflections),
     equation("b-orthogonal", "B̂(X̂ + x̂) is orthogonal to X̂ + x̂", 70, zero(dot(B * (X + x), X + x)), where=FROM_A,
              condition=no_half_turn),
-)  # fmt: skip
+)
 
 z_i, z_j = component(z, i), component(z, j)
 symmetric_part = group(entry(b_ij, i, j) + entry(b_ij, j, i)) * z_i * z_j
@@ -98,8 +73,8 @@ SKEW = (
     equation("skew", "B̂ is skew-symmetric", 74, equal(B, -transpose(B)), extract=shown(r"\hat{B} = -\hat{B}^T"),
              where=FROM_A, condition=no_half_turn),
     equation("not-singular", "I − B̂ is not singular", 76, nonzero(Re(det(I - B))),
-             where=(let(B, definitions.explicit_skew, b),), because=equal(det(I - B), 1 + norm(b)**2)),
-)  # fmt: skip
+             where=(let(B, skew_of, b),), because=equal(det(I - B), 1 + norm(b)**2)),
+)
 
 FORMULA = (
     equation("b-matrix", "B̂ from Â", 78, equal(B_bare, (A - I) * (A + I) ** (-1)),
@@ -112,9 +87,9 @@ FORMULA = (
              extract=shown(r"(I + \hat{B})(I - \hat{B})^{-1} = \hat{A}"), where=INVARIANT, condition=no_half_turn),
     equation("cayley-formula", "Cayley formula", 85, equal(A, (I + B) * (I - B) ** (-1)),
              extract=shown(r"\hat{A} = (I + \hat{B})(I - \hat{B})^{-1}"), where=INVARIANT, condition=no_half_turn),
-)  # fmt: skip
+)
 
-ANY_B = (let(B, definitions.explicit_skew, b), let(A, definitions.cayley_formula, b))
+ANY_B = (let(B, skew_of, b), let(A, plain(rodrigues.cayley_formula), b))
 cay = Symbol("cay", "map", r"\mathrm{cay}")
 ORTHOGONAL = (
     equation("transposed", "transpose of Â", 89,
@@ -129,16 +104,16 @@ ORTHOGONAL = (
              where=(let(cay, definitions.cayley_map),), condition=no_half_turn, also=reflections,
              remark="Where Â = (I + B̂)(I − B̂)⁻¹ the inverse of Â + I is (I − B̂)/2. So half turns and "
              "reflections have no B̂."),
-)  # fmt: skip
+)
 
 b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
 b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
 numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
 PARTS = (
     let(b_re, real_of, b), let(b_du, dual_of, b),
-    *(let(symbol, definitions.real_component(n), b) for n, symbol in enumerate(numbers[False], 1)),
-    *(let(symbol, definitions.dual_component(n), b) for n, symbol in enumerate(numbers[True], 1)),
-)  # fmt: skip
+    *(let(symbol, component_of(n, real_part), b) for n, symbol in enumerate(numbers[False], 1)),
+    *(let(symbol, component_of(n, dual_part), b) for n, symbol in enumerate(numbers[True], 1)),
+)
 VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
              extract=shown(r"\hat{B} = \begin{bmatrix} 0 & -\hat{b}_3 & \hat{b}_2 \\ \hat{b}_3 & 0 & -\hat{b}_1 \\ "
@@ -151,7 +126,7 @@ VECTOR = (
                            r"\hat{b}_3)"), components=True, where=PARTS),
     equation("product", "B̂ as a vector product", 105, equal(B * y, cross(b, y)),
              extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."),
-             where=(let(B, definitions.explicit_skew, b),)),
-)  # fmt: skip
+             where=(let(B, skew_of, b),)),
+)
 
 ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)

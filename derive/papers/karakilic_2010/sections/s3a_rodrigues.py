@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from derive.maps import rodrigues
+
 from ...equation import equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
-from ...language.notation import Re, both, cos, cross, det, dot, equal, identity, nonzero, zero
+from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
 from .. import definitions
 from ..operators import Tan, Tan2, at_least, group, length, ordered, pair
@@ -15,8 +17,8 @@ from ..symbols import arrow, e, hat, real, shown
 
 A, x, X = hat("A", "orthogonal tensor"), hat("x", "dual vector"), hat("X", "dual vector")
 B, b_hat = hat("B", "tensor"), hat("b", "dual vector")
-MOVED = (let(X, definitions.moved, x, A), let(B, definitions.cayley_matrix, A),
-         let(b_hat, definitions.rodrigues_vector, A))  # fmt: skip
+MOVED = (let(X, image, A, x), let(B, plain(rodrigues.cayley_matrix), A),
+         let(b_hat, plain(rodrigues.rodrigues_vector), A))
 no_half_turn = nonzero(Re(det(A + identity)))
 
 EQUATIONS = (
@@ -25,7 +27,7 @@ EQUATIONS = (
     equation("rodrigues-vector", "Rodrigues equation with b̂", 115, equal(X - x, cross(b_hat, X + x)),
              extract=shown(r"\hat{X} - \hat{x} = \hat{b} \times (\hat{X} + \hat{x})."), where=MOVED,
              condition=no_half_turn),
-)  # fmt: skip
+)
 
 # ---- the rhombus of figure 1 ----------------------------------------------------------------------------------
 
@@ -36,8 +38,8 @@ FIGURE = (
     let(axis, definitions.axis_of, Q), let(x, definitions.raised, size, height, Q),
     let(x_across, definitions.across, size, Q),
     let(X, definitions.turned, x, f_hat, axis), let(X_across, definitions.projected, X, axis),
-    let(A, definitions.rotation, f_hat, axis), let(b_hat, definitions.rodrigues_vector, A),
-)  # fmt: skip
+    let(A, screw_tensor, f_hat, axis), let(b_hat, plain(rodrigues.rodrigues_vector), A),
+)
 turned_less = nonzero(Re(cos(f_hat / 2)))
 ratio = length(X_across - x_across) / length(X_across + x_across)
 seen = nonzero(Re(length(X_across + x_across)))
@@ -69,7 +71,7 @@ RHOMBUS = (
     equation("1", "norm of the dual Rodrigues vector", 133, equal(length(b_hat), ratio),
              extract=shown(r"\left\| \hat{b} \right\| = \frac{\left\| \hat{X}' - \hat{x}' \right\|}{\left\| \hat{X}' + "
                            r"\hat{x}' \right\|}"), where=FIGURE, condition=seen),
-)  # fmt: skip
+)
 
 # ---- real and dual parts --------------------------------------------------------------------------------------
 
@@ -77,12 +79,12 @@ f, f_ = real("f", quantity="real angle"), real("f", star=True)
 b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
 turn = Symbol("turn", "unit vector")
-ANY = (let(b_hat, definitions.along, size, turn),)
-SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
+ANY = (let(b_hat, multiple, size, turn),)
+SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
 PARTS = (
     let(b, real_of, b_hat), let(b_, dual_of, b_hat),
     let(s_hat, definitions.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
-)  # fmt: skip
+)
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), Tan(f / 2))
 LEGIBLE = "(5), line 151: the same quotient, with its star"
@@ -118,7 +120,7 @@ DUAL_PARTS = (
                    b / length(b) + e * group(b_ / length(b) - (dot(b, b_) / length(b)**3) * b)),
              where=(*ANY, *PARTS), condition=nonzero(b),
              fixed_by="(8)-(10), which are its components",
-             remark="The extraction of the display shows most symbols under its arrows as r."),
-)  # fmt: skip
+             remark="The extraction of the display shows most letters under its arrows as r."),
+)
 
 ENTRIES = (*EQUATIONS, *RHOMBUS, *DUAL_PARTS)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
+from derive.algebra import dual_part, real_part
+
 from ...equation import Equation, equation
-from ...language.claims import dual_of, real_of
+from ...language.definitions import *
 from ...language.evaluation import let
-from ...language.notation import both, det, dyad, equal, identity, iff, negated, nonzero, zero
+from ...language.notation import *
 from ...language.terms import Number, Symbol, Term
 from .. import definitions
 from ..operators import Tan, Tan2, Tan3, component, group, length, ordered, provided
@@ -25,13 +27,13 @@ size, turn = Symbol("size", "dual number"), Symbol("turn", "unit vector")
 PARTS = (
     let(s_hat, definitions.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
     let(s, real_of, s_hat), let(s_star, dual_of, s_hat),
-    *(let(symbol, definitions.real_component(n), b_hat) for n, symbol in enumerate(bs, 1)),
-    *(let(symbol, definitions.dual_component(n), b_hat) for n, symbol in enumerate(bs_, 1)),
-    *(let(symbol, definitions.real_component(n), s_hat) for n, symbol in enumerate(ss, 1)),
-    *(let(symbol, definitions.dual_component(n), s_hat) for n, symbol in enumerate(ss_, 1)),
-)  # fmt: skip
-ANY = (let(b_hat, definitions.along, size, turn), *PARTS)
-SCREW = (let(f_hat, definitions.dual_number, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
+    *(let(symbol, component_of(n, real_part), b_hat) for n, symbol in enumerate(bs, 1)),
+    *(let(symbol, component_of(n, dual_part), b_hat) for n, symbol in enumerate(bs_, 1)),
+    *(let(symbol, component_of(n, real_part), s_hat) for n, symbol in enumerate(ss, 1)),
+    *(let(symbol, component_of(n, dual_part), s_hat) for n, symbol in enumerate(ss_, 1)),
+)
+ANY = (let(b_hat, multiple, size, turn), *PARTS)
+SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
 axes = definitions.special_axes(turn)
 relation = partial(equation, components=True, also=axes)
 
@@ -39,33 +41,33 @@ T: Term = Tan(f / 2)
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), T)
 general = both(nonzero(s1), nonzero(s2), nonzero(s3))
-"""What the paper assumes from line 219 on."""
+"""Assumption of the paper from line 219 on."""
 
 # ---- (8)-(13): any dual vector --------------------------------------------------------------------------------
 
 total = b1 * b1_ + b2 * b2_ + b3 * b3_
 _S = (r"s_{%d}^{*} = \frac{b_{%d}^{*} \left\| \stackrel{\mathbf{r}}{b} \right\|^{2} - b_{%d} (b_{1} b_{1}^{*} + b_{2} "
-      r"b_{2}^{*} + b_{3} b_{3}^{*})}{\left\| \stackrel{\mathbf{r}}{b} \right\|^{3}}")  # fmt: skip
+      r"b_{2}^{*} + b_{3} b_{3}^{*})}{\left\| \stackrel{\mathbf{r}}{b} \right\|^{3}}")
 _B = (r"b_{%d}^{*} = \frac{s_{%d}^{*} \left\| b \right\|^{3} + b_{%d} b_{%d} b_{%d}^{*} + b_{%d} b_{%d} b_{%d}^{*}}"
-      r"{\left\| b \right\|^{2} - b_{%d}^{2}}")  # fmt: skip
+      r"{\left\| b \right\|^{2} - b_{%d}^{2}}")
 
 
 def from_b(number: str, line: int, n: int) -> Equation:
-    """(8)-(10)."""
+    """Return one of (8)-(10)."""
     b_n, b_n_, s_n_ = bs[n - 1], bs_[n - 1], ss_[n - 1]
     return relation(number, f"s{n}* from b̂", line,
                     equal(s_n_, (b_n_ * length(b)**2 - b_n * group(total)) / length(b)**3),
-                    extract=shown(_S % (n, n, n)), where=ANY, condition=nonzero(b))  # fmt: skip
+                    extract=shown(_S % (n, n, n)), where=ANY, condition=nonzero(b))
 
 
 def back_to_b(number: str, line: int, n: int, others: tuple[int, int]) -> Equation:
-    """(11)-(13)."""
+    """Return one of (11)-(13)."""
     b_n, (m, o) = bs[n - 1], others
-    below = length(b)**2 - b_n**2  # fmt: skip
-    above = ss_[n - 1] * length(b)**3 + b_n * bs[m - 1] * bs_[m - 1] + b_n * bs[o - 1] * bs_[o - 1]  # fmt: skip
+    below = length(b)**2 - b_n**2
+    above = ss_[n - 1] * length(b)**3 + b_n * bs[m - 1] * bs_[m - 1] + b_n * bs[o - 1] * bs_[o - 1]
     return relation(number, f"b{n}* from ŝ and the others", line, equal(bs_[n - 1], above / below),
                     extract=shown(_B % (n, n, n, m, m, n, o, o, n)), where=ANY, condition=nonzero(below),
-                    remark="Not where b lies along that axis.")  # fmt: skip
+                    remark="Not where b lies along that axis.")
 
 
 VECTOR = (
@@ -74,13 +76,13 @@ VECTOR = (
                            r"\right\|}"), where=ANY, condition=nonzero(b)),
     from_b("8", 166, 1), from_b("9", 169, 2), from_b("10", 174, 3),
     back_to_b("11", 179, 1, (2, 3)), back_to_b("12", 182, 2, (1, 3)), back_to_b("13", 185, 3, (1, 2)),
-)  # fmt: skip
+)
 
 # ---- (14)-(17): of a displacement -----------------------------------------------------------------------------
 
 
 def linear(n: int, first: Term, second: Term) -> Term:
-    """The right side of (14)-(16), with its two products as they are printed."""
+    """Return the right side of (14)-(16), with its two products in printed order."""
     return (ss_[n - 1] * T + first + second) / (1 - ss[n - 1] ** 2)
 
 
@@ -90,7 +92,7 @@ half_turn = ordered(Number(0), f, pi)
 right_14, right_15, right_16 = (
     linear(1, s1 * s2 * b2_, s1 * s3 * b3_), linear(2, s1 * s2 * b1_, s2 * s3 * b3_),
     linear(3, s3 * s1 * b1_, s3 * s2 * b2_),
-)  # fmt: skip
+)
 BEYOND = "Beyond a half turn ‖b‖ is −Tan f/2, and s, which has the direction of b, is opposite to the axis."
 
 LINEAR = (
@@ -121,7 +123,7 @@ LINEAR = (
              both(equal(s1**2 + s2**2 + s3**2, 1), equal(s1 * s1_ + s2 * s2_ + s3 * s3_, 0)),
              extract=shown(r"s_1^2 + s_2^2 + s_3^2 = 1, s_1s_1^* + s_2s_2^* + s_3s_3^* = 0."), where=ANY,
              condition=nonzero(b)),
-)  # fmt: skip
+)
 
 # ---- line 219 and (18)-(22) -----------------------------------------------------------------------------------
 
@@ -130,17 +132,17 @@ equations: dict[str, tuple[Term, Term]] = {
     "18": (b1_, (slope - s2 * b2_ - s3 * b3_) / s1),
     "19": (s2 * b2_ + s3 * b3_, group(1 - s1**2) * slope - s1 * s1_ * T),
     **{number: (bs_[n], ss_[n] * T + ss[n] * slope) for n, number in enumerate(("22", "20", "21"))},
-}  # fmt: skip
-"""Both sides, by number."""
+}
+"""Both sides of equations by number."""
 
 SOLUTION = r"b_%d^* = s_%d^* Tan \frac{f}{2} + s_%d \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"
 
 
 def solution(number: str, line: int, n: int, restated: bool = False) -> Equation:
-    """(20)-(22)."""
+    """Return one of (20)-(22)."""
     name, title = (f"conclusion-{number}", ", restated") if restated else (number, "")
     return relation(name, f"dual Rodrigues parameter b{n}*{title}", line, equal(*equations[number]),
-                    extract=shown(SOLUTION % (n, n, n)), where=SCREW, condition=forward)  # fmt: skip
+                    extract=shown(SOLUTION % (n, n, n)), where=SCREW, condition=forward)
 
 
 SYSTEM = identity - dyad(s, s)
@@ -170,6 +172,6 @@ SOLVED = (
              extract=shown(r"s_2 b_2^* + s_3 b_3^* = (1 - s_1^2) \frac{f^*}{2} (1 + Tan^2 \frac{f}{2}) - s_1 s_1^* Tan "
                            r"\frac{f}{2} ."), where=SCREW, condition=forward),
     solution("20", 237, 2), solution("21", 242, 3), solution("22", 247, 1),
-)  # fmt: skip
+)
 
 ENTRIES = (*VECTOR, *LINEAR, *SOLVED)

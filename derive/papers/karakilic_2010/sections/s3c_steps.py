@@ -1,28 +1,30 @@
 """Section 3, the substitutions that lead to (19)-(22): lines 230-245.
 
-Nothing but the equations named is used: the unknown is solved from them, and all other symbols are free.
+Only the equations named are used: the unknown is solved from them, and all other symbols are free.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from derive.algebra import dual_part, real_part
+
 from ...equation import Equation, equation
+from ...language.definitions import *
 from ...language.evaluation import Definition, Env, let
-from ...language.notation import cos, equal, nonzero
+from ...language.notation import *
 from ...language.terms import Symbol, Term, symbols
-from .. import definitions
 from .s3b_components import b1_, b2_, b3_, equations, f, general, ss, ss_
 
 unit = Symbol("s^", "unit vector", r"\hat{s}")
 COMPONENTS = (
-    *(let(symbol, definitions.real_component(n), unit) for n, symbol in enumerate(ss, 1)),
-    *(let(symbol, definitions.dual_component(n), unit) for n, symbol in enumerate(ss_, 1)),
-)  # fmt: skip
+    *(let(symbol, component_of(n, real_part), unit) for n, symbol in enumerate(ss, 1)),
+    *(let(symbol, component_of(n, dual_part), unit) for n, symbol in enumerate(ss_, 1)),
+)
 
 
 def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
-    """The unknown of an equation in which it occurs to the first power."""
+    """Return the definition of an unknown by an equation that is linear in it."""
 
     def solution(env: Env, *_: Any) -> Any:
         at_0, at_1 = (env.bound(unknown, value).value(left - right) for value in (0, 1))
@@ -32,11 +34,11 @@ def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
 
 
 def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
-    """The claim that a numbered equation follows for the unknown."""
+    """Return the entry for the claim that a numbered equation follows."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
                     stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
-                    where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)  # fmt: skip
+                    where=(*COMPONENTS, given), condition=nonzero(cos(f / 2)), components=True)
 
 
 (_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from ...equation import Reading, equation
+from ...language.definitions import *
 from ...language.evaluation import let
-from ...language.notation import Re, cos, dot, equal, implies, nonzero, zero
+from ...language.notation import *
 from ...language.terms import Symbol
 from .. import definitions
 from ..symbols import hat, shown
@@ -23,13 +24,13 @@ RESTATED = (
              remark="f/2 as it is legible there is wrong; whether its star was printed cannot be told."),
     solution("20", 259, 2, restated=True),
     solution("21", 262, 3, restated=True),
-)  # fmt: skip
+)
 
 # ---- the lines of figure 2 ------------------------------------------------------------------------------------
 
 f_hat, axis = hat("f", "angle"), Symbol("axis", "unit vector", r"\hat{s}")
 before, after = Symbol("l_a", "unit vector", "l_a"), Symbol("l_b", "unit vector", "l_b")
-POSITIONS = (let(f_hat, definitions.dual_number, f, f_), let(after, definitions.turned, before, f_hat, axis))
+POSITIONS = (let(f_hat, from_parts, f, f_), let(after, definitions.turned, before, f_hat, axis))
 
 LINES = (
     equation("positions", "f̂ is the dual angle of two positions of a line of the body", 265,
@@ -39,6 +40,6 @@ LINES = (
              because=equal(dot(before, after), cos(f_hat) + (1 - cos(f_hat)) * dot(before, axis)**2),
              remark="Only of lines at right angles to the screw axis. For any other line "
              "l_a · l_b = cos f̂ + (1 − cos f̂)(l_a · ŝ)²."),
-)  # fmt: skip
+)
 
 ENTRIES = (*RESTATED, *LINES)

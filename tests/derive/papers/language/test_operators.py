@@ -8,7 +8,7 @@ from derive.papers import PAPERS
 from derive.papers.condurache_popa_2023.operators import is_algebraic
 from derive.papers.karakilic_2010.operators import Cos, Sin, Tan, Tan2, length
 from derive.papers.language.notation import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
-from derive.papers.language.terms import OPERATORS, Apply, Symbol, Trait, symbols, takes_apart, text, walk, with_trait
+from derive.papers.language.terms import Apply, Symbol, Trait, symbols, takes_apart, text, with_trait
 from derive.papers.mutation import mutants
 from derive.papers.numbers.quantities import QUANTITIES
 
@@ -19,33 +19,12 @@ def statements(entry):
     return [*(reading.statement for reading in entry.readings), *filter(None, (entry.corrected, entry.because))]
 
 
-@pytest.fixture(scope="module")
-def terms() -> list[Apply]:
-    entries = [entry for paper in PAPERS for entry in paper.entries()]
-    nodes = (node for entry in entries for statement in statements(entry) for node in walk(statement))
-    return [node for node in nodes if isinstance(node, Apply)]
-
-
-def test_every_change_of_every_term_is_another_term(terms) -> None:
-    assert len(terms) > 4000
-    for term in terms:
-        for change in term.operator.changes:
-            symmetric = len(set(term.arguments)) < len(term.arguments)
-            assert symmetric or change.made(term) != term, change.what.format(term.operator.name)
-
-
 def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
     assert {text(mutant) for _, mutant in mutants(Sin(a))} == {"Cosa", "a"}
     assert {text(mutant) for _, mutant in mutants(Cos(a))} == {"Sina", "a"}
     assert {text(mutant) for _, mutant in mutants(Tan(a))} == {"cot a", "a"}
     assert {text(mutant) for _, mutant in mutants(Tan2(a))} == {"Tan3a", "a"}
     assert {text(mutant) for _, mutant in mutants(sin(a))} == {"cos a", "a"}
-
-
-def test_every_mark_without_changes_is_known() -> None:
-    functions = [mark for mark in OPERATORS.values() if Trait.TRANSCENDENTAL in mark.traits]
-    assert len(functions) > 15
-    assert {mark.name for mark in functions if not mark.changes} == {"exp", "power of e", "K10 natural"}
 
 
 def test_what_takes_numbers_apart() -> None:

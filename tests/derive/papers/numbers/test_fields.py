@@ -8,10 +8,10 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
+from derive.algebra.element import NotExactError
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
-from derive.proof.ratio import NotExactError
 
 pytestmark = pytest.mark.smoke
 

@@ -1,4 +1,4 @@
-"""The formulas of a chart in its angle are those of the theorems on every φ, with its own φ put for the letter."""
+"""Formulas of a chart in its angle as instances of the theorems on every φ."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import sympy
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
-from .any_phi import PHI, SCALARS, any_phi, cosine, phi, sine
 from .identity import Check, Claim, Proof, decide
-from .marks import Shifted
+from .notation import Shifted
+from .phi_theorems import PHI, SCALARS, any_phi, cosine, phi, sine
 from .scalars import FORMULAS
 from .statement import Equation
 
@@ -19,31 +19,31 @@ METHOD = "instance of the theorems on every phi, differences of the coefficients
 
 
 def instance(chart: Chart) -> Iterator[Proof]:
-    """The theorems, and that a chart whose scalars are functions of α is an instance of them."""
+    """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
     yield from any_phi()
     claim = tuple(
-        Equation(_in_letters(expected), sympy.Symbol(f"{name}[{i}]"))
+        Equation(_in_symbols(expected), sympy.Symbol(f"{name}[{i}]"))
         for name, values in FORMULAS.items()
         for i, expected in enumerate(values)
     )
     stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
-    letters = _letters(chart)
+    symbols = _symbols(chart)
 
     def checks() -> Iterator[Check]:
         for equation, found in zip(claim, stated, strict=True):
-            difference = sympy.together(equation.left.xreplace(letters) - found)
+            difference = sympy.together(equation.left.xreplace(symbols) - found)
             yield equation.text, sympy.expand(sympy.fraction(difference)[0])
 
     yield decide(Claim("coefficients in alpha", claim, METHOD), checks, chart.name)
     yield _at_origin(chart)
 
 
-def _in_letters(expression: sympy.Expr) -> sympy.Expr:
-    """A formula in sin, cos of α/2, φ and its derivatives."""
+def _in_symbols(expression: sympy.Expr) -> sympy.Expr:
+    """Return a formula in sin and cos of α/2, φ and its derivatives."""
     return expression.xreplace({premise.equation.left: premise.equation.right for premise in SCALARS})
 
 
-def _letters(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
+def _symbols(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
     derivatives = [chart.phi]
     for _ in PHI[1:]:
         derivatives.append(derivatives[-1].diff(alpha))
@@ -52,7 +52,7 @@ def _letters(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
 
 
 def _at_origin(chart: Chart) -> Proof:
-    """φ(0) = 0, φ′(0) ≠ 0 and φ odd: then every scalar is a function of x, analytic at 0."""
+    """Decide φ(0) = 0, φ′(0) ≠ 0 and φ odd; then every scalar is a function of x, analytic at 0."""
     zero = sympy.Integer(0)
     claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
 

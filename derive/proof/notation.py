@@ -1,8 +1,8 @@
-r"""The letters and marks that statements are written in, as SymPy expressions, and how they are printed.
+r"""Symbols and operators of statements, as SymPy expressions, and their printers.
 
-Letters of vectors, tensors and quaternions do not commute, so that a product keeps its order. Marks are applied to
-letters: ``transpose(R)``, ``rate(R)`` (a derivative along a motion), ``prime(p)`` (d/dx). What a mark does to values is
-said in :mod:`~derive.proof.setting`.
+Symbols of vectors, tensors and quaternions do not commute, so a product keeps its order. Operators are applied to
+symbols: ``transpose(R)``, ``rate(R)`` (derivative along a motion), ``prime(p)`` (d/dx). Their values are defined in
+:mod:`~derive.proof.evaluation`.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ TERMS = {
     p: ("p", n), q: ("q", n), c: ("c", n), d: ("d", n), p_m: ("p", m), q_m: ("q", m), p_sum: ("p", m + n),
     q_sum: ("q", m + n), p_double: ("p", 2 * n), q_double: ("q", 2 * n),
 }  # fmt: skip
-"""Letters for terms of sequences: which sequence, and the index."""
+"""Terms of sequences: name of the sequence, and index."""
 
 INDICES = frozenset((n, m))
 
 
 def structure(name: str) -> sympy.Symbol:
-    """A letter for a vector, tensor or quaternion."""
+    """Return a symbol for a vector, tensor or quaternion."""
     return sympy.Symbol(name, commutative=False)
 
 
@@ -59,11 +59,11 @@ TYPESET = {
     scalar: "q_0", scalar_1: "q_{0,1}", scalar_2: "q_{0,2}", R_k: "R(v_k)", R_dual: "R(V)", v_dual: r"v^\circ",
     x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon",
 }  # fmt: skip
-"""Letters that SymPy would not typeset by their name."""
+"""LaTeX of symbols that SymPy would not typeset by their names."""
 
 
-class Mark(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
-    """A mark applied to letters; subclasses say how it looks."""
+class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
+    """Operator applied to symbols; subclasses have its formats."""
 
     text: ClassVar[str]
     typeset: ClassVar[str]
@@ -78,44 +78,44 @@ class Mark(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
         return rf"\left({body}\right)^{{{exp}}}" if isinstance(self, prime) else f"{{{body}}}^{{{exp}}}"
 
     def _bracketed(self, printer: Any, template: str, place: int) -> str:
-        """An argument, in brackets if it is composed and the template has none."""
+        """Return an argument, in brackets if it is composed and the template has none."""
         argument, printed = self.args[place], str(printer._print(self.args[place]))
         bare = f"({{{place}}}" not in template and f"{{{place}}})" not in template
         composed = not argument.is_Symbol or "^" in argument.name
         return f"({printed})" if bare and composed else printed
 
 
-class Scalar(Mark):
-    """A mark whose value is a number."""
+class Scalar(Operator):
+    """Operator with a number as its value."""
 
     is_commutative = True
 
 
-def _mark(name: str, text: str, typeset: str, base: type[Mark] = Mark) -> Any:
+def _operator(name: str, text: str, typeset: str, base: type[Operator] = Operator) -> Any:
     return type(name, (base,), {"text": text, "typeset": typeset, "__module__": __name__})
 
 
-transpose = _mark("transpose", "{0}^T", "{{{0}}}^T")
-conjugate = _mark("conjugate", "conj({0})", "{{{0}}}^*")
-skew = _mark("skew", "skew({0})", r"\tilde{{{0}}}")
-vect = _mark("vect", "vect({0})", r"\mathrm{{vect}}({0})")
-rate = _mark("rate", "{0}'", r"\dot{{{0}}}")
-cross = _mark("cross", "{0} x {1}", r"{0} \times {1}")
-dyad = _mark("dyad", "{0}(x){1}", r"{0} \otimes {1}")
-sandwich = _mark("sandwich", "Delta({0})", r"\Delta({0})")
-first_order = _mark("first_order", "compose_1({0}, {1})", r"\mathrm{{compose}}_1({0}, {1})")
-second_order = _mark("second_order", "compose_2({0}, {1})", r"\mathrm{{compose}}_2({0}, {1})")
-real, dual = _mark("real", "Re({0})", r"\mathrm{{Re}}({0})"), _mark("dual", "Du({0})", r"\mathrm{{Du}}({0})")
-exponential = _mark("exponential", "exp({0})", r"\exp({0})")
-det = _mark("det", "det({0})", r"\det {0}", Scalar)
-norm2 = _mark("norm2", "|{0}|^2", r"|{0}|^2", Scalar)
-below = _mark("below", "denominator of {0}", r"\mathrm{{den}}({0})", Scalar)
-dot = _mark("dot", "{0}.{1}", r"{0} \cdot {1}", Scalar)
-prime = _mark("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", Scalar)
+transpose = _operator("transpose", "{0}^T", "{{{0}}}^T")
+conjugate = _operator("conjugate", "conj({0})", "{{{0}}}^*")
+skew = _operator("skew", "skew({0})", r"\tilde{{{0}}}")
+vect = _operator("vect", "vect({0})", r"\mathrm{{vect}}({0})")
+rate = _operator("rate", "{0}'", r"\dot{{{0}}}")
+cross = _operator("cross", "{0} x {1}", r"{0} \times {1}")
+dyad = _operator("dyad", "{0}(x){1}", r"{0} \otimes {1}")
+sandwich = _operator("sandwich", "Delta({0})", r"\Delta({0})")
+first_order = _operator("first_order", "compose_1({0}, {1})", r"\mathrm{{compose}}_1({0}, {1})")
+second_order = _operator("second_order", "compose_2({0}, {1})", r"\mathrm{{compose}}_2({0}, {1})")
+real, dual = _operator("real", "Re({0})", r"\mathrm{{Re}}({0})"), _operator("dual", "Du({0})", r"\mathrm{{Du}}({0})")
+exponential = _operator("exponential", "exp({0})", r"\exp({0})")
+det = _operator("det", "det({0})", r"\det {0}", Scalar)
+norm2 = _operator("norm2", "|{0}|^2", r"|{0}|^2", Scalar)
+below = _operator("below", "denominator of {0}", r"\mathrm{{den}}({0})", Scalar)
+dot = _operator("dot", "{0}.{1}", r"{0} \cdot {1}", Scalar)
+prime = _operator("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", Scalar)
 
 
 class Shifted(sympy.Function):  # type: ignore[misc]
-    """``Shifted(u, n, n + 1)``: a term of a sequence, or a function, with another value of its index or variable."""
+    """Term of a sequence, or function, at another value of its index or variable: ``Shifted(u, n, n + 1)``."""
 
     def _eval_is_commutative(self) -> bool:
         return bool(self.args[0].is_commutative)
@@ -155,10 +155,10 @@ class _Text(StrPrinter):  # type: ignore[misc]
 
 
 class _Typeset(LatexPrinter):  # type: ignore[misc]
-    """LaTeX with one fraction bar for all negative exponents, the project's letters, ascending powers."""
+    """LaTeX with one fraction bar for all negative exponents, the project's symbols, ascending powers."""
 
     def _print_Symbol(self, expr: sympy.Symbol, style: str = "plain") -> str:
-        if "." in expr.name:  # a name of the code
+        if "." in expr.name:  # a name in the code
             return rf"\mathtt{{{expr.name.replace('_', chr(92) + '_')}}}"
         return str(TYPESET.get(expr) or super()._print_Symbol(expr, style))
 
@@ -170,10 +170,10 @@ class _Typeset(LatexPrinter):  # type: ignore[misc]
 
 
 def text(expression: sympy.Expr) -> str:
-    """The expression as plain text."""
+    """Return an expression as plain text."""
     return str(_Text({"order": "rev-lex"}).doprint(expression))
 
 
 def latex(expression: sympy.Expr) -> str:
-    """The expression as LaTeX, without delimiters."""
+    """Return an expression as LaTeX, without delimiters."""
     return str(_Typeset({"order": "rev-lex"}).doprint(expression))

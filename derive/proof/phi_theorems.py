@@ -1,12 +1,12 @@
-r"""Theorems on every parameterization v = φ(α) u: φ and its derivatives are letters, as are sine and cosine of α/2.
+r"""Theorems on every parameterization v = φ(α) u. Symbols are φ, its derivatives, and sine and cosine of α/2.
 
 .. math::
     \hat q = \cos\tfrac\alpha2 + \frac{\sin\frac\alpha2}{\varphi}\,v \qquad
     T = \frac{\sin\alpha}{\varphi} I + \frac{1 - \cos\alpha}{\varphi^2} \tilde v
         + \frac{1/\varphi' - \sin\alpha/\varphi}{\varphi^2}\,v \otimes v
 
-Nothing is known of φ but that φ′ is its derivative, φ″ that of φ′, and so on; and of sine and cosine but what their
-derivatives are and that ``sin² + cos² = 1``. So every family is an instance.
+The premises on φ are only that φ′ is its derivative, φ″ that of φ′, and so on. Those on sine and cosine are their
+derivatives and ``sin² + cos² = 1``. So every family is an instance.
 """
 
 from __future__ import annotations
@@ -16,29 +16,9 @@ from functools import cache
 import sympy
 
 from .identity import Proof
-from .marks import (
-    I,
-    R,
-    conjugate,
-    det,
-    dot,
-    dyad,
-    omega,
-    omega_body,
-    point,
-    prime,
-    q_hat,
-    rate,
-    skew,
-    structure,
-    transpose,
-    v,
-    v_dot,
-    vect,
-    x,
-)  # fmt: skip
 from .methods import Identity
-from .setting import Letters
+from .notation import *
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -65,7 +45,7 @@ OF_ANGLE = (
     definition(prime(sine), cosine / (2 * TURN)),
     definition(prime(cosine), -sine / (2 * TURN)),
 )
-"""Slopes by x, of which α is a function with slope 1/(dx/dα)."""
+"""Derivatives by x; that of α is 1/(dx/dα)."""
 OF_PHI = definition(prime(phi_1), phi_2 / TURN), definition(prime(phi_2), phi_3 / TURN)
 
 MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)))
@@ -86,7 +66,7 @@ INVERSE = definition(
     T_inv, fi / 2 * I - skew(v) / 2 + hi / 2 * dyad(v, v), wrong=fi * I - skew(v) / 2 + hi / 2 * dyad(v, v)
 )
 
-LETTERS = (cosine, sine, x, *PHI)
+SYMBOLS = (cosine, sine, x, *PHI)
 
 
 def _theorem(
@@ -97,7 +77,7 @@ def _theorem(
     free: tuple[sympy.Symbol, ...] = (sine, phi, phi_1),
 ) -> Theorem:
     used = (*premises, *SQUARES) if vectors else (*premises, SQUARES[0], SQUARES[2])
-    return Theorem(name, claim, used, Identity(Letters(LETTERS, vectors, free)), SCOPE)
+    return Theorem(name, claim, used, Identity(Symbols(SYMBOLS, vectors, free)), SCOPE)
 
 
 def _of_maps() -> tuple[Theorem, ...]:
@@ -197,7 +177,7 @@ ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
 
 @cache
 def any_phi() -> tuple[Proof, ...]:
-    """Prove what holds for every φ; decided once per process."""
+    """Return the proofs for every φ, decided once per process."""
     known: dict[str, Proof] = {}
     for theorem in ANY_PHI:
         known[theorem.name] = theorem.decide(known)

@@ -1,4 +1,4 @@
-"""``dualcay generate --name``: what a package holds, or another chart is called, names no chart of one's own."""
+"""``dualcay generate --name``: a user's chart may not take a name of a package or of another chart."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
         *((name, "is the name of the chart of phi = ") for name in CHARTS),
     ],
 )
-def test_taken_names_are_refused(tmp_path: Path, name: str, reason: str) -> None:
+def test_reserved_names_are_refused(tmp_path: Path, name: str, reason: str) -> None:
     done = dualcay("generate", "--name", name, "--phi", "sin(alpha/3)", "-o", str(tmp_path / "kernels"))
     assert done.returncode == 2
     assert "--name" in done.stderr
@@ -39,12 +39,12 @@ def test_taken_names_are_refused(tmp_path: Path, name: str, reason: str) -> None
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_no_shared_file_can_be_overwritten(target: str) -> None:
+def test_names_of_shared_files_are_reserved(target: str) -> None:
     stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
     assert stems <= catalogue.reserved_names()
 
 
-def test_no_header_that_texts_include_can_be_hidden() -> None:
+def test_names_of_included_headers_are_reserved() -> None:
     texts = [path.read_text(encoding="utf-8") for path in (ROOT / "templates").rglob("*.h.j2")]
     included = {name for text in texts for name in re.findall(r"#include <(\w+)\.h>", text)}
     assert {"math", "Python"} <= included
@@ -55,28 +55,28 @@ def test_no_header_that_texts_include_can_be_hidden() -> None:
     ("name", "phi"),
     [("sine7", "sin(alpha/14)"), ("cayley7", "tan(alpha/14)"), ("sine6", "sin(alpha/6)"), ("cayley07", "alpha/2")],
 )
-def test_a_chart_may_bear_its_own_name(name: str, phi: str) -> None:
+def test_chart_may_have_its_own_name(name: str, phi: str) -> None:
     assert [chart.name for chart in catalogue.charts((), (), phi, name)] == [name]
 
 
-def test_the_library_refuses_them_too(tmp_path: Path) -> None:
+def test_library_refuses_reserved_names(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="leading underscore"):
         generate(phi="alpha/2", name="_native", output=tmp_path)
 
 
-def test_a_slope_of_0_is_named_as_such(tmp_path: Path) -> None:
+def test_slope_of_0_is_refused(tmp_path: Path) -> None:
     done = dualcay("generate", "--phi", "0*alpha", "--name", "mine", "-o", str(tmp_path / "kernels"))
     assert done.returncode == 2
     assert "phi'(0) = 0.0, and has to be positive" in done.stderr
 
 
-def test_what_is_shown_twice_is_shown_once() -> None:
+def test_repeated_name_is_shown_once() -> None:
     once, twice = (dualcay("show", "-n", "3", "--what", what).stdout for what in ("q,p", "q,p,q"))
     assert twice == once
     assert once.index("q_3") < once.index("p_3")
 
 
-def test_progress_of_a_check_counts_what_the_folder_holds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_of_a_check_counts_the_modules_in_the_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     generate([1], output=tmp_path)
     totals: list[int] = []
     steps: list[str] = []
