@@ -63,7 +63,7 @@ EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name !=
 
 
 @pytest.mark.parametrize(("name", "left"), EDGES)
-def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left: float):
+def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
     """Each chart at two distances.
 
     Where φ′ = 0, x says little of the angle there, and T is all but singular. At a pole it is the angle, as it is
@@ -76,7 +76,7 @@ def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left
         assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
 
 
-def test_translations_are_no_special_case(name: str, kernels: ModuleType):
+def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):
     """At Re v = 0 the pose is a translation by v°/φ′(0)."""
     v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
     slope = families.slope_of(name)
@@ -122,7 +122,7 @@ def test_wiener_milenkovic_is_scaled2():
     np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
 
 
-def test_the_exponential_has_a_vector_for_every_turn():
+def test_exponential_has_a_branch_for_every_turn():
     """α + 2πk, to 8 eps of the larger angle; at the identity there is no axis to turn about."""
     from dualcay import exponential
 
@@ -141,7 +141,7 @@ def test_the_exponential_has_a_vector_for_every_turn():
 
 
 @pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
-def test_the_exponential_goes_round_many_times(turns: float):
+def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
     """The rotation against SciPy's, to 8 eps of the angle."""
     from scipy.spatial.transform import Rotation
 
@@ -153,7 +153,7 @@ def test_the_exponential_goes_round_many_times(turns: float):
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
-def test_however_large_the_angle_a_rotation_is_one(dtype: type):
+def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
     """R Rᵀ = I to 16 eps of the type, where α itself is off by many turns."""
     from dualcay import exponential
 
@@ -166,7 +166,7 @@ def test_however_large_the_angle_a_rotation_is_one(dtype: type):
 
 
 @pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
-def test_slopes_next_to_half_a_turn(left: float):
+def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
     """Complex steps of the rotation, where tan(α/2) has a pole: dR = ω × R, to 64 eps of ω."""
     from dualcay import exponential
 
@@ -176,7 +176,7 @@ def test_slopes_next_to_half_a_turn(left: float):
     np.testing.assert_allclose(dR, np.cross(omega, R.T).T, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
 
 
-def test_both_sides_of_the_hand_over_agree():
+def test_series_and_closed_form_agree_where_they_meet():
     """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
     from dualcay import exponential
 

@@ -106,7 +106,7 @@ def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
     np.testing.assert_allclose(columns, exact, rtol=0, atol=ROUNDING * 50)
 
 
-def test_whole_turns_added_are_none() -> None:
+def test_composition_of_two_half_turns_is_the_identity() -> None:
     """addMRP of two vectors of half a turn: σ = 0."""
     from dualcay.rotation import cayley2
 

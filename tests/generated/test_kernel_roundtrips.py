@@ -72,7 +72,7 @@ def test_branches_are_integers(kernel: ModuleType, order: int, route: str) -> No
 
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("regime", ["uniform", "pure rotation"])
-def test_results_are_first_order_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
+def test_inverse_maps_are_lipschitz_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
     """Inputs that are not quite unit or orthogonal are taken as they come."""
     v = samples(order, regime)
     given = ROUTES[route](kernel, v)

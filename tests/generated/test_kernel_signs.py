@@ -49,7 +49,7 @@ def branches(order: int) -> list[int]:
 @FINITE
 @AXIS
 @pytest.mark.parametrize("zero", [0.0, -0.0])
-def test_at_scalar_zero_the_given_vector_part_stands(order: int, axis: list[float], zero: float) -> None:
+def test_half_turn_keeps_the_given_vector_part(order: int, axis: list[float], zero: float) -> None:
     kernel, u = load(order), np.array(axis)
     m = np.cross([1.0, -2.0, 0.5], u)
     q = half_turn(u, 0.7, m)
@@ -144,7 +144,7 @@ def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shap
 
 
 @pytest.mark.parametrize("batch", [False, True])
-def test_branches_of_a_translation_take_it_as_their_axis(kernel: ModuleType, order: int, batch: bool) -> None:
+def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, order: int, batch: bool) -> None:
     """tan(kπ/n + ε |v°|) u with u = v°/|v°| through the origin."""
     v = np.array([0, 0, 0, 1.0, -2.0, 2.0])
     u = v[3:] / 3
@@ -214,7 +214,7 @@ def test_shadows_of_translations_form_the_group_too(order: int, shift: list[floa
                 np.testing.assert_allclose(kernel.shadow(middle, k), kernel.shadow(v, j + k), rtol=1e-14, atol=1e-14)
 
 
-def test_mixed_batches_do_not_disturb_each_other(kernel: ModuleType, order: int) -> None:
+def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -> None:
     """The branch not taken must not leak: identity, translation, half turn and general poses side by side."""
     regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
     v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
@@ -286,7 +286,7 @@ def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, b
 
 
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
-def test_a_tiny_scalar_is_half_a_turn_but_for_itself(kernel: ModuleType, order: int, size: float) -> None:
+def test_tiny_scalar_part_gives_half_a_turn(kernel: ModuleType, order: int, size: float) -> None:
     u = np.array([2.0, -1, 2]) / 3
     for sign in (1, -1):
         q = np.array([sign * size, *u, 0, 0, 0, 0])

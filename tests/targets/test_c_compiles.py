@@ -84,7 +84,7 @@ def test_headers_compile_without_a_warning(package, tmp_path, standard, real, or
     run(tool(name), *flags, "-c", source, "-o", tmp_path / "some.o")
 
 
-def test_nothing_is_left_of_the_macros_that_geometry_is_told_by(package, tmp_path):
+def test_internal_macros_are_undefined_at_the_end_of_headers(package, tmp_path):
     source = written(tmp_path, "all.c", INCLUDE_ALL)
     left = re.findall(r"^#define (DUALCAY_\w+)", run(tool("gcc"), "-E", "-dM", f"-I{package}", source), re.MULTILINE)
     assert "DUALCAY_CAYLEY16_ORDER" in left
@@ -145,7 +145,7 @@ def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real,
     assert f"cayley{order}, {real}: " in run(program)
 
 
-def test_a_write_beyond_a_result_is_seen(package, tmp_path):
+def test_sanitizer_sees_a_write_beyond_a_result(package, tmp_path):
     headers = shutil.copytree(package, tmp_path / "package")
     geometry = headers / "geometry.h"
     text = geometry.read_text(encoding="utf-8")
@@ -214,7 +214,7 @@ def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
     assert "largest difference" in run(tmp_path / "example" / "screw_motion")
 
 
-def test_the_example_generates_what_it_does_not_find(tmp_path):
+def test_example_generates_missing_headers(tmp_path):
     cmake = tool("cmake")
     options = (f"-DPython3_EXECUTABLE={sys.executable}", "-DDUALCAY_ORDERS=3")
     alone = "-DCMAKE_DISABLE_FIND_PACKAGE_dualcay=ON"
