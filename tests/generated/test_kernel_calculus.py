@@ -50,7 +50,7 @@ def test_relative_error_of_1e_12_fails_the_trial(kind: type[Trial]) -> None:
 
 
 def slightly_off(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Its results, a part in 1e12 too large, but for what is exactly 0 or 1."""
+    """Return a function whose results are 1e-12 too large; exact 0 and 1 are kept."""
 
     def off(array: np.ndarray) -> np.ndarray:
         return np.where(array % 1 == 0, array, array * (1 + 1e-12))

@@ -1,4 +1,4 @@
-"""What is no rotation is found where a caller asks for it, and quaternions may have their scalar last."""
+"""The ``check`` of inverse maps, and quaternions with the scalar last."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_check_names_the_first_invalid_element(name: str, axis: int) -> None:
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 @pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
 def test_check_tolerance_is_the_square_root_of_eps(name: str, dtype: Any) -> None:
-    """Of a scale 1 + s the square is off by 2 s and the determinant by 3 s; a pose is scaled but for its last row."""
+    """A scale 1 + s changes the square by 2 s and the determinant by 3 s; the last row of a pose is kept."""
     kernel, step = load(3), np.sqrt(np.finfo(dtype).eps)
     function = way_back(kernel, name)
     value = right(kernel, name, sampling.poses(3, "uniform", count=4)).astype(dtype)
@@ -143,7 +143,7 @@ def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shap
 
 
 def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
-    """It is a unit quaternion in the other order too, half a turn: no check can tell."""
+    """Read scalar first, it is a unit quaternion of half a turn, so no check can tell."""
     identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
     np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
     if order > 1:

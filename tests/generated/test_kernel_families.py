@@ -37,7 +37,7 @@ def angles(name: str, regime: int) -> tuple[float, float]:
 
 
 def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """Each in one regime of angles, another for the next function and the next family."""
+    """One regime of angles per function; the next function and the next family take the next regime."""
     oracle, start = families.oracle_of(name), FAMILIES.index(name)
     for place, function in enumerate(PUBLIC):
         regime = (start + place) % len(REGIMES)
@@ -87,7 +87,7 @@ def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleTy
 
 
 def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
-    """To 40 eps (errors.AGREE) times a condition below 100: 1e-12; and going round leads back."""
+    """Tolerance 1e-12: 40 eps times a condition below 100. Shadows of shadows lead back."""
     v = families.vectors(families.oracle_of(name), 0.3, 2.5)
     for branch in range(1, families.oracle_of(name).order):
         there = kernels.shadow(v, branch)
@@ -109,7 +109,7 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 
 
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
-    """For the exponential, which has none, at twice round."""
+    """The exponential has no singular angle; its list ends at two turns."""
     found = kernels.singular_angles()
     edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
     assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
@@ -177,7 +177,7 @@ def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
 
 
 def test_series_and_closed_form_agree_where_they_meet():
-    """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
+    """Tolerance: 8 eps and the truncation error of the series."""
     from dualcay import exponential
 
     limit = math.sqrt(6.0)

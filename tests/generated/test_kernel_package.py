@@ -1,4 +1,4 @@
-"""What the package of kernels is to a person: imported, listed, asked for what is missing, run."""
+"""The package of kernels in use: import, listing, missing modules, ``python -m dualcay``."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from tests.support.oracle import Oracle, oracle_of
 PRINTED = 1e-12
 """The numbers there have 13 digits and more after the point; the tests there allow 1e-10."""
 ROUNDING = 1e-15
-"""Of results of size 5 at most."""
+"""Rounding error of results of size 5 at most."""
 
 DEGREE = np.pi / 180
 ANGLES, OMEGA = np.array([30, -40, 15]) * DEGREE, np.array([0.2, 0.1, -0.5])

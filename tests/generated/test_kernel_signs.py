@@ -111,7 +111,7 @@ def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
 
 @AXIS
 def test_screws_of_half_turns(axis: list[float]) -> None:
-    """At the angle π the axis is the vector's own direction."""
+    """The axis of a half turn has the direction of the vector."""
     kernel, u = load(2), np.array(axis)
     angle, direction = kernel.to_screw(np.concatenate([u, np.zeros(3)]))
     np.testing.assert_allclose(angle, [np.pi, 0], rtol=4 * EPS)
@@ -180,7 +180,7 @@ AT_FULL_TURNS = [
 @pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)
 @pytest.mark.parametrize("dual", [[1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]])
 def test_full_turns_are_translations_along_the_axis(order: int, real: list[float], dual: list[float]) -> None:
-    """There the operator has rank one: ρ = 2n/(1 + x) (u·v°) u, whatever the rest of v° is."""
+    """The operator has rank one: ρ = 2n/(1 + x) (u·v°) u, for any rest of v°."""
     kernel = load(order)
     v = np.array([*real, *dual])
     x = v[:3] @ v[:3]
@@ -205,7 +205,7 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
 @pytest.mark.parametrize("order", [4, 8])
 @pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
 def test_shadows_of_translations_form_the_group_too(order: int, shift: list[float]) -> None:
-    """From |v| = 1, which is 2π or 6π at n = 4, on to every other branch: the side is that of the translation."""
+    """Start: |v| = 1, which is 2π or 6π at n = 4. Branches count to the side of the translation."""
     kernel, v = load(order), np.array([0, 0, 0, *shift])
     for j in (order // 4, -order // 4):
         middle = kernel.shadow(v, j)
@@ -263,7 +263,7 @@ def test_the_first_axis_of_a_half_turn_about_x(order: int) -> None:
 @pytest.mark.parametrize("batch", [False, True])
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
 def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, batch: bool) -> None:
-    """Of a vector whose square is nothing, turned or not: axis, angle, shadows, and the way there and back."""
+    """Vectors whose square underflows keep their axis, angle and shadows, with and without rotation."""
     re, du = np.array([2.0, -1, 2]) / 3, np.array([2.0, 2, -1])
     u = np.concatenate([re, du / 3])
     for v, expected, rotation in (

@@ -1,4 +1,4 @@
-"""One pose at a time: agreement with batches, and IEEE results without exception or warning at singular points."""
+"""Single poses: agreement with batches; IEEE results without exception or warning at singular points."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ def rotations(package):
 
 
 def assert_taken(function, values, convert):
-    """Whichever of the arguments are of the library, the results are, and the same as where all of them are NumPy's."""
+    """Require that results are of the library whenever an argument is, and equal those for NumPy arguments."""
     expected, kind = several(function(*values)), type(convert(V))
     for chosen in product([True, False], repeat=len(values)):
         if any(chosen):
@@ -166,7 +166,7 @@ def test_a_constant_first_argument_in_compiled_functions(module, jax, name):
 
 
 def test_gradients_by_the_second_argument(module, jax):
-    """Of the sum of a twist the column sums of the tangent operator, of that of a composition those of its Jacobian."""
+    """Gradients of sums are the column sums of the tangent operator and of the Jacobian of a composition."""
     kernel = load(3)
 
     def slope(function):

@@ -117,7 +117,7 @@ def test_rational_maps_build_without_any_library(package, tmp_path):
 
 
 def test_device_qualifiers_stand_before_every_function(package, tmp_path):
-    """What a CUDA compiler reads, with its keywords spelt as macros: host and device, and no loop pragma."""
+    """Preprocess as a CUDA compiler does: every function is for host and device, and no loop pragma is left."""
     source = written(tmp_path, "device.cpp", INCLUDE_ALL)
     keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
     text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
@@ -170,7 +170,7 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
     [(3, POSES, 3, ()), (8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
-    """All that call neither tan nor atan2, or all where libmvec has them; the loops over turns are among them."""
+    """Loops without tan and atan2 are vectorised; with libmvec all loops are, those over turns included."""
     header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()
     begin = prefix(Cayley(order), table)
     uses = "".join(f"void *use_{name} = (void *){begin}_{name}_rows;\n" for name in table.public)

@@ -1,4 +1,4 @@
-"""What holds for every target: its text is made, and says what the formulas say."""
+"""Properties of every target: its text is printed and agrees with the formulas."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ OF_ROTATIONS = sorted(
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Where the package is installed; one build for all processes."""
+    """Return the folder where the package is installed; all processes share one build."""
     return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
 
 
@@ -93,7 +93,7 @@ def test_reimport_reuses_compiled_functions(native):
 
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
-    """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
+    """Agreement within rounding bounds: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
     machinery = TARGETS["numpy"].machinery
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
@@ -199,7 +199,7 @@ def test_singular_points_raise_no_floating_point_error(native):
 
 
 def test_other_threads_run_meanwhile(native):
-    """A thread that counts goes on counting while a long call runs: it holds no lock."""
+    """A counting thread goes on during a long call, which therefore holds no lock."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
 
@@ -226,7 +226,7 @@ print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().v
 
 
 def said(site: Path, **environment: str) -> tuple[str, str]:
-    """What a fresh process prints and warns of."""
+    """Return output and warnings of a fresh process."""
     paths = os.pathsep.join([str(site), str(ROOT.parent)])
     env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
     done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)

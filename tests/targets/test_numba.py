@@ -29,13 +29,13 @@ pytestmark = pytest.mark.thorough
 
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
-"""A function of each kind: loops over columns, which take seconds to compile, are printed as those over last axes."""
+"""One function of each kind, since loops over columns take seconds to compile."""
 REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 
 
 @pytest.fixture
 def inside(package):
-    """What makes a kernel a function for compiled code."""
+    """Return the function that makes a kernel callable from compiled code."""
     return importlib.import_module(package("numba")).compiled
 
 

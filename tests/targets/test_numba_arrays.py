@@ -19,7 +19,7 @@ from derive.output import files
 
 @pytest.fixture(scope="module")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Of the templates; nothing is compiled."""
+    """Return the run-time module of the templates; nothing is compiled."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numba"]))
     with loaded(folder) as package:
