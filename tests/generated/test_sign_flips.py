@@ -37,12 +37,15 @@ PROGRAMS = programs(_geometry) | programs(cayley3)
 
 
 def signs(program: ast.FunctionDef) -> list[int]:
-    """Return the places of + and − in the walk of a program, but for those that only select a side or NaN."""
+    """Return the places of + and − in the walk of a program.
+
+    Left out are those that only select a side or NaN, and the constants 0 and 1, which the order 3 does not use.
+    """
     selecting: list[ast.AST] = [
         node
         for node in ast.walk(program)
         if (isinstance(node, ast.Call) and ast.unparse(node.func) == "m.where")
-        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "either")
+        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ("either", "zero", "one"))
     ]
     apart = {id(node) for call in selecting for node in ast.walk(call)}
     return [
