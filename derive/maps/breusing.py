@@ -20,7 +20,8 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import branches, near_pole
+from . import near_pole
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import OrderChart, double_angle
@@ -122,7 +123,7 @@ class Breusing(OrderChart):
     def scalars(self, x: Coefficient, m: Arithmetic) -> BreusingScalars:
         return BreusingScalars(x, m)
 
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         square = m.name(f"square{mark}", cosine * cosine)
         inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
         slope = m.div((1 + square) / cosine * inverse, 2)

@@ -135,5 +135,5 @@ class Exponential(AngleChart):
     def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
         return r
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         return angle, 1, 0

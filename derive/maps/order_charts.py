@@ -15,8 +15,9 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import branches
+from .branches import Derivatives
 from .families import alpha
-from .gains import has_ladder
+from .gains import half_cosine, half_sine, has_ladder
 from .parameterized import QuaternionChart
 
 
@@ -24,7 +25,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2."""
 
     @abstractmethod
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ and its first two derivatives by θ, from sine and cosine of θ; a mark tells names apart."""
 
     @abstractmethod
@@ -42,15 +43,14 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         further = m.name("further", cosine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
-        r, slope, _ = self.sized(m.name("sin", side * sine), m.name("cos", side * further), m)
+        r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
         return m.name("r", r), m.name("slope", m.div(slope, 2 * self.order))
 
     # --- inverse map ------------------------------------------------------------------------------------------------
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """Return ``φ/sin(α/2)``, by half-angle formulas where n is a power of two."""
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+        negative, cosine = half_cosine(q, m, positive)
         sign = m.where(negative, -1, 1)
         found = self._by_halves if has_ladder(self.order) else self._by_angle
         above, below = found(q, cosine, size, m)
@@ -70,10 +70,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     def _by_angle(
         self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        square = m.name("ss", q.vector.dot(q.vector))
-        still = m.name("still", m.equal(square, 0))
-        # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
-        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        still, _, sine = half_sine(q, cosine, m)
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
         above, below = self.over_sine(m.name("costheta", cos), m)
@@ -89,14 +86,14 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         c, sigma = self.cosine(x, m)
         return 2 * self.order * m.atan2(r * sigma, c)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c, sigma = self.cosine(rr, m)
         s = m.name("s", r * sigma)
         further = m.name("further", c * cosine - s * sine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         sine_k, cosine_k = m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further)
-        return branches.by_length(self.sized(s, c, m), self.sized(sine_k, cosine_k, m, "k"), m)
+        return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))

@@ -19,7 +19,7 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import branches
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .evaluation import horner
 from .families import alpha
@@ -151,7 +151,7 @@ class Sine(OrderChart):
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
         return SineAtAngle(self, x, fi, m.abs(cosine), m)  # its sign changes every 2nπ
 
-    def sized(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> branches.Derivatives:
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -997,7 +997,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
             Defined for every v.
 
         Examples
@@ -1016,7 +1016,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1098,7 +1098,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the space frame: angular part (rad/s²), then linear part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1153,7 +1153,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body at the space origin.
+            Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1323,7 +1323,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
             Defined for every v.
 
         Examples
@@ -1342,7 +1342,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1424,7 +1424,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         omega_dot : array, shape (..., 6)
             Time derivative of the twist in the body frame: angular part (rad/s²), then linear part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1479,7 +1479,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
-            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body at the body origin.
+            Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 

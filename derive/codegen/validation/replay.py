@@ -212,9 +212,11 @@ class Caller:
         """Call a function on the cases at an index and compare the results with the formula; return them."""
         dtype = dtype or self.library.dtypes[0]
         results = self._run(group, group.given(index, dtype, axis), axis, **named)
-        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
-        if any((p.shape[-1], p.dtype) != (kind.size, dtype) for p, kind in zip(parts, group.row.results, strict=True)):
+        kinds = [kind.shape for kind in group.row.results]
+        shapes = [kind + index.shape if axis == 0 else index.shape + kind for kind in kinds]
+        if [(got.shape, got.dtype) for got in results] != [(shape, dtype) for shape in shapes]:
             raise self._failure(group, f"results of {dtype} are {[(got.dtype, got.shape) for got in results]}")
+        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
         found, wanted = np.concatenate(parts, axis=-1), group.results[index]
         with np.errstate(all="ignore"):
             size = np.max(abs(wanted), axis=-1, keepdims=True)

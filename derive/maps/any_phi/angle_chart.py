@@ -17,11 +17,12 @@ from ...algebra.arithmetic import Arithmetic
 from .. import branches
 from ..branches import Derivatives
 from ..families import alpha
+from ..gains import half_cosine, half_sine
 from ..parameterized import QuaternionChart
 from .lowering import number
 from .real_constants import times
 
-FURTHEST = 4 * sympy.pi
+SINGULAR_ANGLE_MAX = 4 * sympy.pi
 """Largest singular angle that is listed for a chart without an edge."""
 
 
@@ -39,7 +40,7 @@ class AngleChart(QuaternionChart):
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """Return whole turns, then the edge where there is one."""
         if self.edge.is_infinite:
-            return tuple(2 * sympy.pi * k for k in range(1, int(FURTHEST / (2 * sympy.pi)) + 1))
+            return tuple(2 * sympy.pi * k for k in range(1, int(SINGULAR_ANGLE_MAX / (2 * sympy.pi)) + 1))
         turns = int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
         return (*(2 * sympy.pi * k for k in range(1, turns + 1)), self.edge)
 
@@ -48,22 +49,18 @@ class AngleChart(QuaternionChart):
         """Return α of a length r, from the scalars at ``r²``."""
 
     @abstractmethod
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′ and φ″ of an angle, NaN beyond the edge; a mark tells names apart."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        r, slope, _ = self.sized(angle, m)
+        r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """Return ``φ/sin(α/2)``; α follows from sine and cosine of its half."""
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
-        square = m.name("ss", q.vector.dot(q.vector))
-        still = m.name("still", m.equal(square, 0))
-        # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
-        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
-        r, _, _ = self.sized(m.name("angle", 2 * m.atan2(sine, cosine)), m)
+        negative, cosine = half_cosine(q, m, positive)
+        still, _, sine = half_sine(q, cosine, m)
+        r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
         at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
         gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
         return m.name("gain", m.where(negative, -1, 1) * gain)
@@ -77,7 +74,8 @@ class AngleChart(QuaternionChart):
         _, further = turn
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))
-        return branches.by_length(self.sized(angle, m), self.sized(m.name("alphak", angle + further), m, "k"), m)
+        after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
+        return branches.by_length(self.phi_derivatives(angle, m), after, m)
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic

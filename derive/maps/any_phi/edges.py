@@ -16,9 +16,10 @@ from .elementary import evaluate
 from .grammar import PhiError
 
 DIGITS = 60
-FURTHEST = 4
+"""Working digits of numerical decisions."""
+EDGE_MAX = 4
 """Largest edge, in units of π: charts without an edge end there."""
-GRID = 2000
+GRID_POINTS = 2000
 
 
 @dataclass(frozen=True)
@@ -39,14 +40,14 @@ def edge_of(phi: sympy.Expr) -> Edge:
     """
     slope = phi.diff(alpha)
     with mpmath.workdps(DIGITS):
-        step = FURTHEST * mpmath.pi / GRID
+        step = EDGE_MAX * mpmath.pi / GRID_POINTS
         try:
             before = real_value(slope, mpmath.mpf(0), phi)
         except ZeroDivisionError:
             raise PhiError(f"phi = {phi} divides by zero at alpha = 0") from None
         if not before > 0:
             raise PhiError(f"phi'(0) = {mpmath.nstr(before, 5)}, and has to be positive")
-        for k in range(1, GRID + 1):
+        for k in range(1, GRID_POINTS + 1):
             try:
                 now, size = real_value(slope, k * step, phi), real_value(phi, k * step, phi)
             except (PhiError, ZeroDivisionError):
@@ -55,7 +56,7 @@ def edge_of(phi: sympy.Expr) -> Edge:
                 jumped = now > 10 * before or size <= 0
                 return _pole(phi, (k - 1) * step, k * step) if jumped else _fold(phi, slope, (k - 1) * step, k * step)
             before = now
-    return Edge(FURTHEST * sympy.pi, "cut")
+    return Edge(EDGE_MAX * sympy.pi, "cut")
 
 
 def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:

@@ -18,7 +18,7 @@ FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"
 
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
 
-EXPRESSIONS = 256
+EXPRESSIONS_MAX = 256
 """Limit of cached expressions: reading a tree takes longer than computing its value."""
 
 Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficient]
@@ -47,7 +47,7 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     return known[-1]
 
 
-@lru_cache(maxsize=EXPRESSIONS)
+@lru_cache(maxsize=EXPRESSIONS_MAX)
 def _steps(expression: sympy.Expr, symbol: sympy.Symbol) -> Sequence[Step]:
     reader = _Reader(symbol)
     reader.place(expression)

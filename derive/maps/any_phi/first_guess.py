@@ -20,12 +20,12 @@ from .grammar import PhiError
 from .lowering import Lowering
 from .real_constants import Polynomial, plus, polynomial, times
 
-FIT = 12
+GUESS_DEGREE = 12
 """Degree of a fitted polynomial."""
-GUARDED = (4, 8, 16, 32)
+GUARDED_STEPS = (4, 8, 16, 32)
 """Numbers of guarded steps, tried in this order."""
-CONVERGED = mpmath.mpf(10) ** -30
-MOST_STEPS = 7
+TOLERANCE = mpmath.mpf(10) ** -30
+STEPS_MAX = 7
 
 
 def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
@@ -211,7 +211,7 @@ def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Gues
         variables = (Fold(size),) if edge.kind == "fold" else (Pole(_square(phi, end / 2)),)
     fitted = [_fitted(phi, edge, variable, first, end) for variable in variables]
     yield from fitted
-    yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED)
+    yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED_STEPS)
 
 
 def _asinh(r: sympy.Expr) -> sympy.Expr:
@@ -225,7 +225,7 @@ def _atanh(r: sympy.Expr) -> sympy.Expr:
 def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: Any) -> Fitted:
     ends = [_value(variable, _square(phi, first)), 0 if variable.from_edge else _value(variable, _square(phi, end))]
     low, high = sorted(map(mpmath.mpf, ends))
-    count = FIT + 1
+    count = GUESS_DEGREE + 1
     shares = [(1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / count)) / 2 for k in range(count)]
     nodes = [low + (high - low) * share for share in shares]
     angles = [angle_of(phi, edge.angle, mpmath.sqrt(variable.back(z))) for z in nodes]
@@ -260,13 +260,13 @@ def _steps(phi: sympy.Expr, edge: Edge, start: Guess, first: Any) -> int:
         exact = first + (end - first) * share
         at, r = start.at(_square(phi, exact)), real_value(phi, exact, phi)
         left = exact if edge.kind == "cut" else end - exact
-        for step in range(MOST_STEPS + 1):
-            if abs(at - exact) <= CONVERGED * left:
+        for step in range(STEPS_MAX + 1):
+            if abs(at - exact) <= TOLERANCE * left:
                 most = max(most, step)
                 break
             if not 0 < at < (2 * end if edge.kind == "cut" else end):
                 raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)}: a guess fails")
             at = at - (real_value(phi, at, phi) - r) / real_value(slope, at, phi)
         else:
-            raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)} in {MOST_STEPS} steps")
+            raise PhiError(f"phi = {phi} is not inverted near alpha = {mpmath.nstr(exact, 5)} in {STEPS_MAX} steps")
     return most

@@ -25,13 +25,13 @@ from .grammar import PhiError
 from .intervals import is_analytic, smallest
 from .real_constants import Polynomial, polynomial
 
-NEAR = mpmath.mpf("1.3")
+NEAR_ANGLE = mpmath.mpf("1.3")
 """Angle up to which a(x) is interpolated; a fifth of the edge, if that is less."""
 RADII = [mpmath.mpf(k) / 2 for k in range(16, 2, -1)] + [mpmath.mpf(k) / 16 for k in range(22, 2, -2)]
-SHARES = (1, 2, 4, 8, 16)
+NEAR_DIVISORS = (1, 2, 4, 8, 16)
 """Divisors of that angle, tried in this order until a bound of the error is proved."""
-GOAL = mpmath.mpf(10) ** -21
-SIZES = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
+ERROR_MAX = mpmath.mpf(10) ** -21
+LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
 """Least and largest limit of x: fractions of small integers."""
 DEGREES = range(8, 40)
 DERIVATIVES = 3
@@ -57,9 +57,9 @@ def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
     PhiError
         If no circle proves that a is analytic.
     """
-    for share in SHARES:
+    for share in NEAR_DIVISORS:
         try:
-            return _ratio(phi, edge, NEAR / share)
+            return _ratio(phi, edge, NEAR_ANGLE / share)
         except PhiError as error:
             refused = error
     raise refused
@@ -73,7 +73,7 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
         bound, within = _circle(phi, X)
         half_sum = (within - X / 2) / (X / 4)  # ρ + 1/ρ of the ellipse whose half axis reaches from X/2 to m
         rho = half_sum / 2 + mpmath.sqrt(half_sum**2 / 4 - 1)
-        degree = next((n for n in DEGREES if _missed(bound * slope, rho, n) < GOAL), None)
+        degree = next((n for n in DEGREES if _error_bound(bound * slope, rho, n) < ERROR_MAX), None)
         if degree is None:
             raise PhiError(f"phi = {phi} would need a polynomial of degree above {DEGREES[-1]} near 0")
         coefficients = _interpolated(phi, edge, X, degree)
@@ -83,19 +83,19 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
             found.append(polynomial([c * mpmath.mpf(2) ** (scale * k) for k, c in enumerate(coefficients)], scale))
             coefficients = [k * c for k, c in enumerate(coefficients)][1:]
         rounding = max(split.rounding * X**count for count, split in enumerate(found)) * slope
-        return Ratio(tuple(found), limit, float(_missed(bound * slope, rho, degree) + rounding))
+        return Ratio(tuple(found), limit, float(_error_bound(bound * slope, rho, degree) + rounding))
 
 
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
     """Return a limit of x rounded down to a fraction of small integers."""
-    if not SIZES[0] < size < SIZES[1]:
+    if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
         raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
     denominator = max(64, 2 ** int(mpmath.ceil(mpmath.log(4 / size, 2))))
     return Fraction(int(size * denominator), denominator)
 
 
-def _missed(bound: Any, rho: Any, degree: int) -> Any:
+def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
     """Return a bound of the error of the polynomial and its three derivatives, by Cauchy's estimate on an ellipse."""
     found = []
     for share in range(1, 16):

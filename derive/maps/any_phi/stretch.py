@@ -21,7 +21,7 @@ from .elementary import evaluate
 POINTS = 400
 """Number of angles among which an extremum is searched."""
 
-ROUNDED = 10**6
+DECIMAL_UNITS = 10**6
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
 
 
 def _rounded(value: float) -> Fraction:
-    return Fraction(round(value * ROUNDED), ROUNDED)
+    return Fraction(round(value * DECIMAL_UNITS), DECIMAL_UNITS)
 
 
 def _decimal(value: Fraction) -> str:

@@ -39,12 +39,12 @@ PHI: dict[str, tuple[str, Share]] = {
 """By name: φ, and φ/α as a function of α²."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
-"""Angles; the last but two meets the hand-over. The oracle counts no turns."""
+"""Ranges of angles, below whole turns; one contains the limit between both ranges of the chart."""
 GATE = 8
 
 
 QUICK = ("steep", "bounded")
-"""What they are divided by is no series, which the oracle sums."""
+"""Charts whose oracle sums no series."""
 
 
 @pytest.fixture(
@@ -91,7 +91,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, r
 
 
 DIGITS = 350
-"""Of 1 + 1e-300."""
+"""Digits of 1 + 1e-300."""
 ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 
 
@@ -107,7 +107,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
     ],
     ids=str,
 )
-def test_functions_are_right_to_the_last_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
+def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
     """On floats, near 0 and on either side of it, in eps."""
     for a in arguments:
         got = Lowering(a, PLAIN).at(function)

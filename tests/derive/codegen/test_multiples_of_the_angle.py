@@ -1,4 +1,4 @@
-"""φ = c α, whose scalars are constants, and constant angles that are no whole multiple of π."""
+"""Multiples of the exponential chart, refusals of φ with a small edge, and constant angles in C."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from derive.proof import prove
 from dualcay import exponential
 
 
-def test_the_exponential_in_other_units_is_validated_and_agrees(tmp_path: Path) -> None:
+def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
     """An integer over an integer would be a float on 50 digits; squares of a(0) would overflow in single precision."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
     files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
@@ -55,7 +55,7 @@ def test_a_multiple_of_pi_is_the_same_number_in_c(share: Fraction) -> None:
     assert load(f"double f(double pi) {{ return {text}; }}").call("f", Fraction(22, 7)) == share * Fraction(22, 7)
 
 
-def test_a_choice_between_the_same_is_none() -> None:
+def test_selection_between_equal_values_is_removed() -> None:
     trace = Trace()
     (x,) = trace.inputs("x", ["x"])
     for same in (1, Fraction(2, 3), x):

@@ -59,7 +59,7 @@ SLIPS = {
     "component": (r"(?<=\bv)1\b", "2"),
     "comparison": (r" < ", " > "),
 }
-EQUIVALENT = re.compile(r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|# ')
+EQUIVALENT = re.compile(r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|# ')
 """Lines where a slip changes no result: numbers beside a zero, series next to their limits, compensation."""
 
 

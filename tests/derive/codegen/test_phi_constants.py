@@ -1,4 +1,4 @@
-"""φ with factors that are no small fractions: what is printed computes the formula to the digits it has."""
+"""φ with irrational constants: kernels compute the formula to full precision."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi:
             assert np.all(abs(single - double) < 200 * np.finfo(np.float32).eps), name
 
 
-def test_numbers_are_split_to_all_levels_whatever_the_precision_around() -> None:
+def test_all_levels_are_split_at_any_working_precision() -> None:
     with mpmath.workdps(60):
         third = mpmath.mpf(1) / 3
     assert mpmath.mp.prec < BITS * LEVELS

@@ -1,4 +1,4 @@
-"""Composition: homomorphisms, the closed forms of n = 1 and 2, the first displacement acting first."""
+"""Composition in closed form at n = 1 and 2, and the homomorphism from quaternions to tensors."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_closed_forms_are_exact_on_fractions(draw_exact) -> None:
         assert q(2, s) == q(2, v2) * q(2, v1)
 
 
-def test_where_the_closed_forms_have_no_result() -> None:
+def test_singular_compositions_raise() -> None:
     e = Vector.dual([Fraction(1), Fraction(0), Fraction(0)], [Fraction(0)] * 3)
     for closed_form in (compose_first_order, compose_second_order):
         with pytest.raises(ZeroDivisorError, match="zero divisor"):

@@ -28,7 +28,7 @@ from derive.proof import prove
         ("reduced_euler_rodrigues", 2 * sympy.sin(alpha / 2)),
     ],
 )
-def test_a_name_stands_for_its_phi(name: str, phi: sympy.Expr):
+def test_family_has_the_phi_of_its_name(name: str, phi: sympy.Expr):
     found = family(name)
     assert (found.name, found.phi, found.selection) == (name, phi, ("--family", name))
 
@@ -133,7 +133,7 @@ def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
     assert prove(chart).formulas is chart
 
 
-def test_rounding_of_the_cosine_leaves_the_quaternion_of_breusings_chart_a_unit():
+def test_breusing_quaternion_has_norm_one_for_any_rounding_of_the_cosine():
     """To 64 eps, where 2 c² − 1 and 2 √c³ would make of c its error times 8."""
     for x in (mpmath.mpf("1e-3"), mpmath.mpf(1)):
         at = family("breusing").scalars(x, PLAIN)

@@ -109,10 +109,8 @@ class Translator:
 
     def _type(self, node: c_ast.Node) -> str:
         """Return the type that a declaration spells; an array is a pointer to its first element."""
-        if isinstance(node, c_ast.Typename):
-            return self._type(node.type)
-        if isinstance(node, c_ast.PtrDecl | c_ast.ArrayDecl):
-            return f"{self._type(node.type)}*"
+        if isinstance(node, c_ast.Typename | c_ast.PtrDecl | c_ast.ArrayDecl):
+            return self._type(node.type) + "*" * (not isinstance(node, c_ast.Typename))
         names = tuple(getattr(node.type, "names", (type(node).__name__,)))
         if names not in self.types:
             raise refuse(node, f"the type {' '.join(names)} is not read here: the one real type is double")

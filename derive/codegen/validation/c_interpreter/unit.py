@@ -60,8 +60,8 @@ def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | Non
     for node in source.tree.ext:
         translator.external(node)
     names: dict[str, Any] = {f"f_{name}": function for name, (_, function) in LIBRARY.items()}
-    names |= {"CError": CError, "Fraction": Fraction, "Pointer": Pointer, "UNSET": UNSET, "remainder": _remainder}
-    names["called"] = called
+    names |= {"CError": CError, "Fraction": Fraction, "Pointer": Pointer, "UNSET": UNSET}
+    names |= {"remainder": _remainder, "called": called}
     exec(compile("\n".join(translator.lines), FILE, "exec", dont_inherit=True), names)
     defined = {name: names[f"f_{name}"] for name, function in translator.functions.items() if function.defined}
     return Unit(source, translator, defined, called)
