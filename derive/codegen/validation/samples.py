@@ -28,8 +28,8 @@ from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 SEED = 2011
 
 SMALL = 1e-21 / 7
-"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short fraction,
-or sums of them might be exact."""
+"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short
+fraction, or sums might be exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
 """Size of small components in charts that end at half a turn: the scalar part may not be smaller."""
