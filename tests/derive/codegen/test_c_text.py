@@ -13,8 +13,8 @@ from derive.codegen.rows import inside
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import c_text
+from derive.codegen.validation.batches import batches
 from derive.codegen.validation.c_interpreter import CError, load
-from derive.codegen.validation.samples import batches
 from derive.maps import Cayley
 from derive.output import files
 from tests.support.c_mutants import Excerpts, sample
