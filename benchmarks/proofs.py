@@ -43,7 +43,7 @@ build([Cayley(int(n)) for n in sys.argv[3:]], target, lambda line: marks.append(
 end = spent_now()
 spent = dict.fromkeys(("proving", "printing", "checking"), 0.0)
 for (t, line), (after, _) in zip(marks, [*marks[1:], (end, "")]):
-    spent[line.split(": ")[1]] += after - t
+    spent[line.split(": ")[1].replace("checked", "proving")] += after - t
 print(*spent.values(), end - start)
 """
 

@@ -82,41 +82,28 @@ class Operator:
 OPERATORS: dict[str, Operator] = {}
 
 
+Build = Callable[["Term", Any], "Term"]
+
+
+def _infix(name: str) -> tuple[Build, Build]:
+    """Return the methods of an infix operator, with the term on the left and on the right."""
+    return (lambda self, other: Apply(name, self, other)), (lambda self, other: Apply(name, other, self))
+
+
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     """Formula or part of one. Python's operators build larger ones and accept integers."""
 
-    def __add__(self, other: Any) -> Term:
-        return Apply("plus", self, other)
-
-    def __radd__(self, other: Any) -> Term:
-        return Apply("plus", other, self)
-
-    def __sub__(self, other: Any) -> Term:
-        return Apply("minus", self, other)
-
-    def __rsub__(self, other: Any) -> Term:
-        return Apply("minus", other, self)
+    def __call__(self, argument: Any) -> Term:
+        return Apply("at", self, argument)
 
     def __neg__(self) -> Term:
         return Apply("negative", self)
 
-    def __mul__(self, other: Any) -> Term:
-        return Apply("times", self, other)
-
-    def __rmul__(self, other: Any) -> Term:
-        return Apply("times", other, self)
-
-    def __truediv__(self, other: Any) -> Term:
-        return Apply("over", self, other)
-
-    def __rtruediv__(self, other: Any) -> Term:
-        return Apply("over", other, self)
-
-    def __pow__(self, other: Any) -> Term:
-        return Apply("power", self, other)
-
-    def __call__(self, argument: Any) -> Term:
-        return Apply("at", self, argument)
+    __add__, __radd__ = _infix("plus")
+    __sub__, __rsub__ = _infix("minus")
+    __mul__, __rmul__ = _infix("times")
+    __truediv__, __rtruediv__ = _infix("over")
+    __pow__, _ = _infix("power")
 
 
 class Number(Term):

@@ -74,12 +74,20 @@ class Map:
         return len(found)
 
 
+def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Apply a function to both values of an operand that is `Either`."""
+
+    def lifted(a: Any, b: Any) -> Any:
+        if isinstance(a, Either):
+            return a.map(lambda value: lifted(value, b))
+        return b.map(lambda value: lifted(a, value)) if isinstance(b, Either) else f(a, b)
+
+    return lifted
+
+
+@_of_either
 def add(a: Any, b: Any) -> Any:
     """Return the sum; a number plus a vector is a quaternion."""
-    if isinstance(a, Either):
-        return a.map(lambda value: add(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: add(a, value))
     return mixed.add(a, b)
 
 
@@ -88,23 +96,17 @@ def negative(a: Any) -> Any:
     return a.map(negative) if isinstance(a, Either) else -a
 
 
+@_of_either
 def multiply(a: Any, b: Any) -> Any:
     """Return the product of two factors printed side by side."""
-    if isinstance(a, Either):
-        return a.map(lambda value: multiply(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: multiply(a, value))
     if isinstance(a, Pose) and isinstance(b, Pose):
         return a @ b
     return mixed.multiply(a, b)
 
 
+@_of_either
 def divide(a: Any, b: Any) -> Any:
     """Return the quotient; a quaternion below a fraction bar is its inverse on the right."""
-    if isinstance(a, Either):
-        return a.map(lambda value: divide(value, b))
-    if isinstance(b, Either):
-        return b.map(lambda value: divide(a, value))
     if isinstance(b, int):
         b = Fraction(b)
     if not isinstance(b, Structure):

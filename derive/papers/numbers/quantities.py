@@ -78,21 +78,25 @@ class Quantity:
         return self.draw(draw)
 
 
+_ZERO = (0, 0, 0)
+
+
 def _angle(turns: float, du: Any | None = None) -> Make:
-    return lambda draw: draw.number(turns * 2 * mpmath.mpf(mpmath.pi), du)
+    return lambda d: d.number(turns * 2 * mpmath.mpf(mpmath.pi), du)
 
 
 def _turned(turns: float) -> Make:
-    return lambda draw: rotation(draw.quaternion(turns * mpmath.mpf(mpmath.pi)))
+    return lambda d: rotation(d.quaternion(turns * mpmath.mpf(mpmath.pi)))
 
 
-def _translation_quaternion(sign: int) -> Make:
-    return lambda draw: Quaternion(
-        Dual(mpmath.mpf(sign), mpmath.mpf(0)), draw.still((0, 0, 0), tuple(draw.signed() for _ in range(3)))
-    )
+def _beyond(d: Draw) -> Quaternion:
+    """Return a displacement beyond a half turn."""
+    return d.quaternion(d.real(1.7, 3.0))
 
 
-_ZERO = (0, 0, 0)
+def _translation(sign: int) -> Make:
+    return lambda d: Quaternion(Dual(mpmath.mpf(sign), mpmath.mpf(0)), d.still(_ZERO, tuple(d.signed() for _ in "123")))
+
 
 ORDER = Quantity("order")
 """Order n: those asked for, or all at once."""
@@ -104,151 +108,69 @@ SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
 """Sign ±, the same on both sides of an equation."""
 
 _REAL = (
-    Quantity(
-        "real",
-        lambda d: d.signed(),
-        {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()},
-        size=1, exact=lambda g, name: g.real(g.number(name)), apart=True,
-    ),
-    Quantity(
-        "real angle",
-        lambda d: d.real(0.3, 1.2),
-        {
-            "0": lambda d: mpmath.mpf(0),
-            "π/2": lambda d: mpmath.mpf(mpmath.pi) / 2,
-            "π": lambda d: mpmath.mpf(mpmath.pi),
-            "beyond π": lambda d: d.real(3.3, 6.1),
-            "2π": lambda d: 2 * mpmath.mpf(mpmath.pi),
-            "negative": lambda d: -d.real(),
-        },
-        size=1, exact=lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True,
-    ),
-    Quantity(
-        "smooth function",
-        lambda d: polynomial([d.signed() for _ in range(5)]),
-        {
-            "exponential": lambda d: exponential_series(),
-            "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a)),
-        },
-        size=4, exact=lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)]),
-    ),
-    Quantity(
-        "real vector",
-        lambda d: Vector(d.signed(), d.signed(), d.signed()),
-        {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))},
-        size=3, exact=lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True,
-    ),
-    Quantity(
-        "rotation",
-        lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
-        {
-            "identity": lambda d: Tensor.identity(),
-            "half turn": lambda d: _turned(0.5)(d).re,
-            "beyond a half turn": lambda d: rotation(d.quaternion(d.real(1.7, 3.0))).re,
-        },
-        size=3, exact=lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN,
-    ),
-    Quantity("real tensor", apart=True),
-    Quantity("real quaternion", apart=True),
+    Quantity("real", lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}, 1,
+             lambda g, name: g.real(g.number(name)), apart=True),
+    Quantity("real angle", lambda d: d.real(0.3, 1.2),
+             {"0": lambda d: mpmath.mpf(0), "π/2": lambda d: mpmath.mpf(mpmath.pi) / 2,
+              "π": lambda d: mpmath.mpf(mpmath.pi), "beyond π": lambda d: d.real(3.3, 6.1),
+              "2π": lambda d: 2 * mpmath.mpf(mpmath.pi), "negative": lambda d: -d.real()}, 1,
+             lambda g, name: g.real(g.angle(name)), Role.ANGLE, apart=True),
+    Quantity("smooth function", lambda d: polynomial([d.signed() for _ in range(5)]),
+             {"exponential": lambda d: exponential_series(),
+              "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a))}, 4,
+             lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
+    Quantity("real vector", lambda d: Vector(d.signed(), d.signed(), d.signed()),
+             {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))}, 3,
+             lambda g, name: g.vector(name).map(g.real), Role.VECTOR, apart=True),
+    Quantity("rotation", lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
+             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: _turned(0.5)(d).re,
+              "beyond a half turn": lambda d: rotation(_beyond(d)).re}, 3,
+             lambda g, name: rotation(g.turn(name)).map(g.real), Role.TURN),
+    Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True),
 )
 
 _NUMBERS = (
-    Quantity(
-        "dual number",
-        lambda d: d.number(d.signed()),
-        {
-            "real part 0": lambda d: d.number(0),
-            "0": lambda d: d.number(0, 0),
-            "negative": lambda d: d.number(-d.real()),
-            "real": lambda d: d.number(d.real(), 0),
-        },
-        size=1, exact=lambda g, name: g.number(name),
-    ),
-    Quantity(
-        "argument",
-        lambda d: d.number(d.signed()),
-        {"real part 0": lambda d: d.number(0), "negative": lambda d: d.number(-d.real())},
-        size=1, exact=lambda g, name: g.argument(name),
-    ),
-    Quantity(
-        "scale",
-        lambda d: d.number(d.real(0.5, 2.0)),
-        {"negative": lambda d: d.number(-d.real(0.5, 2.0))},
-        size=1, exact=lambda g, name: g.scale(name),
-    ),
-    Quantity(
-        "angle",
-        lambda d: d.number(d.real(0.3, 2.8)),
-        {
-            "0": _angle(0, 0),
-            "real part 0": _angle(0),
-            "real part π": _angle(0.5),
-            "real part 2π": _angle(1),
-            "real part 3π": _angle(1.5),
-            "real part 4π": _angle(2),
-            "beyond a half turn": lambda d: d.number(d.real(3.3, 6.1)),
-            "negative": lambda d: d.number(-d.real(0.3, 2.8)),
-        },
-        size=1, exact=lambda g, name: g.angle(name), role=Role.ANGLE,
-    ),
+    Quantity("dual number", lambda d: d.number(d.signed()),
+             {"real part 0": lambda d: d.number(0), "0": lambda d: d.number(0, 0),
+              "negative": lambda d: d.number(-d.real()), "real": lambda d: d.number(d.real(), 0)}, 1,
+             lambda g, name: g.number(name)),
+    Quantity("argument", lambda d: d.number(d.signed()),
+             {"real part 0": lambda d: d.number(0), "negative": lambda d: d.number(-d.real())}, 1,
+             lambda g, name: g.argument(name)),
+    Quantity("scale", lambda d: d.number(d.real(0.5, 2.0)), {"negative": lambda d: d.number(-d.real(0.5, 2.0))}, 1,
+             lambda g, name: g.scale(name)),
+    Quantity("angle", lambda d: d.number(d.real(0.3, 2.8)),
+             {"0": _angle(0, 0), "real part 0": _angle(0), "real part π": _angle(0.5), "real part 2π": _angle(1),
+              "real part 3π": _angle(1.5), "real part 4π": _angle(2),
+              "beyond a half turn": lambda d: d.number(d.real(3.3, 6.1)),
+              "negative": lambda d: d.number(-d.real(0.3, 2.8))}, 1,
+             lambda g, name: g.angle(name), Role.ANGLE),
 )
 
 _STRUCTURES = (
-    Quantity(
-        "dual vector",
-        lambda d: d.vector(),
-        {
-            "real part 0": lambda d: d.vector(re=_ZERO),
-            "0": lambda d: d.vector(_ZERO, _ZERO),
-            "real": lambda d: d.vector(du=(0, 0, 0)),
-        },
-        size=3, exact=lambda g, name: g.vector(name), role=Role.VECTOR,
-    ),
+    Quantity("dual vector", lambda d: d.vector(),
+             {"real part 0": lambda d: d.vector(re=_ZERO), "0": lambda d: d.vector(_ZERO, _ZERO),
+              "real": lambda d: d.vector(du=(0, 0, 0))}, 3, lambda g, name: g.vector(name), Role.VECTOR),
     Quantity("unit vector", lambda d: d.unit(), size=2, exact=lambda g, name: g.unit(name)),
-    Quantity(
-        "quaternion",
-        lambda d: Quaternion(d.number(d.signed()), d.vector()),
-        {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))},
-        size=4, exact=lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), role=Role.VECTOR,
-    ),
-    Quantity(
-        "unit quaternion",
-        lambda d: d.quaternion(d.real(0.3, 1.3)),
-        {
-            "1": _translation_quaternion(1),
-            "−1": _translation_quaternion(-1),
-            "half turn": lambda d: d.quaternion(mpmath.mpf(mpmath.pi) / 2),
-            "beyond a half turn": lambda d: d.quaternion(d.real(1.7, 3.0)),
-        },
-        size=3, exact=lambda g, name: g.turn(name), role=Role.TURN,
-    ),
-    Quantity(
-        "tensor",
-        lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
-        {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())},
-        size=9, exact=lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), role=Role.TENSOR,
-    ),
-    Quantity(
-        "orthogonal tensor",
-        lambda d: rotation(d.quaternion(d.real(0.3, 1.3))),
-        {
-            "translation": lambda d: rotation(_translation_quaternion(1)(d)),
-            "identity": lambda d: Tensor.identity().map(lambda c: Dual(mpmath.mpf(c), mpmath.mpf(0))),
-            "half turn": _turned(0.5),
-            "beyond a half turn": lambda d: rotation(d.quaternion(d.real(1.7, 3.0))),
-        },
-        size=3, exact=lambda g, name: rotation(g.turn(name)), role=Role.TURN,
-    ),
-    Quantity("line", apart=True),
-    Quantity("pose"),
+    Quantity("quaternion", lambda d: Quaternion(d.number(d.signed()), d.vector()),
+             {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))}, 4,
+             lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), Role.VECTOR),
+    Quantity("unit quaternion", lambda d: d.quaternion(d.real(0.3, 1.3)),
+             {"1": _translation(1), "−1": _translation(-1),
+              "half turn": lambda d: d.quaternion(mpmath.mpf(mpmath.pi) / 2), "beyond a half turn": _beyond}, 3,
+             lambda g, name: g.turn(name), Role.TURN),
+    Quantity("tensor", lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
+             {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())}, 9,
+             lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), Role.TENSOR),
+    Quantity("orthogonal tensor", lambda d: rotation(d.quaternion(d.real(0.3, 1.3))),
+             {"translation": lambda d: rotation(_translation(1)(d)),
+              "identity": lambda d: Tensor.identity().map(lambda c: Dual(mpmath.mpf(c), mpmath.mpf(0))),
+              "half turn": _turned(0.5), "beyond a half turn": lambda d: rotation(_beyond(d))}, 3,
+             lambda g, name: rotation(g.turn(name)), Role.TURN),
+    Quantity("line", apart=True), Quantity("pose"),
 )
 
-_DEFINED = (
-    Quantity("number"),
-    Quantity("function"),
-    Quantity("map"),
-    PROPOSITION,
-)
+_DEFINED = (Quantity("number"), Quantity("function"), Quantity("map"), PROPOSITION)
 """Quantities whose value only a definition gives; a number may be dual or not."""
 
 _CONSTANT = (

@@ -74,12 +74,12 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (GEOMETRY, "twist", r"gs = g \* side", "gs = g"),
         (GEOMETRY, "quaternion_of", r"Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
+        (GEOMETRY, "compose", r"f_2, g_2, v2", "g_2, f_2, v2"),
+        (GEOMETRY, "dual_product", r"A12 \* B21", "A12 * B12"),
         (GEOMETRY, "composed", r"p0 \* q0 - ", "p0 * q0 + "),
     ],
 )
-def test_wrong_sign_or_factor_fails_validation(
-    package, tmp_path: Path, file, function, pattern, replacement
-):
+def test_wrong_sign_or_factor_fails_validation(package, tmp_path: Path, file, function, pattern, replacement):
     order = int(file.removeprefix("cayley").removesuffix(".py")) if file != GEOMETRY else 3
     texts = dict(package.texts)
     texts[file] = flipped(texts[file], function, pattern, replacement)
