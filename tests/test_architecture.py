@@ -46,14 +46,14 @@ def test_imports_run_one_way():
     assert out_of_order(("derive", "codegen"), IN_CODEGEN) == []
 
 
-def test_an_import_the_other_way_is_found():
+def test_reversed_room_order_is_reported():
     for rooms in (ROOMS, IN_CODEGEN):
         base = ("derive",) if rooms is ROOMS else ("derive", "codegen")
         last = ("__main__",) if rooms is ROOMS else ()
         assert out_of_order(base, (*reversed(rooms), *last))
 
 
-def test_functions_are_looked_into():
+def test_imports_inside_functions_are_found():
     assert ("derive", "papers") in set(imported(ROOT / "derive" / "cli" / "commands.py"))
 
 

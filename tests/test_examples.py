@@ -63,7 +63,7 @@ def test_toolkit():
     assert examples.of_docstrings(found) == ""
 
 
-def test_a_wrong_example_and_a_missing_one_are_seen():
+def test_wrong_and_missing_examples_are_reported():
     def wrong() -> None:
         """Add.
 

@@ -32,7 +32,7 @@ def test_every_room_has_a_smoke_test():
     assert without_smoke([*rooms, *folders]) == []
 
 
-def test_a_room_without_one_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_room_without_smoke_test_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(globals(), "TESTS", tmp_path)
     for room, text in (("marked", "@pytest.mark.smoke\ndef test(): ..."), ("bare", "# no pytest.mark.smoke here")):
         (tmp_path / room).mkdir()

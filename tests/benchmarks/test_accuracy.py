@@ -30,7 +30,7 @@ def test_arguments_are_kept_to_the_last_bit(dtype: type, tmp_path: Path) -> None
     assert np.signbit(cases.decode(cases.encode(dtype(-0.0)), dtype))
 
 
-def test_a_case_gives_the_error_it_was_kept_for() -> None:
+def test_kept_case_reproduces_its_error() -> None:
     trial = Trial(load(3), 3, "below pi")
     for function in ("twist", "transform_point", "compose"):
         found = measure.measured(trial, function)
@@ -42,7 +42,7 @@ def test_a_case_gives_the_error_it_was_kept_for() -> None:
         assert max(again.errors) == pytest.approx(max(found.errors), rel=0.5)
 
 
-def test_cases_of_rotations_are_tried_as_such_and_compete_among_themselves(tmp_path: Path) -> None:
+def test_cases_of_rotations_are_kept_apart(tmp_path: Path) -> None:
     trial = rotations.RotationTrial(load(2, table="rotation"), 2, "shadow")
     found = measure.measured(trial, "twist_jacobian", "rotation")
     assert found is not None
@@ -103,7 +103,7 @@ def test_missed_gates_are_named() -> None:
 
 
 @pytest.mark.parametrize(("panel", "index"), [("small", 40), ("whole", 31), ("to pi", 20)])
-def test_our_curves_stay_within_their_gates(panel: str, index: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_accuracy_curves_stay_within_their_gates(panel: str, index: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(curves, "libraries", list)
     _, _, point = curves.point((panel, index))
     assert {name for _, name in point} == {*(f"n = {n}" for n in curves.ORDERS), "exponential"}
@@ -111,7 +111,7 @@ def test_our_curves_stay_within_their_gates(panel: str, index: int, monkeypatch:
     assert max(point.values()) > 0.01
 
 
-def test_a_map_that_does_not_turn_is_wrong_by_the_angle(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_error_of_a_constant_map_is_the_angle(monkeypatch: pytest.MonkeyPatch) -> None:
     still = curves.peers.Peer("still", lambda screws: np.stack([np.eye(4)] * len(screws)), np.copy)
     monkeypatch.setattr(curves, "exponentials", lambda: [still])
     monkeypatch.setattr(curves, "ORDERS", ())
@@ -121,7 +121,7 @@ def test_a_map_that_does_not_turn_is_wrong_by_the_angle(monkeypatch: pytest.Monk
     assert result.point["Q", "still"] * eps == pytest.approx(np.sqrt(2) * curves.WHOLE[0] / np.sqrt(3), rel=0.1)
 
 
-def test_where_the_exponential_is_behind_is_said() -> None:
+def test_page_names_where_the_exponential_is_less_accurate() -> None:
     """By 2 eps at least, and behind the best library there is."""
     count = len(curves.TO_PI)
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}

@@ -30,7 +30,7 @@ def test_the_cpu_path_prints_a_row_for_every_map_and_size():
     assert "cupy: runs on GPUs only" in done.stdout
 
 
-def test_without_a_gpu_every_library_says_so():
+def test_libraries_report_a_missing_gpu():
     done = run("--device", "gpu", "--poses", "1e2", "-n", "1")
     missing = [line for line in done.stdout.splitlines() if "sees no GPU" in line or "not installed" in line]
     assert (len(missing) == 4 and done.returncode == 3) or "PyTorch" in done.stdout or "JAX" in done.stdout

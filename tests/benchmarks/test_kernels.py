@@ -32,7 +32,7 @@ def flat(result: Any) -> np.ndarray:
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
-def test_derivatives_by_sympy_and_by_complex_steps_are_ours(function: str) -> None:
+def test_derivatives_agree_with_sympy_and_complex_steps(function: str) -> None:
     arguments = given(function)
     ours = flat(getattr(load(ORDER), function)(*arguments))
     found = peers.lambdified(ORDER, function)(*(row for a in arguments for row in a.T))
@@ -44,7 +44,7 @@ def test_derivatives_by_sympy_and_by_complex_steps_are_ours(function: str) -> No
         np.testing.assert_allclose(steps(*(a[0] for a in arguments)).ravel(), ours[0], **CLOSE)
 
 
-def test_jax_differentiates_by_what_the_names_say(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of functions whose derivatives are known: ``v² w``, and its value where two vectors are composed."""
     jax = pytest.importorskip("jax")
     square = SimpleNamespace(tangent=lambda v: v * v, twist=lambda v, w: v * v * w)
@@ -65,7 +65,7 @@ def test_jax_differentiates_by_what_the_names_say(monkeypatch: pytest.MonkeyPatc
         np.testing.assert_allclose(np.asarray(calls["jitted"]()), expected[function], rtol=1e-14)
 
 
-def test_no_more_is_computed_than_there_is_room_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = tuple(np.ascontiguousarray(a.T) for a in given("rate_jacobian"))
     assert peers.lambdify_call(ORDER, "rate_jacobian", rows) is not None
     monkeypatch.setattr(peers, "ROOM", 12 * rows[0][0].nbytes)
@@ -73,7 +73,7 @@ def test_no_more_is_computed_than_there_is_room_for(monkeypatch: pytest.MonkeyPa
     assert peers.lambdify_call(3, "compose_jacobians", rows) is None
 
 
-def test_what_falls_short_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missed_speed_gates_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
     """With clocks of their own: ours takes a unit, JAX 30 units as it is called, 10 compiled."""
     units = {"ours": 1.0, "called": 30.0, "jitted": 10.0, "steps": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {name: units[name] for name in calls})
@@ -84,7 +84,7 @@ def test_what_falls_short_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     assert {gate.what for gate in found if gate.met} == {f"{f}, n = 1, N = 1: JAX, called" for f in FUNCTIONS}
 
 
-def test_a_gate_that_a_copy_of_the_result_misses_is_said_to_be_one() -> None:
+def test_gate_that_a_copy_misses_is_marked() -> None:
     said = [kernels.Gate("a", *ratios).row()[-1] for ratios in ((1.0, 2.0, 3.0), (1.0, 2.0, 1.5), (2.5, 2.0, 3.0))]
     assert said == ["SHORT", "SHORT, of a copy 1.5 x", "met"]
 

@@ -35,13 +35,13 @@ def test_rotations_alone(order: int, regime: str) -> None:
         trial.check(name)
 
 
-def test_every_function_of_users_is_tried() -> None:
+def test_trials_cover_every_public_function() -> None:
     assert set(EVERY) - {"round_trip"} == set(PUBLIC)
     assert {ROTATIONS.sources[name].name for name in rotations.FUNCTIONS} == set(ROTATIONS.public)
 
 
 @pytest.mark.parametrize("kind", [CalculusTrial, RotationTrial])
-def test_results_that_are_off_by_little_are_noticed(kind: type[Trial]) -> None:
+def test_relative_error_of_1e_12_fails_the_trial(kind: type[Trial]) -> None:
     module = load(3, table=ROTATIONS.name if kind is RotationTrial else "")
     off = SimpleNamespace(**{name: slightly_off(getattr(module, name)) for name in module.__all__ if name.islower()})
     trial = kind(off, 3, "uniform", count=2)  # of which no two are alike
@@ -50,7 +50,7 @@ def test_results_that_are_off_by_little_are_noticed(kind: type[Trial]) -> None:
 
 
 def slightly_off(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Its results, a part in 1e12 too large, but for what is exactly 0 or 1."""
+    """Return a function whose results are 1e-12 too large; exact 0 and 1 are kept."""
 
     def off(array: np.ndarray) -> np.ndarray:
         return np.where(array % 1 == 0, array, array * (1 + 1e-12))

@@ -1,4 +1,4 @@
-"""What is no rotation is found where a caller asks for it, and quaternions may have their scalar last."""
+"""The ``check`` of inverse maps, and quaternions with the scalar last."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def right(kernel: ModuleType, name: str, v: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("case", WRONG)
-def test_what_is_no_pose_is_found_by_a_check_only(kernel: ModuleType, case: str) -> None:
+def test_invalid_poses_are_refused_with_check_only(kernel: ModuleType, case: str) -> None:
     name, value, message = WRONG[case]
     function = way_back(kernel, name)
     with np.errstate(all="ignore"):
@@ -67,7 +67,7 @@ def test_what_is_no_pose_is_found_by_a_check_only(kernel: ModuleType, case: str)
 
 @pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
 @pytest.mark.parametrize("axis", [-1, 0])
-def test_the_first_bad_element_is_named(name: str, axis: int) -> None:
+def test_check_names_the_first_invalid_element(name: str, axis: int) -> None:
     kernel = load(3)
     function = way_back(kernel, name)
     value = right(kernel, name, sampling.poses(3, "uniform", count=6).reshape(2, 3, 6))
@@ -87,8 +87,8 @@ def test_the_first_bad_element_is_named(name: str, axis: int) -> None:
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 @pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
-def test_the_square_root_of_eps_is_allowed(name: str, dtype: Any) -> None:
-    """Of a scale 1 + s the square is off by 2 s and the determinant by 3 s; a pose is scaled but for its last row."""
+def test_check_tolerance_is_the_square_root_of_eps(name: str, dtype: Any) -> None:
+    """A scale 1 + s changes the square by 2 s and the determinant by 3 s; the last row of a pose is kept."""
     kernel, step = load(3), np.sqrt(np.finfo(dtype).eps)
     function = way_back(kernel, name)
     value = right(kernel, name, sampling.poses(3, "uniform", count=4)).astype(dtype)
@@ -104,7 +104,7 @@ def test_the_square_root_of_eps_is_allowed(name: str, dtype: Any) -> None:
 
 
 @pytest.mark.parametrize("regime", ["translation 1e6", "angle 1e-12", "pure translation", "at pi", "identity"])
-def test_rounding_is_no_violation(kernel: ModuleType, order: int, regime: str) -> None:
+def test_rounded_poses_pass_the_check(kernel: ModuleType, order: int, regime: str) -> None:
     v = sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=6)
     assert kernel.from_pose(kernel.pose(v), check=True).shape == v.shape
     assert kernel.from_tensor(kernel.tensor(v), check=True).shape == v.shape
@@ -113,7 +113,7 @@ def test_rounding_is_no_violation(kernel: ModuleType, order: int, regime: str) -
         assert kernel.from_screw(*kernel.to_screw(v), check=True).shape == v.shape
 
 
-def test_a_check_comes_before_nothing_else(kernel: ModuleType) -> None:
+def test_type_and_shape_errors_come_before_the_check(kernel: ModuleType) -> None:
     """Types and shapes are refused as without it; an empty batch has no bad element."""
     with pytest.raises(TypeError, match="T must be real"):
         kernel.from_pose(np.zeros((4, 4), complex), check=True)
@@ -127,7 +127,7 @@ def test_a_check_comes_before_nothing_else(kernel: ModuleType) -> None:
 
 @pytest.mark.parametrize("axis", [-1, 0])
 @pytest.mark.parametrize("shape", [(), (3,), (2, 30)], ids=str)
-def test_quaternions_with_the_scalar_last(kernel: ModuleType, order: int, axis: int, shape: tuple[int, ...]) -> None:
+def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shape: tuple[int, ...]) -> None:
     v = sampling.poses(order, "uniform", count=int(np.prod(shape))).reshape(*shape, 6)
     v = components_first(v, 1) if axis == 0 else v
     q = kernel.quaternion(v, axis=axis)
@@ -142,8 +142,8 @@ def test_quaternions_with_the_scalar_last(kernel: ModuleType, order: int, axis: 
     np.testing.assert_array_equal(out, last)
 
 
-def test_the_identity_with_its_scalar_last_is_the_identity_where_it_is_said(kernel: ModuleType, order: int) -> None:
-    """It is a unit quaternion in the other order too, half a turn: no check can tell."""
+def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
+    """Read scalar first, it is a unit quaternion of half a turn, so no check can tell."""
     identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
     np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
     if order > 1:
@@ -151,7 +151,7 @@ def test_the_identity_with_its_scalar_last_is_the_identity_where_it_is_said(kern
         np.testing.assert_allclose(angle[0], np.pi)
 
 
-def test_scalar_last_refuses_what_scalar_first_does(kernel: ModuleType) -> None:
+def test_scalar_last_refuses_the_same_arguments(kernel: ModuleType) -> None:
     with pytest.raises(ValueError, match=r"q must have shape \(\.\.\., 8\), got \(7,\)"):
         kernel.from_quaternion(np.zeros(7), scalar_first=False)
     with pytest.raises(TypeError, match="q must be real"):

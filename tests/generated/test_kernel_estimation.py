@@ -1,4 +1,4 @@
-"""What derivatives are for: a Kalman filter that knows how wrong it is, a pose graph that converges quadratically."""
+"""Derivatives in use: a consistent Kalman filter and a pose graph that converges quadratically."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def sixfold(tensor: np.ndarray) -> np.ndarray:
 
 
 def test_a_kalman_filter_is_consistent(kernel: ModuleType, order: int) -> None:
-    """Normalized errors squared sum up to χ² of six degrees of freedom for each run: their mean within its 99 %."""
+    """The sum of normalized squared errors of all runs lies within the 99 % interval of χ²."""
     error, P = filtered(kernel, sampling.generator("filter", order))
     total = np.einsum("ri,rij,rj->", error, np.linalg.inv(P), error)
     low, high = chi2.ppf((0.005, 0.995), 6 * RUNS)
@@ -99,7 +99,7 @@ def test_jacobians_follow_the_chain_rule(kernel: ModuleType, order: int) -> None
 
 @pytest.mark.parametrize("regime", ["uniform", "shadow", "pure translation", "identity"])
 def test_steps_are_taken_on_the_branch_of_v_and_found_again(kernel: ModuleType, order: int, regime: str) -> None:
-    """No step leaves v where it is, shadows too; small ones are found: to 1e-9, of conditions below 1e6."""
+    """Zero steps keep v to 1e-9, also on shadows; small steps are recovered by ``local`` to 1e-9."""
     if not sampling.has_regime(order, regime):
         return
     v, delta = sampling.poses(order, regime), 1e-3 * sampling.dual_vectors("steps")

@@ -37,7 +37,7 @@ def angles(name: str, regime: int) -> tuple[float, float]:
 
 
 def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """Each in one regime of angles, another for the next function and the next family."""
+    """One regime of angles per function; the next function and the next family take the next regime."""
     oracle, start = families.oracle_of(name), FAMILIES.index(name)
     for place, function in enumerate(PUBLIC):
         regime = (start + place) % len(REGIMES)
@@ -63,7 +63,7 @@ EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name !=
 
 
 @pytest.mark.parametrize(("name", "left"), EDGES)
-def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left: float):
+def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
     """Each chart at two distances.
 
     Where φ′ = 0, x says little of the angle there, and T is all but singular. At a pole it is the angle, as it is
@@ -76,7 +76,7 @@ def test_steps_next_to_an_edge_lose_nothing(name: str, kernels: ModuleType, left
         assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
 
 
-def test_translations_are_no_special_case(name: str, kernels: ModuleType):
+def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):
     """At Re v = 0 the pose is a translation by v°/φ′(0)."""
     v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
     slope = families.slope_of(name)
@@ -87,7 +87,7 @@ def test_translations_are_no_special_case(name: str, kernels: ModuleType):
 
 
 def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
-    """To 40 eps (errors.AGREE) times a condition below 100: 1e-12; and going round leads back."""
+    """Tolerance 1e-12: 40 eps times a condition below 100. Shadows of shadows lead back."""
     v = families.vectors(families.oracle_of(name), 0.3, 2.5)
     for branch in range(1, families.oracle_of(name).order):
         there = kernels.shadow(v, branch)
@@ -109,7 +109,7 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 
 
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
-    """For the exponential, which has none, at twice round."""
+    """The exponential has no singular angle; its list ends at two turns."""
     found = kernels.singular_angles()
     edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
     assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
@@ -122,7 +122,7 @@ def test_wiener_milenkovic_is_scaled2():
     np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
 
 
-def test_the_exponential_has_a_vector_for_every_turn():
+def test_exponential_has_a_branch_for_every_turn():
     """α + 2πk, to 8 eps of the larger angle; at the identity there is no axis to turn about."""
     from dualcay import exponential
 
@@ -141,7 +141,7 @@ def test_the_exponential_has_a_vector_for_every_turn():
 
 
 @pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
-def test_the_exponential_goes_round_many_times(turns: float):
+def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
     """The rotation against SciPy's, to 8 eps of the angle."""
     from scipy.spatial.transform import Rotation
 
@@ -153,7 +153,7 @@ def test_the_exponential_goes_round_many_times(turns: float):
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
-def test_however_large_the_angle_a_rotation_is_one(dtype: type):
+def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
     """R Rᵀ = I to 16 eps of the type, where α itself is off by many turns."""
     from dualcay import exponential
 
@@ -166,7 +166,7 @@ def test_however_large_the_angle_a_rotation_is_one(dtype: type):
 
 
 @pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
-def test_slopes_next_to_half_a_turn(left: float):
+def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
     """Complex steps of the rotation, where tan(α/2) has a pole: dR = ω × R, to 64 eps of ω."""
     from dualcay import exponential
 
@@ -176,8 +176,8 @@ def test_slopes_next_to_half_a_turn(left: float):
     np.testing.assert_allclose(dR, np.cross(omega, R.T).T, rtol=0, atol=64 * np.finfo(float).eps * abs(omega).max())
 
 
-def test_both_sides_of_the_hand_over_agree():
-    """Within what is cut off and 8 eps: the scalars change by no more from one float to the next one."""
+def test_series_and_closed_form_agree_where_they_meet():
+    """Tolerance: 8 eps and the truncation error of the series."""
     from dualcay import exponential
 
     limit = math.sqrt(6.0)

@@ -55,7 +55,7 @@ def test_importing_a_kernel_does_not_import_the_toolkit() -> None:
 
 
 def test_a_bare_checkout_imports_through_the_folder() -> None:
-    """From the repository root, nothing installed and nothing on the path."""
+    """Import from the repository root, with nothing installed and nothing on the path."""
     code = BLOCK + "from generated.dualcay import cayley3\nprint(cayley3.__name__, cayley3.quaternion([0.0] * 6)[0])"
     assert run(code, []).split() == ["generated.dualcay.cayley3", "1.0"]
 

@@ -1,4 +1,4 @@
-"""What a module is to a person: functions that can be imported, read about, listed and sent to another process."""
+"""Modules of kernels in use: import, documentation, listing, pickling."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from tests.support.oracle import Oracle, oracle_of
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley8", "exponential", "lambert")
 CLOSE = 1e-12
-"""Of the size of what a result is a product of: its operators are good to 8 eps of theirs each, 2e-15."""
+"""Tolerance relative to the operators whose product a result is; each is accurate to 8 eps of its norm."""
 
 
 @pytest.fixture(params=NAMES)
@@ -79,7 +79,7 @@ def test_jacobians_of_steps(name: str, kernels: ModuleType, oracle: Oracle, body
 
 
 def test_jacobians_of_shadows(name: str, kernels: ModuleType, oracle: Oracle):
-    """Against T(v_k)⁻¹ T(v), to 1e-12 of these two; one after the other is that of both steps."""
+    """Compare with T(v_k)⁻¹ T(v) to 1e-12 of both factors; Jacobians of two shadows in a row multiply."""
     v = vectors(oracle, *angles_of(name)[1:])
     count = kernels.CHART.branches or 100
     for branch in (1, -1) if count > 1 else (0, 1):
@@ -96,8 +96,8 @@ def test_jacobians_of_shadows(name: str, kernels: ModuleType, oracle: Oracle):
 
 
 @pytest.mark.parametrize("name", ["cayley3", "cayley8"])
-def test_jacobians_of_shadows_lose_nothing_at_whole_turns(kernels: ModuleType, oracle: Oracle):
-    """To 1e-12 of themselves, where T(v) has all but lost its rank; at the turn itself they are finite."""
+def test_jacobians_of_shadows_are_accurate_at_whole_turns(kernels: ModuleType, oracle: Oracle):
+    """Agreement to 1e-12 where T(v) is nearly singular; finite values at the whole turn itself."""
     for angle in (2 * np.pi * (1 + 1e-7), 2 * np.pi):
         v = kernels.from_screw(np.array([angle, 0.4]), np.array([0.6, 0, 0.8, 1.6, 5.0, -1.2]))
         J = kernels.shadow_jacobian(v, 1)
@@ -108,7 +108,7 @@ def test_jacobians_of_shadows_lose_nothing_at_whole_turns(kernels: ModuleType, o
 
 
 def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleType):
-    """But that of branch 0; NaN goes through element by element."""
+    """Only branch 0 has one; NaN stays in its element."""
     v = np.array([[0, 0, 0, 1.0, 2.0, 3.0], [0.1, 0.2, 0, 1, 0, 0], [np.nan, 0, 0, 0, 0, 0]])
     one, other = kernels.shadow_jacobian(v, 0), kernels.shadow_jacobian(v, 1)
     np.testing.assert_array_equal(one[:2], np.broadcast_to(np.eye(6), (2, 6, 6)))
@@ -129,7 +129,7 @@ def pairs(name: str, oracle: Oracle) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, oracle: Oracle):
-    """To 1e-12 of the result, and of what T⁻¹ makes of both translations."""
+    """Tolerance: 1e-12 of the result and of T⁻¹ times both translations."""
     v1, v2 = pairs(name, oracle)
     for a, b in zip(v1, v2, strict=True):
         for t in (0.0, 0.35, 1.0):
@@ -142,7 +142,7 @@ def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, ora
 
 
 def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, kernels: ModuleType, oracle: Oracle):
-    """From v1 to the pose of v2: what is left of the way is its share of one step, a rotation by at most π."""
+    """The motion equals exact shares of one step from v1 to the pose of v2; the step turns by at most π."""
     v1, v2 = pairs(name, oracle)
     t = np.linspace(0, 1, 6)
     way = kernels.interpolate(v1[:, None], v2[:, None], t)
@@ -159,8 +159,8 @@ def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, ker
 
 
 @pytest.mark.parametrize("angle", [0.4, 2.0, 4.0, 7.5])
-def test_about_the_own_axis_a_motion_goes_on_through_whole_turns(angle: float):
-    """Of the exponential ξ goes on in a line, back and forth however far; to 1e-12, for no whole turn is near."""
+def test_motion_about_a_fixed_axis_passes_whole_turns(angle: float):
+    """The exponential coordinate grows linearly, forwards and backwards through whole turns."""
     from dualcay import exponential
 
     xi = np.array([2.0, -3.0, 6.0, 0.5, 1.5, -1.0]) / 7
@@ -171,8 +171,8 @@ def test_about_the_own_axis_a_motion_goes_on_through_whole_turns(angle: float):
 
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e-22), (np.float64, 1e-161)])
-def test_a_start_whose_square_is_subnormal_has_an_axis_nevertheless(dtype: type, size: float):
-    """To 16 eps: as from a start a little larger."""
+def test_start_with_subnormal_square_keeps_its_axis(dtype: type, size: float):
+    """Agreement to 16 eps with a slightly larger start."""
     from dualcay import cayley2
 
     u, end = np.array([1, 2, 2, 0, 0, 0], dtype) / 3, dtype(0.4)
@@ -180,8 +180,8 @@ def test_a_start_whose_square_is_subnormal_has_an_axis_nevertheless(dtype: type,
     np.testing.assert_allclose(tiny, small, rtol=16 * np.finfo(dtype).eps)
 
 
-def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels: ModuleType, oracle: Oracle):
-    """In fine steps α u goes on by little; at the end v2 is reached, or a shadow of another angle or side."""
+def test_interpolation_follows_its_branch_over_half_turns(name: str, kernels: ModuleType, oracle: Oracle):
+    """Fine steps change α u by little; the motion ends at v2 or at one of its shadows."""
     edge = families_edge(name)
     for low, high in ((2.0, 3.0), *([(2.4 * np.pi, 2.7 * np.pi)] if edge > 3 * np.pi else [])):
         v1, v2 = (families.vectors(oracle, low, high, 3) for _ in range(2))
@@ -197,8 +197,8 @@ def test_the_branch_is_followed_over_half_turns_and_on_others(name: str, kernels
 
 
 @pytest.mark.parametrize(("dtype", "angle"), [(np.float32, 1e-7), (np.float32, 1e-12), (np.float64, 1e-15)])
-def test_the_smallest_motions_go_straight_from_vector_to_vector(kernels: ModuleType, dtype: type, angle: float):
-    """Of angles below rounding of 1: what a motion bends is of the size of their square."""
+def test_small_motions_are_linear(kernels: ModuleType, dtype: type, angle: float):
+    """Angles below rounding of 1 deviate from a line by the order of their square only."""
     a, b = sampling.dual_vectors("smallest", count=20).astype(dtype).reshape(2, 10, 6)
     a[:, :3], b[:, :3] = angle * a[:, :3], angle * b[:, :3]
     t = dtype(0.375)
@@ -208,8 +208,8 @@ def test_the_smallest_motions_go_straight_from_vector_to_vector(kernels: ModuleT
 
 
 @pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
-def test_about_one_axis_angles_go_through_whole_turns(kernels: ModuleType):
-    """As they do about one axis that is none of the coordinates': the ends are on two sides of 2π."""
+def test_angles_about_one_axis_pass_whole_turns(kernels: ModuleType):
+    """The axis is no coordinate axis; the ends lie on both sides of 2π."""
     axis = np.array([0.6, -0.48, 0.64, 0.0, 0.0, 0.0])
     v1, v2 = (kernels.from_screw(np.array([angle, shift]), axis) for angle, shift in ((5.0, 0.2), (7.5, 1.0)))
     for t in (0.25, 0.75, 1.0):
@@ -217,7 +217,7 @@ def test_about_one_axis_angles_go_through_whole_turns(kernels: ModuleType):
         np.testing.assert_allclose(kernels.interpolate(v1, v2, t), expected, rtol=0, atol=1e-12 * 20)
 
 
-def test_at_half_a_turn_between_them_the_closed_forms_decide():
+def test_half_turn_between_poses_is_decided_by_the_closed_form():
     """q and −q are one pose: from the side of v2's own vector, and so a shadow of v2 the other way round."""
     from dualcay import cayley2
 
@@ -230,7 +230,7 @@ def test_at_half_a_turn_between_them_the_closed_forms_decide():
         np.testing.assert_allclose(cayley2.compose(way[0], way[0]), end, rtol=0, atol=1e-15)
 
 
-def test_times_broadcast_keep_types_and_spoil_their_own_elements_alone(kernels: ModuleType, name: str, oracle: Oracle):
+def test_times_broadcast_keep_types_and_nan_in_their_element(kernels: ModuleType, name: str, oracle: Oracle):
     v1, v2 = pairs(name, oracle)
     few = v1[:2].astype(np.float32), v2[:2].astype(np.float32)
     assert kernels.interpolate(*few, 0.5).dtype == np.float32
@@ -260,8 +260,8 @@ def test_exponential_coordinates_and_back(name: str, kernels: ModuleType, oracle
     np.testing.assert_allclose(np.linalg.norm(w[:-2, :3], axis=-1), kernels.angle(v)[:-2, 0], rtol=CLOSE)
 
 
-def test_charts_hand_a_pose_over_on_its_branch(name: str, kernels: ModuleType, oracle: Oracle):
-    """To all others, where they reach it; else on the nearest branch they have, whole turns off."""
+def test_conversion_keeps_the_branch_or_the_nearest_one(name: str, kernels: ModuleType, oracle: Oracle):
+    """The branch is kept where the target reaches it; else the nearest branch is taken, whole turns away."""
     v = vectors(oracle, *angles_of(name))
     for other in NAMES:
         target = importlib.import_module(f"dualcay.{other}")
@@ -277,8 +277,8 @@ def test_charts_hand_a_pose_over_on_its_branch(name: str, kernels: ModuleType, o
         np.testing.assert_allclose(back, v[reached], rtol=0, atol=1e-10 * (1 + np.abs(v).max()))
 
 
-def test_the_nearest_branch_is_taken():
-    """Of 4.5π: 2.5π before the edge at 3π, π/2 before that at 2π, and half a turn the other way where it is π."""
+def test_conversion_takes_the_nearest_branch():
+    """The angle 4.5π becomes 2.5π for an edge at 3π, π/2 for 2π, and half a turn backwards for π."""
     from dualcay import cayley1, cayley2, cayley3, exponential, lambert
 
     axis = np.array([0.6, 0, 0.8, 0, 5.0, 0])
@@ -291,7 +291,7 @@ def test_the_nearest_branch_is_taken():
     np.testing.assert_allclose(dualcay.convert(half, exponential, cayley1), expected, rtol=0, atol=1e-13)
 
 
-def test_conversion_keeps_layouts_types_and_says_what_is_wrong():
+def test_conversion_keeps_layouts_and_types_and_names_errors():
     from dualcay import cayley2, cayley3
 
     v = np.array([[0.1, 0.2, 0.3, 1, 2, 3], [np.nan, 0, 0, 0, 0, 0]], np.float32)
@@ -307,7 +307,7 @@ def test_conversion_keeps_layouts_types_and_says_what_is_wrong():
         dualcay.convert(v * 1j, cayley2, cayley3)
 
 
-def test_the_identity_stays_where_it_is_in_every_chart(kernels: ModuleType):
+def test_conversion_keeps_the_identity(kernels: ModuleType):
     for other in NAMES:
         target = importlib.import_module(f"dualcay.{other}")
         np.testing.assert_array_equal(dualcay.convert(np.zeros(6), kernels, target), np.zeros(6))

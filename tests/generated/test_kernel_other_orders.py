@@ -55,7 +55,7 @@ def test_rotations_alone_of_order_seven(folder: Path) -> None:
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e4), (np.float64, 5e37)])
 @pytest.mark.parametrize("order", [11, 12])
-def test_orders_above_eight_go_as_far_as_the_fourth_power_of_one_plus_x(
+def test_orders_above_eight_overflow_beyond_the_fourth_power_of_one_plus_x(
     folder: Path, order: int, dtype: type, size: float
 ) -> None:
     """The eleventh overflows at |v| = 57 and 1e14. Beyond the fourth there is NaN.

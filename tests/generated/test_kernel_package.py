@@ -1,4 +1,4 @@
-"""What the package of kernels is to a person: imported, listed, asked for what is missing, run."""
+"""The package of kernels in use: import, listing, missing modules, ``python -m dualcay``."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ def test_backend_says_what_runs_each_function() -> None:
 
 
 @pytest.mark.parametrize(("name", "option"), [("cayley6", "-n 6"), ("sine77", "--family sine77")])
-def test_a_module_that_is_not_written_is_refused_with_the_command_that_writes_it(name: str, option: str) -> None:
+def test_missing_module_is_refused_with_its_command(name: str, option: str) -> None:
     with pytest.raises(ImportError, match=rf"^no {name} in 'dualcay'.*cayley8.*dualcay generate {option} -o FOLDER$"):
         exec(f"from dualcay import {name}")
 
 
-def test_a_name_that_is_no_module_is_refused_with_those_that_are() -> None:
+def test_unknown_name_is_refused_with_the_known_modules() -> None:
     for name in ("nonsense", "cayley06", "cayley0", "cayley", "sine", "sine0"):
         with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: breusing, cayley1, "):
             getattr(dualcay, name)
@@ -54,7 +54,7 @@ def test_a_name_that_is_no_module_is_refused_with_those_that_are() -> None:
         from dualcay import nonsense  # noqa: F401
 
 
-def test_the_package_run_says_what_it_is() -> None:
+def test_python_m_dualcay_prints_version_modules_and_backends() -> None:
     root = Path(dualcay.__file__).parents[1]
     done = subprocess.run([sys.executable, "-m", "dualcay"], cwd=root, capture_output=True, text=True, check=True)
     counts = Counter(dualcay.backend().values())

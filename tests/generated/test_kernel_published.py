@@ -21,7 +21,7 @@ from tests.support.oracle import Oracle, oracle_of
 PRINTED = 1e-12
 """The numbers there have 13 digits and more after the point; the tests there allow 1e-10."""
 ROUNDING = 1e-15
-"""Of results of size 5 at most."""
+"""Rounding error of results of size 5 at most."""
 
 DEGREE = np.pi / 180
 ANGLES, OMEGA = np.array([30, -40, 15]) * DEGREE, np.array([0.2, 0.1, -0.5])
@@ -106,7 +106,7 @@ def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
     np.testing.assert_allclose(columns, exact, rtol=0, atol=ROUNDING * 50)
 
 
-def test_whole_turns_added_are_none() -> None:
+def test_composition_of_two_half_turns_is_the_identity() -> None:
     """addMRP of two vectors of half a turn: σ = 0."""
     from dualcay.rotation import cayley2
 

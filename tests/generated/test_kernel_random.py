@@ -85,5 +85,5 @@ def test_limits_outside_the_chart_are_refused(kernel: ModuleType, order: int) ->
             kernel.random(max_translation=wrong)
 
 
-def test_there_is_one_way_to_draw(kernel: ModuleType) -> None:
+def test_package_has_no_second_random_function(kernel: ModuleType) -> None:
     assert not hasattr(dualcay, "random_vector")

@@ -27,7 +27,7 @@ def pair(name: str) -> tuple[ModuleType, ModuleType]:
 
 
 @pytest.mark.parametrize("chart", MODULES)
-def test_they_are_the_real_parts_of_the_functions_of_poses(chart: str) -> None:
+def test_rotations_are_the_real_parts_of_pose_functions(chart: str) -> None:
     rotations, poses = pair(chart)
     for name, row in ROTATIONS.public.items():
         given = arguments(row, rotations)
@@ -167,7 +167,7 @@ def test_the_identity_has_no_axis_and_the_edge_no_vector() -> None:
     assert dualcay.rotation.cayley1.from_quaternion([0.0, 0, 0, 1])[2] == np.inf
 
 
-def test_what_is_no_rotation_is_refused_where_one_asks() -> None:
+def test_invalid_rotations_are_refused_with_check() -> None:
     m = dualcay.rotation.cayley2
     with pytest.raises(ValueError, match=r"^q\[1\] is no unit quaternion: its square is not 1, off by 3"):
         m.from_quaternion([[1.0, 0, 0, 0], [2.0, 0, 0, 0]], check=True)
@@ -184,7 +184,7 @@ def test_what_is_no_rotation_is_refused_where_one_asks() -> None:
 # --- the package ----------------------------------------------------------------------------------------------------
 
 
-def test_modules_are_found_listed_pickled_and_told() -> None:
+def test_rotation_modules_are_listed_pickled_and_documented() -> None:
     assert dir(dualcay.rotation) == sorted([*MODULES, *dualcay.rotation.__all__])
     assert not {"rotation"} & set(dualcay._modules())
     m = dualcay.rotation.cayley2

@@ -72,8 +72,8 @@ def test_branches_are_integers(kernel: ModuleType, order: int, route: str) -> No
 
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("regime", ["uniform", "pure rotation"])
-def test_results_are_first_order_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
-    """Inputs that are not quite unit or orthogonal are taken as they come."""
+def test_inverse_maps_are_lipschitz_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
+    """Arguments that are not exactly unit or orthogonal change the result by the order of their violation."""
     v = samples(order, regime)
     given = ROUTES[route](kernel, v)
     noise = sampling.generator("noise", route).normal(size=given.shape)

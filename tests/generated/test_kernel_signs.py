@@ -49,7 +49,7 @@ def branches(order: int) -> list[int]:
 @FINITE
 @AXIS
 @pytest.mark.parametrize("zero", [0.0, -0.0])
-def test_at_scalar_zero_the_given_vector_part_stands(order: int, axis: list[float], zero: float) -> None:
+def test_half_turn_keeps_the_given_vector_part(order: int, axis: list[float], zero: float) -> None:
     kernel, u = load(order), np.array(axis)
     m = np.cross([1.0, -2.0, 0.5], u)
     q = half_turn(u, 0.7, m)
@@ -111,7 +111,7 @@ def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
 
 @AXIS
 def test_screws_of_half_turns(axis: list[float]) -> None:
-    """At the angle π the axis is the vector's own direction."""
+    """The axis of a half turn has the direction of the vector."""
     kernel, u = load(2), np.array(axis)
     angle, direction = kernel.to_screw(np.concatenate([u, np.zeros(3)]))
     np.testing.assert_allclose(angle, [np.pi, 0], rtol=4 * EPS)
@@ -144,7 +144,7 @@ def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shap
 
 
 @pytest.mark.parametrize("batch", [False, True])
-def test_branches_of_a_translation_take_it_as_their_axis(kernel: ModuleType, order: int, batch: bool) -> None:
+def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, order: int, batch: bool) -> None:
     """tan(kπ/n + ε |v°|) u with u = v°/|v°| through the origin."""
     v = np.array([0, 0, 0, 1.0, -2.0, 2.0])
     u = v[3:] / 3
@@ -180,7 +180,7 @@ AT_FULL_TURNS = [
 @pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)
 @pytest.mark.parametrize("dual", [[1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]])
 def test_full_turns_are_translations_along_the_axis(order: int, real: list[float], dual: list[float]) -> None:
-    """There the operator has rank one: ρ = 2n/(1 + x) (u·v°) u, whatever the rest of v° is."""
+    """The operator has rank one: ρ = 2n/(1 + x) (u·v°) u, for any rest of v°."""
     kernel = load(order)
     v = np.array([*real, *dual])
     x = v[:3] @ v[:3]
@@ -205,7 +205,7 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
 @pytest.mark.parametrize("order", [4, 8])
 @pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
 def test_shadows_of_translations_form_the_group_too(order: int, shift: list[float]) -> None:
-    """From |v| = 1, which is 2π or 6π at n = 4, on to every other branch: the side is that of the translation."""
+    """Start: |v| = 1, which is 2π or 6π at n = 4. Branches count to the side of the translation."""
     kernel, v = load(order), np.array([0, 0, 0, *shift])
     for j in (order // 4, -order // 4):
         middle = kernel.shadow(v, j)
@@ -214,7 +214,7 @@ def test_shadows_of_translations_form_the_group_too(order: int, shift: list[floa
                 np.testing.assert_allclose(kernel.shadow(middle, k), kernel.shadow(v, j + k), rtol=1e-14, atol=1e-14)
 
 
-def test_mixed_batches_do_not_disturb_each_other(kernel: ModuleType, order: int) -> None:
+def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -> None:
     """The branch not taken must not leak: identity, translation, half turn and general poses side by side."""
     regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
     v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
@@ -263,7 +263,7 @@ def test_the_first_axis_of_a_half_turn_about_x(order: int) -> None:
 @pytest.mark.parametrize("batch", [False, True])
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
 def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, batch: bool) -> None:
-    """Of a vector whose square is nothing, turned or not: axis, angle, shadows, and the way there and back."""
+    """Vectors whose square underflows keep their axis, angle and shadows, with and without rotation."""
     re, du = np.array([2.0, -1, 2]) / 3, np.array([2.0, 2, -1])
     u = np.concatenate([re, du / 3])
     for v, expected, rotation in (
@@ -286,7 +286,7 @@ def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, b
 
 
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
-def test_a_tiny_scalar_is_half_a_turn_but_for_itself(kernel: ModuleType, order: int, size: float) -> None:
+def test_tiny_scalar_part_gives_half_a_turn(kernel: ModuleType, order: int, size: float) -> None:
     u = np.array([2.0, -1, 2]) / 3
     for sign in (1, -1):
         q = np.array([sign * size, *u, 0, 0, 0, 0])

@@ -1,4 +1,4 @@
-"""One pose at a time: agreement with batches, and IEEE results without exception or warning at singular points."""
+"""Single poses: agreement with batches; IEEE results without exception or warning at singular points."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_single_pose_agrees_with_batches_and_lists(kernel: ModuleType, order: in
 
 
 @pytest.mark.parametrize("regime", [r for r in sampling.REGIMES if r != "at pi"])
-def test_one_pose_is_its_batch_element_in_every_regime(kernel: ModuleType, order: int, regime: str) -> None:
+def test_single_pose_agrees_with_batch_in_every_regime(kernel: ModuleType, order: int, regime: str) -> None:
     if not sampling.has_regime(order, regime):
         regime = "uniform"
     v = sampling.poses(order, regime)

@@ -61,7 +61,7 @@ def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str
 
 @REGIME
 def test_operators_of_the_body_take_rates_to_body_twists_and_back(kernel: ModuleType, order: int, regime: str) -> None:
-    """Of the dual tensor each part is transposed; the transpose of the real 6x6 matrix is another operator."""
+    """The body operator transposes each part of the dual tensor; transposing the 6x6 matrix gives another operator."""
     v = samples(order, regime)
     space, body = kernel.tangent(v), kernel.body_tangent(v)
     np.testing.assert_array_equal(body, np.swapaxes(space, -1, -2))
@@ -190,7 +190,7 @@ def test_order_two_is_conformal(regime: str) -> None:
 
 
 def test_singular_angles(kernel: ModuleType, order: int) -> None:
-    """Where the tangent operator loses rank, and the end of the chart; nowhere else."""
+    """The tangent operator loses rank exactly at the singular angles, and the chart ends at the last."""
     angles = kernel.singular_angles()
     assert isinstance(angles, tuple)
     poles = [2 * np.pi * k for k in range(1, order) if 2 * k < order]

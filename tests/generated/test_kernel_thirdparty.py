@@ -65,13 +65,13 @@ def test_inverse_maps_of_random_transforms(kernel: ModuleType, order: int, form:
     assert (abs(kernel.pose(v) - matrix) <= 1e-13 * size).all()
 
 
-def test_composition_is_scipy_s_product(kernel: ModuleType, order: int) -> None:
+def test_composition_agrees_with_scipy(kernel: ModuleType, order: int) -> None:
     a, b = samples(order, "uniform"), samples(order, "shadow")
     third = RigidTransform.from_matrix(kernel.pose(a)) * RigidTransform.from_matrix(kernel.pose(b))
     np.testing.assert_allclose(kernel.pose(kernel.compose(a, b)), third.as_matrix(), rtol=1e-11, atol=1e-11)
 
 
-def test_points_are_scipy_s(kernel: ModuleType, order: int) -> None:
+def test_points_move_as_in_scipy(kernel: ModuleType, order: int) -> None:
     v, r = samples(order, "uniform"), sampling.points("scipy", count=12)
     third = RigidTransform.from_dual_quat(kernel.quaternion(v), scalar_first=True)
     np.testing.assert_allclose(kernel.transform_point(v, r), third.apply(r), rtol=1e-13, atol=1e-13)

@@ -10,7 +10,7 @@ from unittest import mock
 
 from derive.codegen import catalogue
 from derive.codegen.build import build
-from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.program import Call, Operand, Program, Statement, Step
 from derive.codegen.targets import TARGETS, infix
 from derive.maps import Cayley
@@ -32,7 +32,7 @@ Changed = tuple[str, str, Program]
 def mutants() -> Iterator[Mutant]:
     """Yield the mutants of the geometry's programs, then those of the scalar programs of the committed charts."""
     yield Mutant("programs", "none", "unchanged", partial(_trial, GEOMETRY_CHARTS, None, None))
-    for program in geometry().values():
+    for program in printed_geometry().values():
         yield from _mutants("geometry", GEOMETRY_CHARTS, program)
     for chart in catalogue.committed():
         for program in lower_chart(chart).scalars.values():

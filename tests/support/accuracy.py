@@ -150,7 +150,7 @@ class Trial(ForwardTrial):
             yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), (v,))
 
     def compose(self) -> Iterator[Result]:
-        """With poses of the same regime and with poses from anywhere, v1 first."""
+        """Compose with poses of the same regime and of any regime, v1 first."""
         for v1 in self.partners():
             for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
                 exact = self.oracle.compose(a, b)

@@ -25,7 +25,7 @@ Tensor = Any
 
 
 def product(*tensors: Tensor) -> Tensor:
-    """Of dual tensors, the first on the left."""
+    """Return the product of dual tensors, the first on the left."""
     first, *others = tensors
     for other in others:
         first = matmul(first, other)
@@ -113,7 +113,7 @@ class CalculusTrial(Trial):
 
     @staticmethod
     def _moved(exact: Any, *arguments: tuple[Tensor, Any]) -> Nil:
-        """What a unit of rounding of the result and of each argument, by the Jacobian, comes to."""
+        """Return the scale of one rounding of the result and of each argument, by its Jacobian."""
         scale = errors.size(exact)
         for jacobian, argument in arguments:
             scale = scale + through(jacobian, errors.size(argument))

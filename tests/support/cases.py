@@ -30,7 +30,7 @@ KEPT = 2
 """Cases kept of each function, inside and outside the principal range."""
 
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
-"""By the table of the functions that are tried."""
+"""Trials by the table of functions."""
 
 Key = tuple[str, str, bool]
 
@@ -40,7 +40,7 @@ def name_of(dtype: Any) -> str:
 
 
 def encode(value: Any) -> str:
-    """A float of any type as a sum of doubles, in hexadecimal."""
+    """Return a float of any type as a sum of doubles, in hexadecimal."""
     parts = []
     while True:
         head = float(value)
@@ -99,7 +99,7 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
 
 
 def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
-    """One case a line, in order, so that a change shows as the lines added."""
+    """Write one case per line, in a fixed order."""
     ordered = sorted(cases, key=lambda case: (case.key, case.fraction, case.arguments))
     kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)
     lines = [json.dumps({name: value for name, value in entry.items() if value != ""}) for entry in kept]

@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Done:
-    """What a run came to."""
+    """Result of one run of the command line."""
 
     returncode: int
     stdout: str

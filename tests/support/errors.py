@@ -50,7 +50,7 @@ def tangent_shadow_gate(order: int) -> int:
 
 
 def derived_shadow_gate(order: int) -> int:
-    """Its derivative there: p″ and q″ are to p′ and q′ what those are to p and q; measured 144 at n = 11."""
+    """Return the gate of its derivative there; p″ and q″ grow over p′ and q′ as those over p and q (144 at n = 11)."""
     return 5 * tangent_shadow_gate(order)
 
 
@@ -115,7 +115,7 @@ def errors(got: Any, exact: Any, scale: Nil, oracle: Oracle) -> tuple[float, flo
 
 
 def error(got: Any, exact: Any, scale: float, oracle: Oracle) -> float:
-    """Of one part, in eps of its type."""
+    """Return the error of one part in eps of its type."""
     found = np.array([oracle.field.number(c) for c in got.flat], dtype=object)
     return ratio(norm(found - exact.ravel()), scale) / float(np.finfo(got.dtype).eps)
 
@@ -204,7 +204,7 @@ def _slopes(order: int, vector: tuple[float, ...]) -> Slopes:
 
 
 def part(tensor: Array, of: Any) -> np.ndarray:
-    """A part of every entry of a tensor, as floats."""
+    """Return a part of every entry of a tensor, as floats."""
     return np.array([of(entry) for entry in tensor.flat], float).reshape(tensor.shape)
 
 
@@ -237,7 +237,7 @@ def branch_scale(operator: Any, result: Any, directions: Any, entries: Any) -> N
 
 
 def angle_scale(order: int, alpha: Nil, axis: Any) -> Nil:
-    """What a relative error of the angle α + 2kπ does to tan((α + 2kπ)/2n) u: |dv/dα| |α|, with its dual part."""
+    """Return the scale of a relative error of α + 2kπ in tan((α + 2kπ)/2n) u: |dv/dα| |α|, with its dual part."""
     tangent = math.tan(float(alpha.re) / (2 * order))
     slope = (1 + tangent * tangent) / (2 * order)
     bend = slope * abs(tangent) / order

@@ -9,7 +9,7 @@ from typing import Any
 
 
 def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
-    """What differs when the examples in a text are run one after the other, nothing where none does.
+    """Return the differences of the examples in a text, run one after the other; '' if all agree.
 
     Parameters
     ----------

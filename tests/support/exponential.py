@@ -49,7 +49,7 @@ def rodrigues(order: int, screw: Any, field: Any) -> tuple[Any, ...]:
 
 
 class ExponentialScales:
-    """What errors of the exponential map are divided by: as `errors.Scales`, at one screw of floats (6,)."""
+    """Scales of errors of the exponential map at one screw of floats (6,), as `errors.Scales`."""
 
     def __init__(self, screw: Any) -> None:
         floats, size = [float(c) for c in screw], norm(screw[3:])

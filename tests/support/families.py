@@ -63,7 +63,7 @@ def angle_by_tangent(field: Any, square: Any) -> Any:
 
 
 def _real(number: Any) -> Any:
-    """What is left of a number without its nilpotent parts."""
+    """Return the real part of a number with nested nilpotent parts."""
     return _real(number.re) if hasattr(number, "re") and hasattr(number, "du") else number
 
 
@@ -73,7 +73,7 @@ ORACLES = {
     "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
     **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
 }  # fmt: skip
-"""By module: its oracle and order."""
+"""Oracle and order by module."""
 
 
 DIGITS = 60
@@ -105,7 +105,7 @@ def _dual_zero(oracle: Oracle) -> Any:
 
 
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """What a function is given: v, or what v is the vector of, and a second argument."""
+    """Return arguments of a function: v or its pose, and a second argument."""
     first = FUNCTIONS[name].arguments[0].name
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose, "w": kernels.to_exponential}
     if first == "angle":
@@ -120,7 +120,7 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Norms of the parts of a result, and how far they go when its arguments move by their own size."""
+    """Return norms of the parts of a result plus their change when each argument moves by its own size."""
     step = mpmath.mpf(2) ** -80
     sizes = [errors.norm(part) for part in exact]
     for i, argument in enumerate(given):
@@ -134,7 +134,7 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
-    """How far T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) go when their factors are rounded.
+    """Return how far T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) move when their factors are rounded.
 
     Each is computed for itself, so each is off by a rounding of its own norm. Where a factor is all but singular, at
     whole turns and at an edge with φ′ = 0, their product is not: it is near I, and so is that of moved arguments.

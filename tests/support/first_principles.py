@@ -49,7 +49,7 @@ def along(v: Any, rate: Any) -> tuple[Nil, ...]:
 
 
 def value_key(value: Any) -> Any:
-    """What tells a number, a dual number or an array or tuple of them from others."""
+    """Return a hashable key of a number, a dual number, or an array or tuple of them."""
     if isinstance(value, Nil):
         return value_key(value.re), value_key(value.du)
     if isinstance(value, np.ndarray):
@@ -138,7 +138,7 @@ class FirstPrinciples:
 
     @remembered
     def operator_by_spin(self, v: Any) -> tuple[Any, ...]:
-        """The same through ω = 2 vec(ẇ w⁻¹): a third of the cost, checked against `operator`."""
+        """Return the operator by ω = 2 vec(ẇ w⁻¹), at a third of the cost; it is checked against `operator`."""
 
         def column(e: Any) -> tuple[Any, ...]:
             moving = tuple(Nil(Nil(a.re, a.re * 0 + c), Nil(a.du, a.du * 0)) for a, c in zip(v, e, strict=True))

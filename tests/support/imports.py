@@ -1,4 +1,4 @@
-"""Which modules of this project a file imports, read from its text: anywhere in it, inside functions too."""
+"""Modules of this project that a file imports, read from its text, functions included."""
 
 from __future__ import annotations
 

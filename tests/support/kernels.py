@@ -1,4 +1,4 @@
-"""Which kernels are tested and how they are found."""
+"""Kernels under test: their orders, and how they are loaded."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ ALIKE = (5,)
 every module."""
 
 BACKENDS = {"native", "numpy"} if os.environ.get("DUALCAY_NATIVE") == "1" else {"numpy"}
-"""What runs functions of the committed charts in these tests: compiled ones too, where the environment says so."""
+"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 compiled functions too."""
 
 
 def orders(chosen: Iterable[int]) -> Any:
-    """A fixture ``order``: each of some in turn."""
+    """Return a fixture ``order`` with these values."""
     return pytest.fixture(params=chosen, ids=lambda n: f"n={n}", name="order")(lambda request: int(request.param))
 
 

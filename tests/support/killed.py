@@ -25,7 +25,7 @@ EVENTS = {"os.rename", "os.mkdir", "os.remove", "os.rmdir", "fcntl.flock", "half
 
 
 def killed(step: int, folder: Path, texts: dict[str, str], notices: dict[str, str]) -> bool:
-    """Whether there was such a step to be killed at."""
+    """Return whether there was such a step to be killed at."""
     child = os.fork()
     if not child:
         _kill_at(step)

@@ -28,7 +28,7 @@ from tests.support.packages import Otherwise
 from tests.support.signatures import components_first, components_last
 
 PLAIN = "optimization=0"
-"""Without vector code, which takes ten times as long to compile: tests of the C target look at it."""
+"""Option that leaves out vector code, which takes ten times as long to compile."""
 
 
 def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -> None:

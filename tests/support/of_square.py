@@ -14,7 +14,7 @@ from tests.support.oracle import Oracle
 Share = Callable[[Field, Any], Any]
 
 TERMS = 90
-"""Of series in α² up to (4π)², to 60 digits: 158^90/180! is 1e-131."""
+"""Terms of series in α² up to (4π)², to 60 digits: 158^90/180! is 1e-131."""
 NESTED = 4
 """Nilpotent parts in each other: those of dual numbers, and of derivatives."""
 
@@ -42,7 +42,7 @@ class OfSquare(Oracle):
         return u * share * share
 
     def _bounds(self, x: Any) -> tuple[Any, Any]:
-        """By doubling and halving: x grows with α²."""
+        """Bracket α² by doubling and halving: x grows with α²."""
         u = x / self._x(x * 0 + 1e-30) * 1e-30
         while self._x(u) > x:
             u = u / 2

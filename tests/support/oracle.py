@@ -1,4 +1,4 @@
-"""All functions of kernels from first principles: derivatives, by T at a vector that moves along each axis."""
+"""Derivatives of the oracle: T at a vector that moves along each axis."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
 
 
 class Oracle(Maps):
-    """With derivatives of operators, and Jacobians."""
+    """The oracle with derivatives of operators and Jacobians."""
 
     def frame_operator(self, v: Any, body: bool) -> Any:
         """T, or what gives the twist in the body: Rᵀ T."""
@@ -54,7 +54,7 @@ class Oracle(Maps):
 
     @remembered
     def gradient_inv(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
-        """The same of the inverse."""
+        """Return the inverse operator of a frame and its derivatives along the three axes."""
         operator, slopes = self.gradient(v, body)
         back = inverse(operator)
         return back, tuple(scaled(matmul(back, matmul(slope, back)), -1) for slope in slopes)
@@ -87,21 +87,21 @@ class Oracle(Maps):
     # ---- of groups and motions, by their twists ----------------------------------------------------------------------
 
     def shadow_jacobian(self, v: Any, branch: int = 1) -> np.ndarray:
-        """By the twist, which is that of the shadow too: T(v_k) ∂v_k/∂v = T(v)."""
+        """Solve T(v_k) ∂v_k/∂v = T(v): a pose and its shadow have one twist."""
         if branch % self.order == 0:
             return np.eye(6)
         back = inverse(self.operator_by_spin(self.unpack(self.shadow(v, branch))))
         return matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v)))))
 
     def compose_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
-        """By the twist of a product: T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1."""
+        """Solve T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1, the twist of a product."""
         later, sooner = self.unpack(v2), self.unpack(v1)
         back = inverse(self.operator_by_spin(self.unpack(self.compose(v2, v1))))
         turned = matmul(self.rotation(later), self.operator_by_spin(sooner))
         return matrix6(pack(matmul(back, self.operator_by_spin(later)))), matrix6(pack(matmul(back, turned)))
 
     def between_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
-        """The same of R(v1)ᵀ R(v2)."""
+        """Solve the equation of the twist of R(v1)ᵀ R(v2)."""
         back = inverse(self.operator_by_spin(self.unpack(self.between(v2, v1))))
         back = matmul(back, transpose(self.rotation(self.unpack(v1))))
         one, other = (matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v))))) for v in (v2, v1))
@@ -121,7 +121,7 @@ class Oracle(Maps):
         return transpose(columns)
 
     def retract_jacobians(self, v: Any, delta: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
-        """By the twist of a product: T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(v) v̇ + R(v) dexp(δ) δ̇."""
+        """Solve T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(v) v̇ + R(v) dexp(δ) δ̇ in the body."""
         here, small = self.unpack(v), self.unpack(delta)
         back = inverse(self.operator_by_spin(self.unpack(self.retract(v, delta, body))))
         by_v, by_delta, q = self.operator_by_spin(here), self.step_operator(small), self.step(small)

@@ -55,7 +55,7 @@ class Maps(FirstPrinciples):
         return pack(matmul(inverse(self.operator(dual)), self.rotation(dual)))
 
     def inverse(self, v: Any) -> np.ndarray:
-        """From the conjugate of the n-th root that v stands for."""
+        """Return the vector of the conjugate of the n-th root that v stands for."""
         dual = self.unpack(v)
         theta, axis = self.half_screw(conjugate((self.base(dual), *dual)))
         return pack(dual if axis is None else tuple(self.size(theta) * c for c in axis))
@@ -103,7 +103,7 @@ class Maps(FirstPrinciples):
         return pack((alpha,)), pack(axis)
 
     def angle(self, v: Any) -> np.ndarray:
-        """Of v's own branch."""
+        """Return the angle on v's own branch."""
         dual = self.unpack(v)
         theta, _ = self.half_screw((self.base(dual), *dual))
         return pack((2 * self.order * theta,))
@@ -115,7 +115,7 @@ class Maps(FirstPrinciples):
         return pack([2 * self.order * theta * c for c in axis or dual])
 
     def from_exponential(self, w: Any) -> np.ndarray:
-        """Of the branches of the pose that whose α u is w, which is before the edge."""
+        """Return the branch whose exponential coordinate is w, which lies before the edge."""
         half, axis = self.half_screw(self.step(self.unpack(w)))
         along = sum(float(a.re) * float(b) for a, b in zip(axis or (), w, strict=False))
         return pack(self.on_branch(half, axis, round((along / 2 - float(half.re)) / np.pi)))
@@ -156,7 +156,7 @@ class Maps(FirstPrinciples):
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
     def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
-        """On the branch whose angle is nearest that of v along the new axis."""
+        """Return the branch whose angle is nearest to that of v along the new axis."""
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
         half, axis = self.half_screw(q)

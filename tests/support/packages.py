@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
-"""Those of the packages of other targets that tests share."""
+"""Orders of the packages of other targets that tests share."""
 
 EXECUTED = ("validate", "replay", "test")
 """The members of a target that execute what is emitted."""
@@ -25,7 +25,7 @@ class Otherwise:
 
 
 def unvalidated(target: Any) -> Any:
-    """A target whose text is not looked at."""
+    """Return a target whose text is not executed."""
     return Otherwise(target, **{name: lambda *_: 0 for name in EXECUTED})
 
 

@@ -1,4 +1,4 @@
-"""Which v the kernels of an order take: of larger ones results are NaN."""
+"""Range of v of the kernels of an order; longer vectors give NaN."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from derive.maps import Cayley
 
 
 def largest(order: int, dtype: DTypeLike) -> np.longdouble:
-    """Up to which Re|v| powers of 1 + x, with the factors that stand beside them, are numbers of a type."""
+    """Return the largest |Re v| whose powers of 1 + x, times their factors, are finite in a type."""
     most = np.longdouble(np.finfo(dtype).max) / (4 * order)
     return np.longdouble(Cayley(order).overflow(most)[1])  # type: ignore[arg-type]  # wider than float
 
 
 def in_range(order: int, v: np.ndarray) -> bool:
-    """Whether they are at v."""
+    """Return whether v lies in the range."""
     return bool(np.sqrt(1 + np.sum(v[:3].astype(np.longdouble) ** 2)) < largest(order, v.dtype))

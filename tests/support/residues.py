@@ -79,7 +79,7 @@ class Degree:
 
 
 def degree_of(other: Any) -> Degree:
-    """Of a number, 0."""
+    """Return a degree; numbers have degree 0."""
     return other if isinstance(other, Degree) else Degree(0)
 
 

@@ -1,4 +1,4 @@
-"""What functions of rotations alone are given, and how far two programs of one of them may be apart."""
+"""Arguments of rotation functions, and the tolerance between two programs of one function."""
 
 from __future__ import annotations
 

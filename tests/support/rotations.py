@@ -15,14 +15,14 @@ from tests.support.nilpotent import Nil
 from tests.support.trial import Result
 
 FUNCTIONS = tuple(name for name in EVERY if name in ROTATIONS.sources)
-"""By the names that they have among those of poses."""
+"""Functions that rotations have, by their names among those of poses."""
 
 REGIMES = tuple(r for r in sampling.REGIMES if r not in ("translation 1e6", "pure rotation", "pure translation"))
-"""Those that differ in their real parts."""
+"""Regimes that differ in their real parts."""
 
 
 class Called:
-    """A module of rotations that is called as one of poses is: of arguments it takes the real parts."""
+    """A module of rotations with the interface of poses: it takes the real parts of arguments."""
 
     def __init__(self, module: ModuleType) -> None:
         self.module = module
@@ -39,7 +39,7 @@ class Called:
 
 
 def real(value: Any, pose: Any, rotation: Any) -> Any:
-    """Of an array of poses what rotations have of it."""
+    """Return the components of an array of poses that rotations have."""
     value = np.asarray(value)
     batch = value.shape[: value.ndim - len(pose.shape)]
     return value.reshape((*batch, pose.size))[..., list(pose.places)].reshape(batch + rotation.shape)
@@ -81,5 +81,5 @@ class RotationTrial(CalculusTrial):
 
 
 def still(v: np.ndarray) -> np.ndarray:
-    """The same without its dual part."""
+    """Return vectors with dual part 0."""
     return np.concatenate([v[..., :3], np.zeros_like(v[..., 3:])], axis=-1)

@@ -65,12 +65,12 @@ REGIMES = PRINCIPAL + OUTSIDE
 
 
 def has_regime(order: int, regime: str) -> bool:
-    """Whether the chart of this order reaches the regime."""
+    """Return whether the chart of this order reaches the regime."""
     return order > 1 or regime in PRINCIPAL
 
 
 def generator(*key: object, seed: int = 0) -> np.random.Generator:
-    """A generator that depends on the key and the seed alone, in every process and on every machine."""
+    """Return a generator that depends on the key and the seed alone, in every process and on every machine."""
     return np.random.default_rng(zlib.crc32(repr((*key, seed) if seed else key).encode()))
 
 

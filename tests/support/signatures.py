@@ -1,4 +1,4 @@
-"""What each kernel function takes and gives, and inputs for it: for the tests that go over all of them alike."""
+"""Signatures of all kernel functions, and arguments for them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RODRIGUES = ("v", "v1", "v2")
 
 
 def kind(array: Array) -> str:
-    """What an argument is drawn as: a vector v, any dual vector w, or what its name says."""
+    """Return the kind of an argument: a vector v, any dual vector w, or its name."""
     if array.name in RODRIGUES:
         return "v"
     return "w" if array.shape == (6,) else array.name

@@ -1,4 +1,4 @@
-"""A chart that the toolkit does not know: v = sin(α/6) u, with all that the Protocol of charts asks for."""
+"""A chart outside the toolkit, v = sin(α/6) u, with all members of the Protocol of charts."""
 
 from __future__ import annotations
 

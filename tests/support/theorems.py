@@ -1,4 +1,4 @@
-"""What has been proved, for theorems that rest on it."""
+"""Proved theorems, for theorems that rest on them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One kernel module in one regime: its samples, and how results are measured against what is allowed."""
+"""One kernel module in one regime: its samples, and the comparison of results with their gates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.oracle import oracle_of
 
 
 class Result(NamedTuple):
-    """One computed value, what it may be (two values only where a tie leaves the side open), and what is allowed."""
+    """One computed value, its exact values (two where a tie leaves the side open), scales and gates."""
 
     got: np.ndarray
     exact: list[Any]
@@ -62,13 +62,13 @@ class Measured:
         return draw(f"{name} {self.regime}", **self.drawn) if self.given is None else self.given[1]
 
     def partners(self) -> list[np.ndarray]:
-        """What to compose with: poses of the same regime, and poses from anywhere."""
+        """Return poses to compose with: of the same regime, and of any regime."""
         if self.given is not None:
             return [self.given[1]]
         return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
 
     def branches(self) -> list[int]:
-        """Some branches, those left out where the angle α + 2kπ is the end nπ of the chart."""
+        """Return some branches, without those whose angle α + 2kπ is the end nπ of the chart."""
         n = self.order
         chosen = sorted({0, 1 % n, n // 2, n - 1})
         if self.regime == "identity":

@@ -30,13 +30,13 @@ SOME = ("uniform", "pure translation", "shadow")
 """Regimes that tell as much as all, of a library that computes as the one the text was validated in."""
 REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
 SLOW = ("jax", "jax.jit", "dask")
-"""Where every operation or case is compiled, or planned: one order and type and some functions tell as much as all."""
+"""Libraries that compile or plan every operation: tests use one order, one type and some functions."""
 
 COMPILED = ("pose", "tangent_inv", "twist", "from_pose", "compose", "shadow", "rate_jacobian")
-"""What their results are compared for."""
+"""Functions whose results are compared in slow libraries."""
 
 KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES.items()}
-"""A function for each number of arguments and of axes of components."""
+"""One function for each number of arguments and of component axes."""
 
 
 @LIBRARY
@@ -49,7 +49,7 @@ def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
 
 @pytest.mark.thorough
 def test_the_replay_runs_in_jax(folder):
-    """In single precision, its own; every shape of an array is compiled, so one function takes all ways."""
+    """Replay in single precision, the default of JAX; one function goes through all call conventions."""
     singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
     assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], geometry=False) > 50
 

@@ -132,7 +132,7 @@ def test_shadows_and_screws(array_api, order, jacobians):
 
 @JACOBIANS
 def test_steps_of_half_a_turn_and_more(array_api, jacobians):
-    """Where tan(|δ|/2) is as large as numbers allow, and where it is 0: by δ the closed form T(v')⁻¹ dexp(δ)."""
+    """tan(|δ|/2) is huge at half a turn and 0 at a whole turn; by δ the derivative is T(v')⁻¹ dexp(δ)."""
     module, v = array_api(3), np.repeat(samples(3, "uniform"), 3, axis=0)
     third = np.pi / 3
     delta = np.array([[0, 0, np.pi, 0.1, 0.2, 0.3], [-third, 2 * third, 2 * third, 1, 2, 3], [0, 5, 0, 1, 0, 0]])
@@ -183,7 +183,7 @@ def test_torch_vmap_and_backward(array_api):
 
 @JACOBIANS
 def test_closed_forms_are_the_derivatives(array_api, jacobians):
-    """Of a sum of functions with weights, so that one compilation does for all of them."""
+    """A weighted sum of functions is compiled once for all of them."""
     module, kernel, at = array_api(3), load(3), samples(3, "uniform", "angle 1e-7", "pure translation", "shadow")
     w = np.broadcast_to(0.3 * sampling.dual_vectors("closed forms")[0], at.shape)
 

@@ -44,7 +44,7 @@ def rotations(package):
 
 
 def assert_taken(function, values, convert):
-    """Whichever of the arguments are of the library, the results are, and the same as where all of them are NumPy's."""
+    """Require that results are of the library whenever an argument is, and equal those for NumPy arguments."""
     expected, kind = several(function(*values)), type(convert(V))
     for chosen in product([True, False], repeat=len(values)):
         if any(chosen):
@@ -67,14 +67,14 @@ def test_every_function_of_several_arrays_takes_those_of_numpy_into_the_other_li
         assert_taken(getattr(module, name), inputs(load(3), name, 3, (2,)), strict.asarray)
 
 
-def test_every_function_of_rotations_does(rotations, strict):
+def test_every_function_of_rotations_takes_numpy_arguments(rotations, strict):
     kernels = importlib.import_module("dualcay.rotation.cayley3")
     assert "from_angle_axis" in OF_ROTATIONS
     for name in OF_ROTATIONS:
         assert_taken(getattr(rotations, name), arguments(ROTATIONS.public[name], kernels), strict.asarray)
 
 
-def test_on_a_branch_and_with_a_check(module, strict):
+def test_other_libraries_take_branch_and_check(module, strict):
     angle, line = np.array([0.5, 0.2]), np.array([0.6, 0, 0.8, 0, 2.0, 0])
     assert_taken(lambda a, u: module.from_screw(a, u, check=True), [angle, line], strict.asarray)
     v = module.from_screw(strict.asarray(angle), line)
@@ -90,11 +90,11 @@ def test_components_first(module, strict):
 
 
 @pytest.mark.parametrize("library", FOREIGN)
-def test_other_libraries_take_them_too(module, library):
+def test_other_libraries_take_numpy_arguments(module, library):
     assert_taken(module.twist, [V, W], LIBRARIES[library]())
 
 
-def test_what_goes_on_to_another_chart_stays_in_the_library(package, module, strict):
+def test_conversion_stays_in_the_library(package, module, strict):
     convert = importlib.import_module(package("array-api")).convert
     other = importlib.import_module(f"{package('array-api')}.cayley2")
     v = module.compose(V, strict.asarray(W))
@@ -123,7 +123,7 @@ def test_numbers_and_lists_take_the_type_of_the_arrays(module, strict):
     np.testing.assert_array_equal(module.twist([V.tolist()], W), module.twist(V[None], W))
 
 
-def test_they_go_to_the_device_of_the_other(module, strict):
+def test_numpy_arguments_move_to_the_device_of_the_other(module, strict):
     device = strict.Device("device1")
     w = strict.asarray(W, device=device)
     assert module.twist(V, w).device == module.twist(w, V).device == device
@@ -140,7 +140,7 @@ def test_two_libraries_beside_numpy_are_named(module, strict, jax):
         module.interpolate(V.tolist(), one, other[0])
 
 
-def test_what_is_no_array_is_named(module, strict):
+def test_arguments_that_are_no_arrays_are_named(module, strict):
     for first in (W, strict.asarray(W)):
         with pytest.raises(TypeError, match="v_dot must be an array of NumPy, JAX, PyTorch or the like, got dict"):
             module.twist(first, {})
@@ -166,7 +166,7 @@ def test_a_constant_first_argument_in_compiled_functions(module, jax, name):
 
 
 def test_gradients_by_the_second_argument(module, jax):
-    """Of the sum of a twist the column sums of the tangent operator, of that of a composition those of its Jacobian."""
+    """Gradients of sums are the column sums of the tangent operator and of the Jacobian of a composition."""
     kernel = load(3)
 
     def slope(function):

@@ -84,7 +84,7 @@ def test_headers_compile_without_a_warning(package, tmp_path, standard, real, or
     run(tool(name), *flags, "-c", source, "-o", tmp_path / "some.o")
 
 
-def test_nothing_is_left_of_the_macros_that_geometry_is_told_by(package, tmp_path):
+def test_internal_macros_are_undefined_at_the_end_of_headers(package, tmp_path):
     source = written(tmp_path, "all.c", INCLUDE_ALL)
     left = re.findall(r"^#define (DUALCAY_\w+)", run(tool("gcc"), "-E", "-dM", f"-I{package}", source), re.MULTILINE)
     assert "DUALCAY_CAYLEY16_ORDER" in left
@@ -117,7 +117,7 @@ def test_rational_maps_build_without_any_library(package, tmp_path):
 
 
 def test_device_qualifiers_stand_before_every_function(package, tmp_path):
-    """What a CUDA compiler reads, with its keywords spelt as macros: host and device, and no loop pragma."""
+    """Preprocess as a CUDA compiler does: every function is for host and device, and no loop pragma is left."""
     source = written(tmp_path, "device.cpp", INCLUDE_ALL)
     keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
     text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
@@ -145,7 +145,7 @@ def test_results_agree_with_exact_ones(package, tmp_path, compiler, order, real,
     assert f"cayley{order}, {real}: " in run(program)
 
 
-def test_a_write_beyond_a_result_is_seen(package, tmp_path):
+def test_sanitizer_sees_a_write_beyond_a_result(package, tmp_path):
     headers = shutil.copytree(package, tmp_path / "package")
     geometry = headers / "geometry.h"
     text = geometry.read_text(encoding="utf-8")
@@ -170,7 +170,7 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
     [(3, POSES, 3, ()), (8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
-    """All that call neither tan nor atan2, or all where libmvec has them; the loops over turns are among them."""
+    """Loops without tan and atan2 are vectorised; with libmvec all loops are, those over turns included."""
     header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()
     begin = prefix(Cayley(order), table)
     uses = "".join(f"void *use_{name} = (void *){begin}_{name}_rows;\n" for name in table.public)
@@ -214,7 +214,7 @@ def test_the_package_installs_and_the_example_finds_it(package, tmp_path):
     assert "largest difference" in run(tmp_path / "example" / "screw_motion")
 
 
-def test_the_example_generates_what_it_does_not_find(tmp_path):
+def test_example_generates_missing_headers(tmp_path):
     cmake = tool("cmake")
     options = (f"-DPython3_EXECUTABLE={sys.executable}", "-DDUALCAY_ORDERS=3")
     alone = "-DCMAKE_DISABLE_FIND_PACKAGE_dualcay=ON"

@@ -44,7 +44,7 @@ STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-We
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
 ROUNDING = 1e-12
-"""Of jets: some 300 operations on numbers up to 10, 2.2e-16 each, by a condition below 1000 of the way back."""
+"""Tolerance of jets: some 300 operations on numbers up to 10, times a condition below 1000."""
 
 
 @pytest.fixture(scope="module")
@@ -210,7 +210,7 @@ def differing(program: Path, asked: Sequence[Query]) -> set[str]:
 
 
 def degree(chart: Cayley, table: Table, row: Function) -> int:
-    """A bound of the degree of the numerator of the difference between a printed function and its formula."""
+    """Return a bound of the degree of the numerator of the difference between a printed function and its formula."""
     arguments = [[Degree() for _ in range(array.size)] for array in row.arguments]
     module = importlib.import_module(".".join(filter(None, ("dualcay", table.name, chart.name))))
     arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, row.arguments)]

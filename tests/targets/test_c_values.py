@@ -18,7 +18,7 @@ pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ORDERS = (1, 3, 8)
 LIBRARY = {"tan", "atan2"}
-"""What libraries round differently."""
+"""Functions that libraries round differently."""
 
 COUNT = 300
 
@@ -107,7 +107,7 @@ def test_both_layouts_agree_but_for_rounding(both, name, layout):
 
 
 def test_rotations_agree_but_for_rounding(folder, tmp_path):
-    """In both layouts. One order: all of them share the scalars of poses, which are compared above."""
+    """Both layouts, one order: rotations share the scalars of poses, which are compared above."""
     command = compiler()
     library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)
     form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")

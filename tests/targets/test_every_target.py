@@ -1,4 +1,4 @@
-"""What holds for every target: its text is made, and says what the formulas say."""
+"""Properties of every target: its text is printed and agrees with the formulas."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def require_validated(name, folder):
 
 
 @pytest.mark.parametrize(("target", "out"), [("numba", (None,)), ("array-api", ())])
-def test_of_each_half_of_a_quaternion_the_scalar_may_stand_last(package, target, out):
+def test_scalar_last_reorders_each_half_of_a_quaternion(package, target, out):
     runtime = importlib.import_module(f"{package(target)}._runtime")
     for last, first in (([1, 2, 3, 0], [0, 1, 2, 3]), ([1, 2, 3, 0, 5, 6, 7, 4], [0, 1, 2, 3, 4, 5, 6, 7])):
         size = len(last)
@@ -54,13 +54,13 @@ def test_a_module_shows_what_it_offers(package, target):
 
 
 @pytest.mark.parametrize("target", ["numba", "array-api"])
-def test_where_there_is_one_branch_too_what_is_complex_has_no_principal_one(package, target):
+def test_principal_refuses_complex_vectors_of_one_branch_charts(package, target):
     module = importlib.import_module(f"{package(target)}.cayley1")
     assert not module.CHART.returns
     with pytest.raises(TypeError, match="v must be real"):
         module.principal(np.full(6, 0.1 + 0j))
 
 
-def test_inside_compiled_code_functions_of_one_kernel_have_constants_of_their_own(package):
+def test_compiled_functions_that_share_a_kernel_have_their_own_constants(package):
     shared = importlib.import_module(f"{package('numba')}._inside").SHARED
     assert shared == {name: (row.kernel, row.constants) for name, row in PUBLIC.items() if row.constants}

@@ -43,7 +43,7 @@ OF_ROTATIONS = sorted(
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Where the package is installed; one build for all processes."""
+    """Return the folder where the package is installed; all processes share one build."""
     return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
 
 
@@ -81,7 +81,7 @@ def test_every_program_is_compiled(native, rotations):
             assert compiled.function.__name__ == compiled.directly.__name__ == name
 
 
-def test_functions_are_made_once_however_often_they_are_imported(native):
+def test_reimport_reuses_compiled_functions(native):
     """NumPy holds on to tables of an extension module, which it must not make anew."""
     native(3).pose(np.zeros(6))
     name = "dualcay_native.cayley3"
@@ -93,7 +93,7 @@ def test_functions_are_made_once_however_often_they_are_imported(native):
 
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
-    """Within bounds of rounding: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
+    """Agreement within rounding bounds: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
     machinery = TARGETS["numpy"].machinery
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
@@ -113,7 +113,7 @@ def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
 
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
-def test_the_direct_way_is_taken_by_plain_arrays_and_agrees_to_the_digit(native, name):
+def test_fast_path_takes_plain_float64_arrays_and_agrees_to_the_digit(native, name):
     """Any batch of aligned float64, or one beside a batch; everything else is refused, in silence."""
     function, directly = native(3).CHART.native[name]
     values = inputs(load(3), name, 3, (12,))
@@ -135,7 +135,7 @@ def test_the_direct_way_is_taken_by_plain_arrays_and_agrees_to_the_digit(native,
     assert [directly(*given, *table) for given in refused] == [None] * len(refused)
 
 
-def test_the_direct_way_takes_one_beside_a_batch_and_no_two_batches(native):
+def test_fast_path_takes_one_pose_beside_a_batch(native):
     function, directly = native(2).CHART.native["compose"]
     v, w = inputs(load(2), "compose", 3, (12,))
     for given in ((v, w[0]), (v[0], w), (v.reshape(3, 4, 6), w[0])):
@@ -145,7 +145,7 @@ def test_the_direct_way_takes_one_beside_a_batch_and_no_two_batches(native):
         np.testing.assert_array_equal(native(2).compose(v[:5], w[:1]), function(v[:5], w[:1]))
 
 
-def test_results_that_overlap_arguments_are_those_of_results_that_do_not(native):
+def test_overlapping_results_agree_with_separate_ones(native):
     memory = np.zeros((300, 8))
     v = memory[:, 1:7]
     v[...] = native(3).random(300, rng=1)
@@ -155,7 +155,7 @@ def test_results_that_overlap_arguments_are_those_of_results_that_do_not(native)
     np.testing.assert_array_equal(memory[:, 2:], expected)
 
 
-def test_what_is_not_compiled_goes_to_numpy(native):
+def test_other_number_types_run_in_numpy(native):
     v = native(3).random(4, rng=2)
     for other in (v.astype(complex), v.astype(object)):
         got, expected = native(3).pose(other), load(3).pose(other)
@@ -199,7 +199,7 @@ def test_singular_points_raise_no_floating_point_error(native):
 
 
 def test_other_threads_run_meanwhile(native):
-    """A thread that counts goes on counting while a long call runs: it holds no lock."""
+    """A counting thread goes on during a long call, which therefore holds no lock."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
 
@@ -226,7 +226,7 @@ print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().v
 
 
 def said(site: Path, **environment: str) -> tuple[str, str]:
-    """What a fresh process prints and warns of."""
+    """Return output and warnings of a fresh process."""
     paths = os.pathsep.join([str(site), str(ROOT.parent)])
     env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
     done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)
@@ -238,7 +238,7 @@ def test_an_environment_variable_switches_it_off(site):
     assert "native in" in said(site)[0]
 
 
-def test_a_build_of_other_programs_or_none_at_all_is_left_aside_with_one_warning(tmp_path):
+def test_stale_or_broken_build_is_ignored_with_one_warning(tmp_path):
     folder = tmp_path / "dualcay_native"
     folder.mkdir()
     (folder / "__init__.py").touch()

@@ -56,7 +56,7 @@ def test_layouts_agree_to_the_digit(rotations: ModuleType, name: str) -> None:
 def test_rows_of_any_number_are_read_and_written_within_their_bounds(
     rotations: ModuleType, count: int, dtype: type
 ) -> None:
-    """In place only whole vectors are; what lies beside stays as it is."""
+    """Only whole vectors are written in place; memory beside them stays as it is."""
     v = np.full((3, count + 32), np.nan, dtype)[:, 16:-16]
     v[...] = rotations.random(count, rng=1).T
     made = rotations.compose(v, v, axis=0)

@@ -29,13 +29,13 @@ pytestmark = pytest.mark.thorough
 
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
-"""A function of each kind: loops over columns, which take seconds to compile, are printed as those over last axes."""
+"""One function of each kind, since loops over columns take seconds to compile."""
 REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 
 
 @pytest.fixture
 def inside(package):
-    """What makes a kernel a function for compiled code."""
+    """Return the function that makes a kernel callable from compiled code."""
     return importlib.import_module(package("numba")).compiled
 
 
@@ -254,21 +254,21 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
         assert_nearly_equal(back, load(ORDER).body_twist(v, v_dot), eps=eps)
 
 
-def test_what_is_asked_for_twice_is_compiled_once(compiled, inside):
+def test_compiled_functions_are_cached(compiled, inside):
     """Of one kernel with other constants each is its own."""
     module = compiled(ORDER)
     assert inside(module.twist) is inside(module.twist)
     assert inside(module.twist) is not inside(module.body_twist)
 
 
-def test_what_is_no_kernel_is_not_compiled_into_code(compiled, inside):
+def test_functions_without_kernel_are_refused(compiled, inside):
     module = compiled(ORDER)
     for other in (np.tan, module.shadow, module.principal, module.singular_angles, load(ORDER).pose, 3):
         with pytest.raises(TypeError, match=r"expected a function .* that is a kernel, as cayley3\.pose, got"):
             inside(other)
 
 
-def test_a_kernel_called_pose_by_pose_writes_no_further_than_its_result(compiled, inside):
+def test_compiled_kernel_refuses_arrays_of_other_sizes(compiled, inside):
     pose, v = inside(compiled(ORDER).pose), np.zeros(6)
     memory = np.zeros((8, 16))
     for given in ((v, memory[0].reshape(4, 4)), (v, memory[0, :15]), (v, memory[:2].ravel()), (v[:5], memory[0])):

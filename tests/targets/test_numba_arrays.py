@@ -19,7 +19,7 @@ from derive.output import files
 
 @pytest.fixture(scope="module")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Of the templates; nothing is compiled."""
+    """Return the run-time module of the templates; nothing is compiled."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numba"]))
     with loaded(folder) as package:
@@ -35,7 +35,7 @@ def added(arrays: list[Any], result: Any) -> None:
 ADDED = SimpleNamespace(parts=[(2,), (2,)], sizes=[2, 2], size=3, source=SimpleNamespace(shape=(3,)), over_last=added)
 
 
-def test_float64_of_one_batch_takes_the_shortest_way(runtime: Any) -> None:
+def test_float64_arrays_of_one_batch_take_the_fast_path(runtime: Any) -> None:
     given = np.arange(6.0).reshape(3, 2), np.arange(6.0, 12).reshape(3, 2)
     found = runtime._directly(ADDED, given, ())
     assert np.array_equal(found, [[0, 7, 7], [2, 9, 11], [4, 11, 15]])
@@ -46,7 +46,7 @@ def test_float64_of_one_batch_takes_the_shortest_way(runtime: Any) -> None:
     assert runtime._directly(ADDED, (first.tolist(), second), ()) is None
 
 
-def test_loops_write_directly_where_nothing_is_in_the_way(runtime: Any) -> None:
+def test_loops_write_directly_into_contiguous_separate_results(runtime: Any) -> None:
     shape, dtype, given = (4, 3), np.dtype(np.float64), [np.zeros((4, 2))]
     right = np.zeros(shape)
     assert runtime._place(right, shape, dtype, given) is right

@@ -16,7 +16,7 @@ from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 EPS = np.finfo(float).eps
 COMPILED = ("tensor", "twist", "compose", "shadow", "from_angle_axis", "to_angle_axis", "rate_jacobian")
-"""A function of each kind, where every one takes a second to compile."""
+"""One function of each kind, since each takes a second to compile."""
 
 
 def require_equal(module: ModuleType, kernels: ModuleType, name: str, make: Callable[[np.ndarray], Any]) -> None:
