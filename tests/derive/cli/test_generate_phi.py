@@ -1,4 +1,4 @@
-"""``dualcay generate --phi``: a module of a user's φ, and refusals."""
+"""``dualcay generate --phi``: the module, its check by the header, and refusals as usage errors."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_refusals(tmp_path: Path, arguments: tuple[str, ...], reason: str):
     assert not (tmp_path / "kernels").exists()
 
 
-def test_chart_of_phi_is_written_and_checked(tmp_path: Path):
+def test_a_phi_that_is_a_sine_is_written_and_checked(tmp_path: Path):
     folder = str(tmp_path / "kernels")
     arguments = ("--phi", "2*sin(alpha/(2*n))", "-n", "1", "--name", "mine", "-o", folder)
     assert dualcay("generate", *arguments).returncode == 0
