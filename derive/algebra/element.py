@@ -12,7 +12,7 @@ from .polynomial_backend import Polynomial
 
 
 class NotExactError(ArithmeticError):
-    """The result lies outside the field, such as the square root of an element that is no square."""
+    """Error: the result lies outside the field, such as the root of a non-square."""
 
 
 class Element:

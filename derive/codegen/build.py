@@ -19,7 +19,10 @@ from .package import Counts, Facts, Module, Package, module_name, module_texts, 
 from .targets import Target
 
 GEOMETRY = Cayley(3)
-"""The chart in which the shared geometry is checked: the lowest order whose scalars all differ."""
+"""The chart in which the shared geometry is checked where no other fits: the lowest order whose scalars all differ."""
+
+GEOMETRY_ORDERS = range(GEOMETRY.order, 9)
+"""Orders that fit; exact numbers take long in higher ones."""
 
 GC_THRESHOLD = 20_000
 """Allocations between two searches for unreachable cycles while charts are built."""
@@ -30,21 +33,18 @@ Progress = Callable[[str], None]
 def build(charts: Sequence[Chart], target: Target, progress: Progress | None = None, processes: int = 1) -> Package:
     """Prove, lower, print and check charts, in several processes if asked; publish nothing.
 
-    Raises
-    ------
-    ProofFailed, ValidationFailed
-        If any chart fails.
+    `ProofFailed` or `ValidationFailed` is raised if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
     report, printed, modules = progress or no_op, list[Module](), list[Module]()
 
-    def checks() -> Iterator[tuple[Chart, Target, Path]]:
+    def checks() -> Iterator[tuple[Chart, Target, Path, bool]]:
         for chart in with_geometry(charts):
             printed.append(print_module(chart, target, report))
             files.write(staging, printed[-1].texts)
             report(f"{chart.name}: checking")
-            yield chart, target, staging
+            yield chart, target, staging, chart == geometry_chart(charts)
 
     with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
         staging, shared = Path(folder), shared_texts(target)
@@ -68,17 +68,22 @@ def print_module(chart: Chart, target: Target, report: Progress) -> Module:
     return Module(module_name(chart, target), proved, module_texts(Facts(proved, lower(proved)), target))
 
 
-def check(chart: Chart, target: Target, folder: Path) -> Counts:
-    """Execute the module of a chart on disk; for `GEOMETRY`, with all that charts share."""
-    geometry = chart == GEOMETRY
+def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:
+    """Execute the module of a chart on disk, perhaps with the geometry that all charts share."""
     with relaxed_gc():
         validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
         return Counts(validated, replayed, target.test(folder, chart))
 
 
+def geometry_chart(charts: Sequence[Chart]) -> Chart:
+    """Return the chart in which the shared geometry is checked: the first Cayley map of a fit order, or `GEOMETRY`."""
+    return next((chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS), GEOMETRY)
+
+
 def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
-    """Return the charts to build, `GEOMETRY` among them."""
-    return charts if GEOMETRY in charts else [GEOMETRY, *charts]
+    """Return the charts to build, with one in which the shared geometry is checked."""
+    chart = geometry_chart(charts)
+    return charts if chart in charts else [chart, *charts]
 
 
 @contextmanager

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Set
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from types import MappingProxyType
 
 from ..maps.chart import Chart
 from ..proof import Proved
-from .lowering.scalars import scalar_program, scalar_programs
-from .programs.program import Call, Program, Step
+from .lowering.scalars import scalar_programs
+from .programs.program import Program
 from .programs.written_out import written_out
 from .rows import Table
-from .signatures import POSES, ROTATIONS
+from .signatures import POSES
 
 
 def geometry(table: Table = POSES) -> Mapping[str, Program]:
@@ -81,54 +80,10 @@ def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
 
 @lru_cache(maxsize=8)  # apart from the default argument, which the cache would store under two keys
 def _lowered(chart: Chart, table: Table) -> Lowered:
-    scalars, counted, called = _scalars(chart), {}, set()
+    scalars, counted, called = scalar_programs(chart), {}, set()
     for name, program in geometry(table).items():
         functions = {call.function for call in program.calls}
         if functions <= scalars.keys():
             called |= functions
             counted[name] = sum((scalars[call.function].operations for call in program.calls), program.operations)
     return Lowered(table, {name: program for name, program in scalars.items() if name in called}, counted)
-
-
-@lru_cache(maxsize=4)  # every table asks for them
-def _scalars(chart: Chart) -> Mapping[str, Program]:
-    """The scalar programs of a chart, with elements for constants that geometry divides: those would become floats."""
-    scalars = scalar_programs(chart)
-    constant = {name for name, program in scalars.items() if not all(isinstance(o, str) for o in program.outputs)}
-    elements: dict[str, set[int]] = {}
-    for program in (program for table in (POSES, ROTATIONS) for program in geometry(table).values()):
-        functions = {call.function for call in program.calls}
-        if functions <= scalars.keys() and functions & constant:
-            for function, place in _divided(program, scalars):
-                elements.setdefault(function, set()).add(place)
-    return scalars | {name: scalar_program(name, chart, places) for name, places in elements.items()}
-
-
-Result = tuple[str, int]
-"""A scalar function and the number of one of its results."""
-
-
-def _divided(
-    program: Program, scalars: Mapping[str, Program], given: Mapping[str, Set[Result]] = MappingProxyType({})
-) -> set[Result]:
-    """The integers among results of scalars that are divided by integers, here or in what is called.
-
-    ``given`` are names that are such integers, and the results these were made of.
-    """
-    known, divided = dict(given), set[Result]()
-    for statement in program.statements:
-        selects = isinstance(statement, Step) and statement.op == "where"
-        values = statement.args[1:] if selects else statement.args  # whatever is asked, integers are selected
-        made_of = [known.get(arg) if isinstance(arg, str) else set[Result]() for arg in values]
-        if isinstance(statement, Call):
-            called = scalars[statement.function]
-            names = [name for _, group in called.inputs for name in group]
-            passed = {name: results for name, results in zip(names, made_of) if results is not None}
-            divided |= _divided(called, scalars, passed)
-            pairs = enumerate(zip(statement.names, called.outputs, strict=True))
-            known |= {name: {(called.name, i)} for i, (name, output) in pairs if not isinstance(output, str)}
-        elif all(results is not None for results in made_of):
-            origin = set().union(*filter(None, made_of))
-            known[statement.name] = origin
-            divided |= origin if statement.op == "div" else set()
-    return divided

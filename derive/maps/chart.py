@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import sympy
 
@@ -37,57 +37,12 @@ DEFINITIONS = {
 """The maps of every chart in its scalars, as LaTeX."""
 
 
-class Scalars(Protocol):
-    """Scalars of a chart at x; a trailing y marks a slope, ``2 d/dx``, yy a second slope."""
+Scalars: TypeAlias = Any
+"""Scalars of a chart at x: s, w, f, g, h, fi, hi, and ``rate = 1/φ′ = f + x h``, the factor of T along the axis.
 
-    @property
-    def s(self) -> Coefficient: ...
-    @property
-    def w(self) -> Coefficient: ...
-    @property
-    def sy(self) -> Coefficient: ...
-    @property
-    def wy(self) -> Coefficient: ...
-    @property
-    def f(self) -> Coefficient: ...
-    @property
-    def g(self) -> Coefficient: ...
-    @property
-    def h(self) -> Coefficient: ...
-    @property
-    def fy(self) -> Coefficient: ...
-    @property
-    def gy(self) -> Coefficient: ...
-    @property
-    def hy(self) -> Coefficient: ...
-    @property
-    def rate(self) -> Coefficient:
-        """``1/φ′ = f + x h``, the factor of T along the axis."""
-
-    @property
-    def ratey(self) -> Coefficient: ...
-    @property
-    def fi(self) -> Coefficient: ...
-    @property
-    def hi(self) -> Coefficient: ...
-    @property
-    def fiy(self) -> Coefficient: ...
-    @property
-    def hiy(self) -> Coefficient: ...
-    @property
-    def fyy(self) -> Coefficient: ...
-    @property
-    def gyy(self) -> Coefficient: ...
-    @property
-    def hyy(self) -> Coefficient: ...
-    @property
-    def fiyy(self) -> Coefficient: ...
-    @property
-    def hiyy(self) -> Coefficient: ...
-
-    @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """Return (a, b, size): ``a + b v`` is the quaternion times a positive size, 1 unless another is cheaper."""
+Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slopes are fyy, gyy, hyy, fiyy and hiyy.
+``ray`` is (a, b, size): ``a + b v`` is the quaternion times a positive size, 1 unless another is cheaper.
+"""
 
 
 class Chart(Protocol):

@@ -6,6 +6,8 @@ trigonometric functions.
 
 from __future__ import annotations
 
+from typing import Any
+
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 
@@ -17,19 +19,31 @@ def gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool
     """
     if n == 1:
         return m.div(1, q.scalar)
-    negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-    cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+    negative, cosine = half_cosine(q, m, positive)
     sign = m.where(negative, -1, 1)
     if has_ladder(n):
         return m.div(sign, _ladder(n, cosine, size, m))
-    square = m.name("ss", q.vector.dot(q.vector))
-    still = m.name("still", m.equal(square, 0))
-    # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
-    sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+    still, square, sine = half_sine(q, cosine, m)
     if not (positive or isinstance(size, int)):  # NaN, not 1/∞ = 0, where the square of a product overflows
         sine = m.name("sinq", square / sine)
     tangent = m.tan(m.div(m.atan2(sine, cosine), n))
     return sign * (m.where(still, 1, tangent) / m.where(still, n * cosine, sine))
+
+
+def half_cosine(q: Quaternion, m: Arithmetic, positive: bool) -> tuple[Any, Coefficient]:
+    """Return whether the scalar part is negative, and its size."""
+    negative = False if positive else m.name("negative", m.less(q.scalar, 0))
+    cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+    return negative, cosine
+
+
+def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, Coefficient, Coefficient]:
+    """Return whether the vector part is 0, its square, and its length; where it is 0 another length."""
+    square = m.name("ss", q.vector.dot(q.vector))
+    still = m.name("still", m.equal(square, 0))
+    # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
+    sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+    return still, square, sine
 
 
 def has_ladder(n: int) -> bool:

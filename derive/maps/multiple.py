@@ -172,8 +172,6 @@ class Multiple(Parameterized):
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
         return angle, divided(slope, self.factor, m), sign
 
-    # --- branches ---------------------------------------------------------------------------------------------------
-
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.unfolded(self._square(x, m), self._length(r, m), m)
 

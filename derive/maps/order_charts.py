@@ -17,7 +17,7 @@ from ..algebra.arithmetic import Arithmetic
 from . import branches
 from .branches import Derivatives
 from .families import alpha
-from .gains import has_ladder
+from .gains import half_cosine, half_sine, has_ladder
 from .parameterized import QuaternionChart
 
 
@@ -50,8 +50,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """Return ``φ/sin(α/2)``, by half-angle formulas where n is a power of two."""
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+        negative, cosine = half_cosine(q, m, positive)
         sign = m.where(negative, -1, 1)
         found = self._by_halves if has_ladder(self.order) else self._by_angle
         above, below = found(q, cosine, size, m)
@@ -71,10 +70,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
     def _by_angle(
         self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        square = m.name("ss", q.vector.dot(q.vector))
-        still = m.name("still", m.equal(square, 0))
-        # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
-        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        still, _, sine = half_sine(q, cosine, m)
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
         above, below = self.over_sine(m.name("costheta", cos), m)

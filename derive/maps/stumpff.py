@@ -24,6 +24,7 @@ from math import factorial
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .any_phi.real_constants import SMALL
 from .scalar import scalar
 
 LIMIT = 6
@@ -35,9 +36,6 @@ TERMS = 9
 REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
 """Bound of the truncation error: the first omitted term, since signs alternate and sizes fall."""
 
-EXACT = 2**24
-"""Largest integer that every number type holds exactly."""
-
 
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
     """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, with joined denominators."""
@@ -45,7 +43,7 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
     below = 1
     for step in range(TERMS - 1, 0, -1):
         divisor = (2 * step + 6) * (2 * step + 7)
-        if below * divisor > EXACT:
+        if below * divisor > SMALL:
             above, below = m.div(above, below), 1
         below *= divisor
         above = below - zeta * above

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -46,18 +45,6 @@ def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
             if not values.equal(env.field, a, b):
                 return tuple(shown(side) if is_value(side) else [] for side in (a, b))
     return ()
-
-
-def sides(env: Env, statement: Term) -> Iterator[Any]:
-    """Yield the values of both sides of each equation in a statement."""
-    if not isinstance(statement, Apply):
-        return
-    if Trait.JOINS in statement.operator.traits:
-        for part in statement.arguments:
-            yield from sides(env, part)
-    elif statement.operator is equal:
-        for side in statement.arguments:
-            yield env.value(side)
 
 
 def is_value(value: Any) -> bool:

@@ -16,7 +16,7 @@ from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
 
-METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
+METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Stated = Callable[[], Sequence[Any]]
 """Return the coefficients that the code computes."""
 
@@ -55,11 +55,11 @@ class CayleyFormulas(Protocol):
 SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
-"""The symbols of the theorems for what a Cayley map has, by name."""
+"""Symbols of the theorems by the name of a Cayley map's formula."""
 
 
 def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
-    """Prove that each formula of a Cayley map is that of the theorems at its order.
+    """Prove that the formulas of a Cayley map are those of the theorems at its order.
 
     Parameters
     ----------

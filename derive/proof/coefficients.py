@@ -108,8 +108,8 @@ class Coefficients:
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
         first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
-        for equation in task.supposed:
-            yield f"supposed, {equation.text}", 1  # nothing here could decide it
+        for equation in task.required:
+            yield f"required, {equation.text}", 1  # nothing here could decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
         for equation in laws:

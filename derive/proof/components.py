@@ -250,8 +250,8 @@ class Components:
         point = AtPoint(self.cayley.order)
         checks = (self.definition, self.quaternion, self.tensor, self.orthogonality, self.twist, self.inverse)
         for (name, claim, premises), decision in zip(statements or STATEMENTS, checks, strict=True):
-            said = (*claim, *(premise.equation for premise in premises))
-            printed = (check for equation in said for check in point.checks(equation))
+            equations = (*claim, *(premise.equation for premise in premises))
+            printed = (check for equation in equations for check in point.checks(equation))
             claimed = Claim(name, claim, METHOD, premises)
             yield decide(claimed, partial(chain, printed, decision()), f"n = {self.cayley.order}")
 

@@ -151,8 +151,8 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
     """Yield all controls at the order of a Cayley map; formulas and definitions are altered in turn."""
     for name, places in _FORMULAS.items():
         for alteration, wrong in _altered(cayley, name):
-            owned = f"Cayley({cayley.order}).{name}"
-            failing = next(proof for proof in instances(wrong) if owned in proof.name.split(", "))
+            name_in_code = f"Cayley({cayley.order}).{name}"
+            failing = next(proof for proof in instances(wrong) if name_in_code in proof.name.split(", "))
             yield Control(failing.name, alteration, failing)
             decided = tuple(Components(wrong).proofs()) if places else ()
             yield from (Control(decided[place].name, alteration, decided[place]) for place in places)
@@ -160,12 +160,12 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
         functions = replace(Computed(), **{field.name: _off(field.default)})
         failing = next(proof for proof in computations(cayley.order, functions) if f".{field.name}(" in proof.name)
         yield Control(failing.name, f"{field.name} off by one", failing)
-    words = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
-    for proof in Components(cayley).proofs(words):
+    altered_statements = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
+    for proof in Components(cayley).proofs(altered_statements):
         yield Control(proof.name, f"claim {proof.statement}", proof)
     for place in range(max(len(premises) for _, _, premises in STATEMENTS)):
-        words = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
-        for proof in Components(cayley).proofs(words):
+        altered_statements = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
+        for proof in Components(cayley).proofs(altered_statements):
             if place < len(proof.premises):
                 yield Control(proof.name, f"premise {proof.premises[place]}", proof)
     for altered, places in _DEFINITIONS.items():
@@ -186,7 +186,7 @@ def controls_of(chart: Chart) -> Iterator[Control]:
             yield Control(decided[place].name, f"{name} + x", decided[place])
     start = sympy.Rational(3, 4)  # tan of an angle with rational cosine
     altered = {"phi of twice the angle": chart.phi.xreplace({alpha: 2 * alpha})}
-    if chart.cayley:  # where the tangent of a sum obeys the same differential equation
+    if chart.cayley:  # the tangent of a sum obeys the same differential equation
         altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
     for alteration, other in altered.items():
         *_, failing = ScalarProofs(_Wrong(chart, "phi", other)).proofs()
@@ -205,7 +205,7 @@ def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFor
         return
     for place, coefficient in enumerate(value.coefficients):
         changed = (*value.coefficients[:place], coefficient + 1, *value.coefficients[place + 1 :])
-        if name == "quaternion":  # squares of its coefficients are rational: so must be what is put for them
+        if name == "quaternion":  # doubled coefficients still have rational squares
             changed = tuple(c * (2 if k == place else 1) for k, c in enumerate(value.coefficients))
         yield f"coefficient {place + 1} of {name}", _Wrong(cayley, name, _Coefficients(changed))
 

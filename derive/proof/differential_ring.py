@@ -66,7 +66,7 @@ class DifferentialRing(RationalFunctions):
         self.relations.append(difference.numerator)
         self.cleared_by.append(difference.denominator)
 
-    def grows(self, symbol: sympy.Symbol, base: Element) -> None:
+    def set_power(self, symbol: sympy.Symbol, base: Element) -> None:
         """State that the symbol is a power of this base, with an exponent that varies."""
         self._bases[symbol] = base.numerator
 

@@ -37,7 +37,7 @@ FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, al
 DOUBLE_ANGLE = Theorem(
     "double angle",
     (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
-    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # whatever cos(α/2) starts with
+    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the start of cos(α/2) is not needed
     Determined(Symbols(HALF), ZERO),
 )
 

@@ -63,11 +63,11 @@ class Evaluation(ABC):
 
     def differentiated(self, operator: Any, value: Any) -> Any:
         """Return the derivative that an operator `rate` or `prime` denotes."""
-        raise NoValueError("nothing says how anything varies")
+        raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         """Return a power with an exponent that is no integer."""
-        raise NoValueError(f"nothing says what {notation.text(base**exponent)} is")
+        raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
         """Return the value of an expression: a number, vector, quaternion or tensor."""
@@ -100,7 +100,7 @@ class Evaluation(ABC):
             return self.differentiated(e.func, self.value(e.args[0]))
         if e.func in MEANING:
             return MEANING[e.func](*map(self.value, e.args))
-        raise NoValueError(f"nothing says what {notation.text(e)} is")
+        raise NoValueError(f"no premise defines {notation.text(e)}")
 
     @staticmethod
     def _integer_power(value: Any, exponent: int) -> Any:

@@ -35,12 +35,12 @@ class Identity:
         return _less_free(self)
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.symbols, task.premises, (*task.claim, *task.supposed), task.zeroed)
-        yield from _compatible(setting, task.premises)
+        setting = Setting(self.symbols, task.premises, (*task.claim, *task.required), task.zeroed)
+        yield from _check_consistency(setting, task.premises)
         for equation in task.claim:
             yield from differences(setting, equation.text, equation)
-        for equation in task.supposed:
-            yield from differences(setting, f"supposed, {equation.text}", equation)
+        for equation in task.required:
+            yield from differences(setting, f"required, {equation.text}", equation)
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Determined:
     def weaker(self) -> Iterator[tuple[str, Determined]]:
         return _less_free(self)
 
-    def _moving(
+    def _check_laws(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Iterator[Check]:
         """Check that every symbol that depends on the index or variable has a law."""
@@ -94,10 +94,10 @@ class Determined:
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
         ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
-        yield from _compatible(ring, premises)
-        for equation in task.supposed:
-            yield from differences(ring, f"supposed, {equation.text}", equation)
-        yield from self._moving(ring, starts, steps, others)
+        yield from _check_consistency(ring, premises)
+        for equation in task.required:
+            yield from differences(ring, f"required, {equation.text}", equation)
+        yield from self._check_laws(ring, starts, steps, others)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
         for left, right in unknown.items():
             begun = Equation(right.xreplace(at_start), starts[left])
@@ -118,17 +118,17 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
         yield from setting.ring.multipliers(difference.denominator)
 
 
-def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
+def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
     """Check that premises are consistent.
 
     No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
     certified, and the derivation respects them.
     """
-    ring, said = setting.ring, [premise.equation.left for premise in premises]
-    yield "left sides that occur twice", len(said) - len(set(said))
+    ring, lefts = setting.ring, [premise.equation.left for premise in premises]
+    yield "left sides that occur twice", len(lefts) - len(set(lefts))
     leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
-    yield "relations that reduce the same symbol", shared  # without, they are a Groebner basis, and 1 is not in it
+    yield "relations that reduce the same symbol", shared  # if 0, they are a Groebner basis without 1
     for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
         factors = sum(power for _, power in ring.library.factors(relation))
         yield f"the relation {ring.text(relation)} is irreducible", factors - 1

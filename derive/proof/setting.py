@@ -80,11 +80,11 @@ class Setting(Evaluation):
         self._rates: dict[Any, Any] = {}
         self._slopes: dict[Any, Any] = {}
         for equation in given:
-            self._take(equation)
+            self._assume(equation)
         for base, (symbol, _) in self._roots.items():
-            self.ring.grows(symbol, self.value(base))
+            self.ring.set_power(symbol, self.value(base))
 
-    def _take(self, equation: Equation) -> None:
+    def _assume(self, equation: Equation) -> None:
         """Make a premise hold."""
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
@@ -135,7 +135,7 @@ class Setting(Evaluation):
             growing = self.value(symbol) ** int(multiple / step)
         else:
             if base not in self._powers:
-                raise NoValueError(f"nothing says what the power {notation.text(base)}^n is")
+                raise NoValueError(f"no premise defines the power {notation.text(base)}^n")
             known = self._powers[base]
             growing = self.value(known.right ** (multiple / known.left.exp.coeff(notation.n)))
         return growing if rest == 0 else mixed.multiply(growing, self.value(base**rest))

@@ -43,7 +43,7 @@ class Task:
     ----------
     claim : tuple of Equation
     premises : tuple of Premise
-    supposed : tuple of Equation
+    required : tuple of Equation
         Definitions in the theorems that premises cite, which must hold here too.
     zeroed : Expr, optional
         Multiplier to be taken as 0, for controls.
@@ -51,7 +51,7 @@ class Task:
 
     claim: tuple[Equation, ...]
     premises: tuple[Premise, ...]
-    supposed: tuple[Equation, ...] = ()
+    required: tuple[Equation, ...] = ()
     zeroed: sympy.Expr | None = None
 
 
@@ -84,27 +84,27 @@ class Theorem:
         zeroed : Expr, optional
             Multiplier to be taken as 0, for controls.
         """
-        supposed = self._supposed(known)
-        held = tuple(filter(self._said, supposed))
+        cited = self._cited_definitions(known)
+        required = tuple(filter(self._defined_here, cited))
 
         def checks() -> Iterator[Check | Multiplier]:
             for premise in self.premises:
                 if premise.theorem:
                     yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1
-            yield from self.method.checks(Task(self.claim, self.premises, held, zeroed))
+            yield from self.method.checks(Task(self.claim, self.premises, required, zeroed))
 
         laws = notation.Shifted, notation.rate, notation.prime  # definitions of sequences and functions hold everywhere
-        conditions = tuple(e for e in supposed if e not in held and not isinstance(e.left, laws))
+        conditions = tuple(e for e in cited if e not in required and not isinstance(e.left, laws))
         return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
-    def _supposed(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
+    def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
         """Return definitions in the cited theorems of symbols that occur here, except those repeated here."""
         own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
 
-    def _said(self, equation: Equation) -> bool:
+    def _defined_here(self, equation: Equation) -> bool:
         """Return whether a premise here concerns the left side; then the equation must hold, else it is a condition."""
         own = [premise.equation for premise in self.premises if not premise.theorem]
         return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
@@ -139,8 +139,8 @@ def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool
     proof, changes = known.get(premise.theorem), dict(premise.instance)
     if proof is None or not proof.proved or proof.scope not in (ALL_ORDERS, scope):
         return False
-    said = (equation.replaced(changes) for equation in proof.claim if _keeps_terms(equation, changes))
-    return any((e.left, e.right) == (premise.equation.left, premise.equation.right) for e in said)
+    claimed = (equation.replaced(changes) for equation in proof.claim if _keeps_terms(equation, changes))
+    return any((e.left, e.right) == (premise.equation.left, premise.equation.right) for e in claimed)
 
 
 def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:

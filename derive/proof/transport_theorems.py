@@ -102,4 +102,4 @@ PRODUCT = Theorem(
     ),
     Identity(Symbols((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
 )
-"""It gives ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""
+"""Consequence: ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

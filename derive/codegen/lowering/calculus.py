@@ -65,7 +65,7 @@ def rate_dot(trace: Geometry) -> Program:
     bend = trace.dual("ht", hiy * change)
     scale = trace.dual("cvv", (hi * pull + bend * along - length) * QUARTER)
     turned = trace.dual_vector("s", z + spread * w).cross(v) * half
-    found = trace.dual("fih", fi * HALF) * z + drift * w + turned + scale * v
+    found = fi * trace.dual_vector("zh", z * HALF) + drift * w + turned + scale * v
     return trace.program("rate_dot", (*found.re, *found.du))
 
 
@@ -90,11 +90,12 @@ def rate_jacobian(trace: Geometry) -> Program:
     point, w = trace.point(), trace.argument("omega", "w")
     side = trace.name("hs", _side(trace) * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot", ("hi", "fiy", "hiy"))
-    v, along = point.v, trace.dual("vw", point.v.dot(w))
-    pull, turn = trace.dual("fh", (hi + fiy) * HALF), trace.dual("gt", fiy * HALF)
-    image = trace.dual_vector("b", pull * w + trace.dual("ht", hiy * along * HALF) * v)
-    s = trace.dual_vector("s", side * w - turn * trace.dual_vector("t", w.cross(v)))
-    a = trace.dual("ha", trace.dual("hih", hi * HALF) * along)
+    # halves are taken of w: scalars of some charts are integers
+    v, half = point.v, trace.dual_vector("wh", w * HALF)
+    along = trace.dual("vwh", v.dot(half))
+    image = trace.dual_vector("b", trace.dual("fh", hi + fiy) * half + trace.dual("ht", hiy * along) * v)
+    s = trace.dual_vector("s", side * w - fiy * trace.dual_vector("t", half.cross(v)))
+    a = trace.dual("ha", hi * along)
     return _jacobian(trace, "rate_jacobian", Tensor.dyad(v, image), a, s)
 
 

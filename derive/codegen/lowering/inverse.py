@@ -6,6 +6,8 @@ principal quaternion: scalar part >= 0, and where it is 0 the given vector part 
 
 from __future__ import annotations
 
+import itertools
+
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
@@ -207,16 +209,13 @@ def shadow_jacobian(trace: Geometry) -> Program:
     spread = point.name("spread", slope - ratio)
     # by division of each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows where r is small
     change, along = point.name("change", spread * size_du), point.name("along", bend * size_du)
-    rows = []
-    for i, (ui, mi) in enumerate(zip(u, moment, strict=True)):
-        row = []
-        for j, (uj, mj) in enumerate(zip(u, moment, strict=True)):
-            square = point.name(f"uu{i + 1}{j + 1}", ui * uj)
-            rest = point.name(f"p{i + 1}{j + 1}", int(i == j) - square)
-            du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
-            row.append(trace.dual(f"J{i + 1}{j + 1}", Dual(ratio * rest + slope * square, du)))
-        rows.append(tuple(row))
-    return trace.program("shadow_jacobian", entries6(trace, Tensor(rows)))
+    entries = []
+    for (i, (ui, mi)), (j, (uj, mj)) in itertools.product(enumerate(zip(u, moment), 1), repeat=2):
+        square = point.name(f"uu{i}{j}", ui * uj)
+        rest = point.name(f"p{i}{j}", int(i == j) - square)
+        du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
+        entries.append(trace.dual(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
+    return trace.program("shadow_jacobian", entries6(trace, Tensor.from_entries(entries)))
 
 
 def identity_jacobian(trace: Geometry) -> Program:

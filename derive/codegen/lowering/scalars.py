@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -195,11 +195,11 @@ def idle(chart: Chart) -> set[str]:
     return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
 
 
-def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Program:
-    """One of them, traced.
+def scalar_program(name: str, chart: Chart) -> Program:
+    """Return a scalar program of a chart.
 
-    Results that are fractions are elements, computed from the first argument so that they have its type; so are the
-    constants among those named by number. Other constants are returned as they are.
+    Results that are fractions are computed from the first argument, so that they have its type, and so are those of
+    `ray`, whose sizes `gain_product` divides by. Other integers are returned as they are: nothing divides them.
     """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
@@ -210,6 +210,6 @@ def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Pr
     one = trace.name(trace.free_name("one"), zero + 1)
     outputs = list(results)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
-        if isinstance(result, Constant) and (i in elements or result.denominator != 1):
-            outputs[i] = trace.name(trace.free_name(letter), result * one if result else zero)
+        if isinstance(result, Constant) and (result.denominator != 1 or name == "ray"):
+            outputs[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, outputs)

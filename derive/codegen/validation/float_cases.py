@@ -39,10 +39,10 @@ GRID = 2**18
 """Steps of arguments in a unit: few enough for products of float32 to be exact."""
 
 SMALL = 2.0**-8
-"""Small components of a quaternion: a matrix row that belongs to one has lost two bytes."""
+"""Size of the small components of a quaternion, whose rows of the rotation matrix lose two bytes."""
 
 ORDINARY = 4
-"""Screws at which derivatives are taken, the first of a cover: they are near no selection."""
+"""Number of screws at which derivatives are taken, the first ones of a cover: they are near no selection."""
 
 JACOBIANS = ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians")
 
@@ -52,7 +52,7 @@ EDGE_MARGIN = 0.1
 
 @dataclass(frozen=True)
 class Case:
-    """A call: its arguments and branch, and the result that the formula gives."""
+    """A call: its arguments and branch, and the result by the formula."""
 
     chart: Vectors
     row: Function

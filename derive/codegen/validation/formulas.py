@@ -26,7 +26,7 @@ from ..signatures import POSES
 from .vectors import Flat, Vectors, dual, flat
 
 ROOTS_MAX = 2
-"""Square roots in a row up to which the inverse map is compared exactly; more would take too long."""
+"""Largest number of square roots with which the inverse map is compared exactly; more would take too long."""
 
 LETTERS = ("v", "w", "z")
 """Symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
@@ -48,7 +48,7 @@ class Expectation:
         return self.given() if callable(self.given) else self.given
 
 
-@lru_cache(maxsize=256)  # the tree is walked
+@lru_cache(maxsize=256)  # to ask walks the tree
 def _has_angle(expression: sympy.Expr) -> bool:
     return alpha in expression.free_symbols
 

@@ -59,7 +59,7 @@ def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle, less whole turns while it is beyond the edge."""
+    """Return the angle minus as many whole turns as bring it below the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle
@@ -106,7 +106,7 @@ def _turning(precision: int, *delta: Any) -> Quaternion:
 
 
 def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
-    """Return exp(t δ) R(v1), on the sign of sin(α/2) that v1 has; about the axis of v1 itself the angle is followed."""
+    """Return exp(t δ) R(v1), on the branch reached continuously from that of v1."""
     if v1 == v2:
         return v1
     first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
@@ -144,7 +144,7 @@ def _local(body: bool) -> Callable[..., Flat]:
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
-    """Return the derivatives of a function by each of its dual vectors, as difference quotients of twice the digits."""
+    """Return the derivatives of a function by each of its dual vectors, as difference quotients with twice the digits."""
 
     def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
         with mpmath.workprec(2 * mpmath.mp.prec):

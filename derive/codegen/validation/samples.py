@@ -28,17 +28,17 @@ from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 SEED = 2011
 
 SMALL = 1e-21 / 7
-"""Small components of a quaternion: the matrix row that belongs to one is good to 28 digits only. They are no short
-fraction in any base: sums of those may be exact."""
+"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short fraction,
+or sums of them might be exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
-"""Small components where no v is left at half a turn: the scalar part may not be smaller there."""
+"""Size of small components in charts that end at half a turn: the scalar part may not be smaller."""
 
 EDGE_MARGIN = 1e-12
-"""Least margin, as of `Vectors.finite`: nearer to the edge, the condition of a vector takes compared digits."""
+"""Least margin to the edge, as of `Vectors.finite`: nearer to it vectors are too ill-conditioned to compare."""
 
 JACOBIAN_MARGIN = 0.1
-"""Least margin of vectors that Jacobians are taken at, whose condition is greater by one more power."""
+"""Least margin where Jacobians are taken, which are worse conditioned by one power."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch."""
@@ -176,8 +176,8 @@ def _by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]
 def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
     """Yield cases of poses as the functions of a table take them.
 
-    For rotations these are the real parts: no dual part decides there, except about the axis of a translation. Of cases
-    that coincide the first one stands, which is that of the identity or of a translation along v.
+    For rotations these are the real parts. Of cases that coincide then, the first one is kept: the identity, or a
+    translation along v.
     """
     seen = set()
     for case in cases:
@@ -211,7 +211,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
         yield from _principal(chart, screw, other)
     for branch in chart.tried:
         some = [screws[3 * branch % 8]] if branch else [*screws, still]
-        # a translation on another branch has w = 0 but for rounding: there nothing decides about its axis
+        # on another branch a translation has w = 0 up to rounding, so nothing decides about its axis
         for screw in (*some, still) if branch else some:
             if chart.finite(screw, branch, margin(chart)):
                 yield from _branch(chart, screw, branch)
@@ -226,7 +226,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
 
 
 def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
-    """Yield the maps of one vector or two that choose no branch."""
+    """Yield maps of one or two vectors that choose no branch."""
     principal = chart.at(screw)
     yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
     q = quaternion_from_screw(screw)
@@ -237,7 +237,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", *STEP_NAMES):  # any dual vector is a step
         yield _by(chart, name, *vectors)
-    further = Screw(screw.angle / 3, screw.axis)  # about the same axis, and there through whole turns
+    further = Screw(screw.angle / 3, screw.axis)  # about the same axis, also through whole turns
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
         yield _by(chart, "interpolate", flat(principal), flat(chart.at(end)), (mpmath.mpf(t),))
     if all(chart.finite(s, 0, JACOBIAN_MARGIN) for s in (screw, other)):
@@ -349,9 +349,9 @@ def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 
 
 def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
-    """Yield vectors with s = 0 or w = 0 exactly, half a turn or none: v itself or its dual part decides about the axis.
+    """Yield vectors with s = 0 or w = 0 exactly: v itself or its dual part decides about the axis.
 
-    For rotations, which have no dual part, v stands as if it moved along itself.
+    Rotations have no dual part, so v decides as if it moved along itself.
     """
     half = mpmath.mpf(1) / 2
     sides = (half, -half) if table is POSES else (half,)

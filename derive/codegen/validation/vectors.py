@@ -29,11 +29,11 @@ DIGITS_CANCELLED = 250
 """Digits that terms of a scalar or its slope may lose by cancellation: α⁻⁷ at least."""
 
 BRANCHES_MAX = 8
-ENDLESS = (0, 1, -1, 2)
-"""Branches that are tried: so many of a finite number, these of an infinite one."""
+SOME_BRANCHES = (0, 1, -1, 2)
+"""Branches of cases: the first ones of a finite number, some of an infinite one."""
 
 EDGE_UNITS = 2**20
-"""Units of rounding before the edge, where φ′ is compared with its value at 0."""
+"""Distance from the edge, in units of rounding, at which φ′ is compared with its value at 0."""
 
 REACH = 0.9
 """Share of an angle that seeded vectors may reach."""
@@ -74,7 +74,7 @@ class Vectors:
 
     @cached_property
     def _known(self) -> dict[Any, Any]:
-        """Results computed before: most points differ from another in other components only."""
+        """Values computed so far: points often share a length or a vector."""
         return {}
 
     def _once(self, compute: Callable[..., Any], *key: Any) -> Any:
@@ -129,7 +129,7 @@ class Vectors:
         angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
         found = []
         with mpmath.workdps(mpmath.mp.dps + DIGITS_CANCELLED * max(order, 1)):
-            at = max(angle, least)  # an even function: off by the square of that
+            at = max(angle, least)  # the error of an even function is the square of that
             for _ in range(order + 1):
                 found.append(evaluate(expression, alpha, at))
                 expression = _by_square(expression, self.chart.phi)
@@ -157,15 +157,15 @@ class Vectors:
 
     @property
     def tried(self) -> tuple[int, ...]:
-        """Branches that cases are about, the principal one first."""
-        return tuple(range(min(self.chart.branches, BRANCHES_MAX))) or ENDLESS
+        """Branches of cases, the principal one first."""
+        return tuple(range(min(self.chart.branches, BRANCHES_MAX))) or SOME_BRANCHES
 
     def back(self, branch: int) -> int:
-        """Return the number of branches that leads back from a branch."""
+        """Return the branch that leads from a vector on ``branch`` back to the principal one."""
         return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
-        """Return v on a branch; the sign with scalar part > 0 is taken, and at 0 the given vector part stands."""
+        """Return v on a branch, of q or −q by the sign of the scalar part; where that is 0, of q as given."""
         q = q * (1 if is_zero(real_part(q.scalar)) else orientation(real_part(q.scalar)))
         length, u = polar(q.vector)
         return self.at(Screw(2 * atan2(length, q.scalar), u), branch)
@@ -201,7 +201,7 @@ class Vectors:
         return quaternion_from_screw(Screw(self.angle(length), u))
 
     def shadow(self, v: Vector, branch: int) -> Vector:
-        """Return the vector of the same pose that lies so many branches on."""
+        """Return the vector of the same pose that lies ``branch`` branches further."""
         screw, own = self.screw(v)
         return self.at(screw, own + branch)
 
@@ -216,7 +216,7 @@ _by_square = lru_cache(maxsize=256)(by_square)
 
 
 def vectors_of(chart: Chart) -> Vectors:
-    """Return the vectors of a chart in the working precision, with all that has been computed of them."""
+    """Return the vectors of a chart in the working precision, with their values computed so far."""
     return _vectors(chart, mpmath.mp.prec)
 
 

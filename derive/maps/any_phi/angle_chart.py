@@ -17,6 +17,7 @@ from ...algebra.arithmetic import Arithmetic
 from .. import branches
 from ..branches import Derivatives
 from ..families import alpha
+from ..gains import half_cosine, half_sine
 from ..parameterized import QuaternionChart
 from .lowering import number
 from .real_constants import times
@@ -57,12 +58,8 @@ class AngleChart(QuaternionChart):
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         """Return ``φ/sin(α/2)``; α follows from sine and cosine of its half."""
-        negative = False if positive else m.name("negative", m.less(q.scalar, 0))
-        cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
-        square = m.name("ss", q.vector.dot(q.vector))
-        still = m.name("still", m.equal(square, 0))
-        # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
-        sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+        negative, cosine = half_cosine(q, m, positive)
+        still, _, sine = half_sine(q, cosine, m)
         r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
         at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
         gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)

@@ -41,10 +41,11 @@ class GeneralScalars(DependentScalars):
         limit = chart.near.limit
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
 
-    def _select(self, name: str, near: Coefficient, far: Coefficient) -> Coefficient:
-        return self.m.name(name, self.m.where(self.is_near, near, far))
+    def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
+        """Return one value below the limit, another beyond."""
+        return self.m.where(self.is_near, near, far)
 
-    # --- near ---------------------------------------------------------------------------------------------------
+    # --- below the limit ----------------------------------------------------------------------------------------
 
     # x below the limit; 0 beyond
     _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
@@ -75,7 +76,7 @@ class GeneralScalars(DependentScalars):
     _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
     _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
     _ratey_near = scalar(lambda at: 6 * at._a(1) + 4 * (at._x * at._a(2)), "rhony")
-    _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx.
+    _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx
     _cube = scalar(lambda at: at._aa * at._a(0), "aaa")
 
     @property
@@ -93,7 +94,7 @@ class GeneralScalars(DependentScalars):
         last = self._cube * (self.m.div(twist * self._growth * self._growth, 2) + of_growth * self._bend)
         return 2 * (direct + first + last)
 
-    # --- beyond -------------------------------------------------------------------------------------------------
+    # --- beyond the limit ---------------------------------------------------------------------------------------
 
     @cached_property
     def _square(self) -> Coefficient:
@@ -111,7 +112,7 @@ class GeneralScalars(DependentScalars):
 
     def angle_of(self, r: Coefficient) -> Coefficient:
         """Return α of a length r, whose square is x."""
-        return self._select("alpha", self._a(0) * r, self.far_angle)
+        return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
@@ -139,43 +140,20 @@ class GeneralScalars(DependentScalars):
         change = 3 * (second * second) * self._rate_far - third + second * first / self._length
         return change / (self._square * (first * first * (first * first)))
 
-    # --- both ---------------------------------------------------------------------------------------------------
+    # --- in both ranges -----------------------------------------------------------------------------------------
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self._select("s", self._half.c0, self._trigonometry[0])
+    s = scalar(lambda at: at._select(at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at._select(at.m.div(at._a(0) * at._half.c1, 2), at._trigonometry[1]))
+    rate = scalar(lambda at: at._select(at._rate_near, at._rate_far), "rho")
+    ratey = scalar(lambda at: at._select(at._ratey_near, at._ratey_far), "rhoy")
+    rateyy = scalar(lambda at: at._select(20 * at._a(2) + 8 * (at._x * at._a(3)), at._rateyy_far), "rhoyy")
+    h = scalar(lambda at: at._select(at._cube * at._c3 + 2 * at._a(1), (at.rate - at.f) / at._square))
+    hy = scalar(lambda at: at._select(at._hy_near, (at.ratey - 3 * at.h + at.rate * at.g) / at._square))
+    hyy = scalar(lambda at: at._select(at._hyy_near, at._hyy_change / at._square))
 
-    @cached_property
-    def w(self) -> Coefficient:
-        return self._select("w", self.m.div(self._a(0) * self._half.c1, 2), self._trigonometry[1])
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self._select("rho", self._rate_near, self._rate_far)
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self._select("rhoy", self._ratey_near, self._ratey_far)
-
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        near = 20 * self._a(2) + 8 * (self._x * self._a(3))
-        return self._select("rhoyy", near, self._rateyy_far)
-
-    @cached_property
-    def h(self) -> Coefficient:
-        near = self._cube * self._c3 + 2 * self._a(1)
-        return self._select("h", near, (self.rate - self.f) / self._square)
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        far = (self.ratey - 3 * self.h + self.rate * self.g) / self._square
-        return self._select("hy", self._hy_near, far)
-
-    @cached_property
-    def hyy(self) -> Coefficient:
-        change = self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
-        return self._select("hyy", self._hyy_near, change / self._square)
+    @property
+    def _hyy_change(self) -> Coefficient:
+        return self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
 
 
 class GeneralAtAngle(GeneralScalars):

@@ -1,4 +1,4 @@
-"""Rational functions as numbers: at the reference point they are close to what they stand for."""
+"""Exact angles: values at the reference point are close to the real ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.algebra.element import Element, NotExactError
 
 STEPS = 3
 NEAR = 1e-3
-"""The reference point has the tangent t, at most 1/37, for its angle: off by t³/3, some twenty times that."""
+"""Tolerance: at the reference point an angle and its tangent t ≤ 1/37 differ by t³/3."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""What a theorem takes as given has to hold where it is used: for its orders, at its symbols, with its relations."""
+"""Conditions of cited theorems: their orders, their definitions of symbols, and their relations."""
 
 from __future__ import annotations
 
@@ -100,12 +100,12 @@ def test_cited_theorems_need_equal_definitions() -> None:
     right = Theorem("angles", ANGLES.claim, (definition(x, RISE**2 / TURN**2), *ANGLES.given()), symbols)
     assert right.decide(known()).proved
     other = right.with_premise(0, definition(x, 5))
-    assert [residue.label.split(",")[0] for residue in other.decide(known()).failures] == ["supposed"]
-    between = Theorem("between", ANGLES.claim[:1], (ANGLES.premise(0),), symbols)  # where x stands for nothing
+    assert [residue.label.split(",")[0] for residue in other.decide(known()).failures] == ["required"]
+    between = Theorem("between", ANGLES.claim[:1], (ANGLES.premise(0),), symbols)  # where nothing defines x
     proved = known() | {"between": between.decide(known())}
     assert proved["between"].proved
     resting = Theorem("resting", between.claim, (definition(x, 5), between.premise(0)), symbols)
-    assert [residue.label.split(",")[0] for residue in resting.decide(proved).failures] == ["supposed"]
+    assert [residue.label.split(",")[0] for residue in resting.decide(proved).failures] == ["required"]
 
 
 def test_sums_need_a_start_and_a_step() -> None:

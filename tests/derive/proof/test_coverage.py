@@ -1,4 +1,4 @@
-"""Every kernel function is covered, by theorems that exist and a validation that runs it."""
+"""Every kernel function is covered by existing theorems and by a validation that runs."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ABOUT = {
     "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
     "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
 }  # fmt: skip
-"""The symbols that some theorem on a function must speak of."""
+"""Symbols that a theorem cited for a function must contain."""
 
 
 @pytest.mark.parametrize("name", ABOUT)
@@ -45,7 +45,7 @@ def test_cited_theorems_mention_the_operator(name: str) -> None:
 
 
 def test_validation_column_matches_the_table() -> None:
-    """Which an expectation must serve, exactly or not, before anything is generated."""
+    """Compare with the signature table, where an expectation is exact or not."""
     for name, coverage in COVERAGE.items():
         row = PUBLIC.get(ALIASES.get(name, name))
         if row is None:

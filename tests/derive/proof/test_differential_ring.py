@@ -1,4 +1,4 @@
-"""What divides must be certified: it must vanish identically at no order."""
+"""The differential ring: factors of denominators are certified, and derivation is a derivation."""
 
 from __future__ import annotations
 

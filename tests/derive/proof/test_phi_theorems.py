@@ -1,4 +1,4 @@
-"""Theorems on every φ, and that a chart in α is an instance of them."""
+"""Theorems on every φ, and charts in α as their instances."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_theorems_hold():
 
 @pytest.mark.parametrize("theorem", ANY_PHI[2:6:3], ids=lambda theorem: theorem.name)
 def test_controls_fail(theorem):
-    """Of these two; `make proofs` runs the controls of all."""
+    """Run the controls of two theorems; `make check-theorems` runs those of all."""
     found = [*controls([theorem], {proof.name: proof for proof in any_phi()})]
     assert found
     assert [str(control) for control in found if not control.noticed] == []

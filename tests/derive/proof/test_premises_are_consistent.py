@@ -1,4 +1,4 @@
-"""What a ring takes as given has to fit together, and symbols to vary as the index or the variable does."""
+"""Consistency of premises: contradictory or incomplete ones prove nothing."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ ANGULAR = Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE))
 
 
 def by_steps(right: sympy.Expr, following: sympy.Expr, symbol: sympy.Symbol, *others: Premise) -> Theorem:
-    """A = right, where A begins with 1 and S counts, for a symbol of which too little is said."""
+    """Return the claim A = right, with A = 1 at n = 1, S = n − 1, and too few premises on a symbol."""
     given = (*recurring(n, (A, 1, following), (S, 0, S + 1)), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((S, symbol)), ONE))
 
 
 def by_rates(right: sympy.Expr, start: int, law: sympy.Expr | int, *others: Premise) -> Theorem:
-    """A = right, a function of α."""
+    """Return the claim A = right for a function A of α."""
     given = (definition(Shifted(A, alpha, 0), start), definition(rate(A), law), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((alpha,)), ZERO))
 
@@ -46,7 +46,7 @@ def identity(claims: dict[sympy.Expr, sympy.Expr | int], given: tuple[Premise, .
 
 MISFITS = {
     "a symbol that the index defines": by_steps(1 + S * G, A + G, n, definition(G, n)),
-    "a symbol that goes with the index": by_steps(1 + S * q, A + q, q),
+    "a symbol that depends on the index": by_steps(1 + S * q, A + q, q),
     "a variable that stands still": by_rates(1 + alpha, 1, 0),
     "a variable of another speed": by_rates(alpha**2, 0, 4 * alpha, definition(rate(alpha), 2)),
     "slopes against a relation": identity(
@@ -118,13 +118,13 @@ def test_conditions_of_cited_theorems_are_listed() -> None:
 def test_induction_checks_conditions_of_cited_theorems() -> None:
     given = (*recurring(n, (A, 1, A)), definition(x, 5), *ANGLES.given())
     proof = Theorem("t", (Equation(A, sympy.Integer(1)),), given, Determined(ANGULAR, ONE)).decide(known())
-    assert any(residue.label.startswith("supposed") for residue in proof.failures)
+    assert any(residue.label.startswith("required") for residue in proof.failures)
 
 
 def test_sums_check_conditions_of_cited_theorems() -> None:
     given = (*SUMS.premises, definition(x, 5), *ANGLES.given())
     proof = replace(SUMS, premises=given).decide(known())
-    assert any(residue.label.startswith("supposed") for residue in proof.failures)
+    assert any(residue.label.startswith("required") for residue in proof.failures)
 
 
 def test_a_failed_theorem_is_no_premise() -> None:

@@ -41,7 +41,7 @@ CHECKS = {"tensor": Components.tensor, "tangent": Components.twist, "tangent_inv
 
 
 def noticed(checks: Iterator[Any]) -> bool:
-    """Whether a residue is not zero."""
+    """Return whether a residue is not zero."""
     return any(check[1] != 0 for check in checks if not isinstance(check, Multiplier))
 
 

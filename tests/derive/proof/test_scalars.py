@@ -1,4 +1,4 @@
-"""The scalars a chart is lowered with: proved for every way they are computed, wrong ones noticed."""
+"""Scalars of charts: proved in every way they are computed; wrong ones fail."""
 
 from __future__ import annotations
 

@@ -86,20 +86,10 @@ def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
     return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
 
 
-def principal_coefficient(env: Env, n: Any, alpha: Any) -> Any:
-    """Return the signed coefficient of v_0."""
-    return branch_coefficient(env, n, 0, alpha)
-
-
 def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
     """Return ``v_k``."""
     v: Vector = branch_coefficient(env, n, k, alpha) * u
     return v
-
-
-def coefficient_at_infinity(env: Env, n: int, k: int) -> Any:
-    """Return the coefficient of v_k where v_0 is infinite, at α = nπ."""
-    return branch_coefficient(env, n, k, n * env.field.pi)
 
 
 # ---- any factor a(v) --------------------------------------------------------------------------------------------
@@ -129,12 +119,6 @@ def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
     """Return the orthogonal dual tensor of (59), by the action of the quaternion."""
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
-
-
-def scaled_rodrigues(env: Env, n: Any, a: Any, alpha: Any, u: Vector) -> Vector:
-    """Return ``a tan(α/2n) u``: any v = φ(α) u, by its a."""
-    v: Vector = a * rodrigues_vector(env, n, alpha, u)
-    return v
 
 
 def direction(env: Env, v: Vector) -> Vector:

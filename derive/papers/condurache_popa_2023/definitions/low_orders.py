@@ -23,11 +23,6 @@ Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 """Further points of an entry, by name."""
 
 
-def cayley_of_tensors(env: Env) -> Callable[[Tensor], Tensor]:
-    """Return the map from skew-symmetric tensors to orthogonal ones."""
-    return lambda A: orders.rotation(env, 1, A.vect())
-
-
 def cayley_map(env: Env) -> values.Map:
     """Return the map from vectors to orthogonal dual tensors, with its one preimage."""
     return values.Map(lambda v: orders.rotation(env, 1, v), lambda R: [rodrigues(env, *motions.invariants(env, R))])
@@ -59,17 +54,6 @@ def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
     return slope
 
 
-def exponential_start(env: Env, u: Vector) -> Tensor:
-    """Return ``exp(0 ũ)``."""
-    return tensor_exponential(0 * u, env.field)
-
-
-def turned(env: Env, alpha: Any, u: Vector, k: int) -> Vector:
-    """Return ``(α + 2kπ) u``."""
-    vector: Vector = (alpha + 2 * k * env.field.pi) * u
-    return vector
-
-
 def logarithm(env: Env, R: Tensor) -> Vector:
     """Return the Euler vector by angle and axis."""
     angle, axis = motions.invariants(env, R)
@@ -81,11 +65,6 @@ def is_below_half_turn(env: Env, alpha: Any) -> bool:
     """Return whether ``|Re α| < π``, which generic symbols fulfil."""
     angle = real_part(alpha)
     return not isinstance(angle, mpmath.mpf) or bool(abs(angle) < mpmath.pi)
-
-
-def twice_arctan(env: Env, v: Vector) -> Any:
-    """Return the angle whose half has the tangent |v|."""
-    return 2 * env.field.atan(env.field.magnitude(v))
 
 
 def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
@@ -104,11 +83,6 @@ def displacement_types(
         return lambda env, R: check(env, pose_from_tensor(R))
 
     return tuple((symbol, of_tensor(check)) for symbol, check in table)
-
-
-def cayley(order: int) -> Callable[[Env], Callable[[Vector], Quaternion]]:
-    """Return the Cayley transform of an order, from vectors to unit quaternions."""
-    return lambda env: lambda v: orders.cayley(env, order, v)
 
 
 def map_of_order(order: int) -> Callable[[Env], values.Map]:

@@ -44,12 +44,6 @@ def body_twist(env: Env, R: Tensor) -> Vector:
     return first_principles.body_twist(R, env.rate(R))
 
 
-def spin(env: Env, R: Tensor) -> Tensor:
-    """Return ``Ṙ Rᵀ``."""
-    Phi: Tensor = env.rate(R) @ R.transpose
-    return Phi
-
-
 def _moves_lines(env: Env, R: Tensor, operator: Callable[[Vector], Vector]) -> bool:
     """Return whether an operator gives the rates of three lines that the body carries along."""
     lines = [R @ axis for axis in AXES]

@@ -44,13 +44,13 @@ commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LI
 
 EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, low_orders.exponential_map),)
-CAY = (let(cay, low_orders.cayley_of_tensors), let(cay_map, low_orders.cayley_map))
+CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, low_orders.cayley_map))
 TYPES = low_orders.displacement_types(rotates, translates, general)
 EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
 OF_V = (let(R, orders.at_order(1, orders.rotation), v), *(let(p, f, R) for p, f in TYPES),
         let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
         let(v_du, dual_of, v))
-AXIS = (let(angle, low_orders.twice_arctan, v), let(axis, dual_algebra.one_axis, v))
+AXIS = (let(angle, lambda env, v: 2 * env.field.atan(env.field.magnitude(v)), v), let(axis, dual_algebra.one_axis, v))
 
 
 ALGEBRA = (
@@ -62,7 +62,7 @@ ALGEBRA = (
              equal(exp(skew(a)), power_of_e(skew(a)), summation(k, 0, infinity, skew(a) ** k / factorial(k))),
              extract="e x p α ~ _ = e α ~ _ = k = 0 α ~ _ k k !",
              where=(*EULER, let(slope, low_orders.exponential_slope, alpha, u),
-                    let(start, low_orders.exponential_start, u)),
+                    let(start, lambda env, u: motions.exponential(env, 0 * u), u)),
              because=both(equal(slope, skew(u) * exp(alpha * skew(u))), equal(start, I)),
              remark="exp is the closed form; it solves the differential equation of the series, from the same start."),
     equation("tensor-exponential-well-defined", "its values are orthogonal", 153, orthogonal(exp(skew(a))),
@@ -70,7 +70,8 @@ ALGEBRA = (
     equation("tensor-exponential-onto", "every orthogonal dual tensor is one", 153, reaches(exp_map, R), where=EXP),
     equation("26", "logarithm of an orthogonal dual tensor", 155, equal(exp(skew(a)), R),
              extract="e x p ( α _ ~ ) = R _", branches=3,
-             where=(let(a, low_orders.turned, alpha, u, turns), let(R, screw_tensor, alpha, u)),
+             where=(let(a, lambda env, alpha, u, k: (alpha + 2 * k * env.field.pi) * u, alpha, u, turns),
+                    let(R, screw_tensor, alpha, u)),
              remark="One value for each number k of additional turns."),
     equation("euler-vector", "Euler dual vector", 157, equal(a, a_re + epsilon * a_du), extract="α _ = α + ε α 0",
              where=(*EULER, let(a_re, real_of, a), let(a_du, dual_of, a))),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from ...equation import Reading, equation
 from ...language.claims import proposition
 from ...language.definitions import scalar_part, screw_quaternion
-from ...language.evaluation import let
+from ...language.evaluation import Env, let
 from ...language.notation import *
 from ...language.terms import Number, Symbol
 from ...numbers.draw import Draw
@@ -54,7 +56,7 @@ turn = k * pi / n
 both_signs = equal(preimage_count(cay_counted, target) + preimage_count(cay_counted, -target), n)
 several = both(nonzero(Re(target**2 - 1)), nonzero(Re(target**2 - (-Number(1)) ** n)))
 COEFFICIENTS = (
-    let(r_0, cayley_maps.principal_coefficient, n, alpha),
+    let(r_0, lambda env, n, alpha: cayley_maps.branch_coefficient(env, n, 0, alpha), n, alpha),
     let(r_k, cayley_maps.branch_coefficient, n, k, alpha),
     let(v_0, cayley_maps.rodrigues_vector, n, alpha, u),
     let(v_k, cayley_maps.branch, n, k, alpha, u),
@@ -63,6 +65,11 @@ TYPES = (
     let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
     let(is_translation, cayley_maps.translation, q_hat), let(is_screw, cayley_maps.screw, q_hat), *POLYNOMIALS,
 )
+
+
+def at_infinity(env: Env, n: int, k: int) -> Any:
+    """Return the coefficient of v_k at α = nπ, where v_0 is infinite."""
+    return cayley_maps.branch_coefficient(env, n, k, n * env.field.pi)
 
 
 def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
@@ -132,7 +139,7 @@ FRACTIONAL = (
              remark="At k = n/2 the tangent is infinite, and v_k = −1/v₀."),
     equation("shadow-at-infinity", "shadow where the principal parameter is infinite", 251,
              (Reading(tends(Re(r_far), -cot(turn)), "with a minus"), Reading(tends(Re(r_far), cot(turn)), "without")),
-             extract="R e v _ k c o t k π n", where=(let(r_far, cayley_maps.coefficient_at_infinity, n, k),),
+             extract="R e v _ k c o t k π n", where=(let(r_far, at_infinity, n, k),),
              claimed=nonzero(k), stated=(251, "For k = 1 , , n 1"), orders=(2, 3, 4, 5)),
     equation("shadow-avoids-singularity", "where v is infinite, a shadow is finite", 251,
              nonzero(sin(pi / n)), where=(), condition=no_less(n, 2),

@@ -62,7 +62,7 @@ VELOCITY = (
              equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor),
              extract="R ˙ _ R _ T + R _ R ˙ _ T = 0 _", where=MOTION, moving=True),
     equation("velocity-tensor-skew", "Φ is skew-symmetric", 352, equal(Phi, -transpose(Phi)), extract="Φ _ = Φ _ T",
-             where=(*MOTION, let(Phi, velocities.spin, R)), moving=True,
+             where=(*MOTION, let(Phi, lambda env, R: env.rate(R) @ R.transpose, R)), moving=True,
              fixed_by="the same line: Ṙ Rᵀ + R Ṙᵀ = 0, to which it is said to be equivalent"),
     equation("dual-angular-velocity", "dual angular velocity", 353, equal(omega, vect(rate(R) * transpose(R))),
              extract="ω _ = v e c t R ˙ _ R _ T",
