@@ -517,17 +517,21 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     s2o = z2o + (w2 * hvwo + w2o * hvw)
     s3 = z3 + w3 * hvw
     s3o = z3o + (w3 * hvwo + w3o * hvw)
-    fih = fi / 2
-    fiho = fio / 2
+    zh1 = z1 / 2
+    zh1o = z1o / 2
+    zh2 = z2 / 2
+    zh2o = z2o / 2
+    zh3 = z3 / 2
+    zh3o = z3o / 2
     return (
-        z1 * fih + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
-        z2 * fih + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
-        z3 * fih + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
-        z1 * fiho + z1o * fih + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo
+        zh1 * fi + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        zh2 * fi + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        zh3 * fi + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+        zh1 * fio + zh1o * fi + (w1 * fto + w1o * ft) + (s2 * v3o + s2o * v3 - (s3 * v2o + s3o * v2)) * hs + (v1 * cvvo
         + v1o * cvv),
-        z2 * fiho + z2o * fih + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo
+        zh2 * fio + zh2o * fi + (w2 * fto + w2o * ft) + (s3 * v1o + s3o * v1 - (s1 * v3o + s1o * v3)) * hs + (v2 * cvvo
         + v2o * cvv),
-        z3 * fiho + z3o * fih + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo
+        zh3 * fio + zh3o * fi + (w3 * fto + w3o * ft) + (s1 * v2o + s1o * v2 - (s2 * v1o + s2o * v1)) * hs + (v3 * cvvo
         + v3o * cvv),
     )
 
@@ -611,36 +615,38 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     hio = hiy * y
     fiyo = fiyy * y
     hiyo = hiyy * y
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    vwo = v1 * w1o + v1o * w1 + (v2 * w2o + v2o * w2) + (v3 * w3o + v3o * w3)
-    fh = (hi + fiy) / 2
-    fho = (hio + fiyo) / 2
-    gt = fiy / 2
-    gto = fiyo / 2
-    ht = hiy * vw / 2
-    hto = (hiy * vwo + hiyo * vw) / 2
-    b1 = w1 * fh + v1 * ht
-    b1o = w1 * fho + w1o * fh + (v1 * hto + v1o * ht)
-    b2 = w2 * fh + v2 * ht
-    b2o = w2 * fho + w2o * fh + (v2 * hto + v2o * ht)
-    b3 = w3 * fh + v3 * ht
-    b3o = w3 * fho + w3o * fh + (v3 * hto + v3o * ht)
-    t1 = w2 * v3 - w3 * v2
-    t1o = w2 * v3o + w2o * v3 - (w3 * v2o + w3o * v2)
-    t2 = w3 * v1 - w1 * v3
-    t2o = w3 * v1o + w3o * v1 - (w1 * v3o + w1o * v3)
-    t3 = w1 * v2 - w2 * v1
-    t3o = w1 * v2o + w1o * v2 - (w2 * v1o + w2o * v1)
-    s1 = w1 * hs - t1 * gt
-    s1o = w1o * hs - (t1 * gto + t1o * gt)
-    s2 = w2 * hs - t2 * gt
-    s2o = w2o * hs - (t2 * gto + t2o * gt)
-    s3 = w3 * hs - t3 * gt
-    s3o = w3o * hs - (t3 * gto + t3o * gt)
-    hih = hi / 2
-    hiho = hio / 2
-    ha = hih * vw
-    hao = hih * vwo + hiho * vw
+    wh1 = w1 / 2
+    wh1o = w1o / 2
+    wh2 = w2 / 2
+    wh2o = w2o / 2
+    wh3 = w3 / 2
+    wh3o = w3o / 2
+    vwh = v1 * wh1 + v2 * wh2 + v3 * wh3
+    vwho = v1 * wh1o + v1o * wh1 + (v2 * wh2o + v2o * wh2) + (v3 * wh3o + v3o * wh3)
+    fh = hi + fiy
+    fho = hio + fiyo
+    ht = hiy * vwh
+    hto = hiy * vwho + hiyo * vwh
+    b1 = wh1 * fh + v1 * ht
+    b1o = wh1 * fho + wh1o * fh + (v1 * hto + v1o * ht)
+    b2 = wh2 * fh + v2 * ht
+    b2o = wh2 * fho + wh2o * fh + (v2 * hto + v2o * ht)
+    b3 = wh3 * fh + v3 * ht
+    b3o = wh3 * fho + wh3o * fh + (v3 * hto + v3o * ht)
+    t1 = wh2 * v3 - wh3 * v2
+    t1o = wh2 * v3o + wh2o * v3 - (wh3 * v2o + wh3o * v2)
+    t2 = wh3 * v1 - wh1 * v3
+    t2o = wh3 * v1o + wh3o * v1 - (wh1 * v3o + wh1o * v3)
+    t3 = wh1 * v2 - wh2 * v1
+    t3o = wh1 * v2o + wh1o * v2 - (wh2 * v1o + wh2o * v1)
+    s1 = w1 * hs - t1 * fiy
+    s1o = w1o * hs - (t1 * fiyo + t1o * fiy)
+    s2 = w2 * hs - t2 * fiy
+    s2o = w2o * hs - (t2 * fiyo + t2o * fiy)
+    s3 = w3 * hs - t3 * fiy
+    s3o = w3o * hs - (t3 * fiyo + t3o * fiy)
+    ha = hi * vwh
+    hao = hi * vwho + hio * vwh
     J11 = v1 * b1 + ha
     J12 = v1 * b2 - s3
     J13 = v1 * b3 + s2

@@ -436,7 +436,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d1c75d1542c9d818",
+    programs="a5f18c0fa3296441",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -137,20 +137,14 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 def _tangent_inv(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    zero = x - x
-    one = zero + 1
-    fiy = -one
-    return fi, one, fiy, 0
+    return fi, 1, -1, 0
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot(m: Any, x: Any) -> Result:
     p = 1 - x
     fi = p / 2
-    zero = x - x
-    one = zero + 1
-    fiy = -one
-    return fi, one, fiy, 0, 0, 0
+    return fi, 1, -1, 0, 0, 0
 
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
@@ -162,7 +156,10 @@ def _ray(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    return p, 2, root, f, g, g
+    zero = x - x
+    one = zero + 1
+    b = 2 * one
+    return p, b, root, f, g, g
 
 
 # v = gain vec q, for a unit quaternion q
@@ -288,7 +285,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="872d45faf51f00a1",
+    programs="0aa3d4722f36fff8",
 )
 
 KERNELS = PoseKernels(CHART)

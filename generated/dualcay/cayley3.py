@@ -210,7 +210,9 @@ def _ray(m: Any, x: Any) -> Result:
     f = p * q * r
     g = qq * r
     h = 16 * r
-    return p, q, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return p, q, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -352,7 +354,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="3a6bd83b60c5c46c",
+    programs="4d3c3a155c450690",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -375,7 +375,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="21ff6a084e78b0db",
+    programs="57f8d74a33086378",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -234,7 +234,9 @@ def _ray(m: Any, x: Any) -> Result:
     g = qq * r
     c = (80 * x - 96) * x + 80
     h = c * r
-    return p, q, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return p, q, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -384,7 +386,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d502b5a04542d294",
+    programs="85c7e430954d65f9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -407,7 +407,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="f65c0bc17b7377b9",
+    programs="95198e1a05e1792f",
 )
 
 KERNELS = PoseKernels(CHART)

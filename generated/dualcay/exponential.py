@@ -461,7 +461,8 @@ def _ray(m: Any, x: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
-    return s, w, 1, f, g, h
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -630,7 +631,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="80e0bcb3eaacdaa9",
+    programs="5dfeca55cefd29e2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -216,7 +216,9 @@ def _ray(m: Any, x: Any) -> Result:
     ww = w * w
     g = 2 * ww
     h = (12 - 8 * x) / c
-    return s, w, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -362,7 +364,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="20a76b9f01eca857",
+    programs="664a4ebc0d231a1c",
 )
 
 KERNELS = PoseKernels(CHART)

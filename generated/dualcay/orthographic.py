@@ -133,8 +133,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
     c = m.sqrt(cc)
     h = 2 / c
     fiy = -(h / 2)
-    zero = x - x
-    return c, zero, fiy, 0
+    return c, 0, fiy, 0
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
@@ -147,8 +146,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
     f = 2 * c
     gy = f * h - 4
     fiyy = -((hy + fiy * gy) / 2)
-    zero = x - x
-    return c, zero, fiy, 0, fiyy, 0
+    return c, 0, fiy, 0, fiyy, 0
 
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
@@ -159,7 +157,8 @@ def _ray(m: Any, x: Any) -> Result:
     h = 2 / c
     zero = x - x
     one = zero + 1
-    return c, 1, one, f, 2, h
+    g = 2 * one
+    return c, one, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -257,7 +256,7 @@ CHART = Chart(
         _coefficient_of,
     ),
     kernels=SHARED,
-    programs="37bc9ef36c8d9d24",
+    programs="5ab28975557a1d92",
 )
 
 KERNELS = PoseKernels(CHART)

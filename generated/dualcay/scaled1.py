@@ -35,7 +35,7 @@ ORDER = 1
 
 
 CHART = multiple(
-    BASE, __name__, 2, 1, constant=('pose', 'tangent', 'tangent_dot', 'inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot', 'ray'), programs="9e13191c4f784a6a"
+    BASE, __name__, 2, 1, constant=('pose', 'tangent', 'tangent_dot', 'inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot', 'ray'), programs="cf2e8911922485c4"
 )
 
 KERNELS = PoseKernels(CHART)

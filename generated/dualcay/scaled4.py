@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="cbb79ab73b6e91aa"
+    BASE, __name__, 8, 1, constant=(), programs="2bba3ccd5915f0c5"
 )
 
 KERNELS = PoseKernels(CHART)

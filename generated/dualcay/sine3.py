@@ -229,7 +229,9 @@ def _ray(m: Any, x: Any) -> Result:
     ww = w * w
     g = 2 * ww
     h = ((32 * x - 64) * x + 38) / c
-    return s, w, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -390,7 +392,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="e5d0ee0036b3dfda",
+    programs="9f4384b58a7fcbb2",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -233,7 +233,9 @@ def _ray(m: Any, x: Any) -> Result:
     ww = w * w
     g = 2 * ww
     h = (((320 - 128 * x) * x - 272) * x + 88) / c
-    return s, w, 1, f, g, h
+    zero = x - x
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -393,7 +395,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d9fa6b60f4b49829",
+    programs="3425400ea2e20e71",
 )
 
 KERNELS = PoseKernels(CHART)

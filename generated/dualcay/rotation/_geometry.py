@@ -294,11 +294,13 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     s1 = z1 + w1 * hvw
     s2 = z2 + w2 * hvw
     s3 = z3 + w3 * hvw
-    fih = fi / 2
+    zh1 = z1 / 2
+    zh2 = z2 / 2
+    zh3 = z3 / 2
     return (
-        z1 * fih + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
-        z2 * fih + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
-        z3 * fih + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
+        zh1 * fi + w1 * ft + (s2 * v3 - s3 * v2) * hs + v1 * cvv,
+        zh2 * fi + w2 * ft + (s3 * v1 - s1 * v3) * hs + v2 * cvv,
+        zh3 * fi + w3 * ft + (s1 * v2 - s2 * v1) * hs + v3 * cvv,
     )
 
 
@@ -343,21 +345,22 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     v33 = v3 * v3
     x = v11 + v22 + v33
     _, hi, fiy, hiy = c.tangent_inv(m, x)
-    vw = v1 * w1 + v2 * w2 + v3 * w3
-    fh = (hi + fiy) / 2
-    gt = fiy / 2
-    ht = hiy * vw / 2
-    b1 = w1 * fh + v1 * ht
-    b2 = w2 * fh + v2 * ht
-    b3 = w3 * fh + v3 * ht
-    t1 = w2 * v3 - w3 * v2
-    t2 = w3 * v1 - w1 * v3
-    t3 = w1 * v2 - w2 * v1
-    s1 = w1 * hs - t1 * gt
-    s2 = w2 * hs - t2 * gt
-    s3 = w3 * hs - t3 * gt
-    hih = hi / 2
-    ha = hih * vw
+    wh1 = w1 / 2
+    wh2 = w2 / 2
+    wh3 = w3 / 2
+    vwh = v1 * wh1 + v2 * wh2 + v3 * wh3
+    fh = hi + fiy
+    ht = hiy * vwh
+    b1 = wh1 * fh + v1 * ht
+    b2 = wh2 * fh + v2 * ht
+    b3 = wh3 * fh + v3 * ht
+    t1 = wh2 * v3 - wh3 * v2
+    t2 = wh3 * v1 - wh1 * v3
+    t3 = wh1 * v2 - wh2 * v1
+    s1 = w1 * hs - t1 * fiy
+    s2 = w2 * hs - t2 * fiy
+    s3 = w3 * hs - t3 * fiy
+    ha = hi * vwh
     return (
         v1 * b1 + ha, v1 * b2 - s3, v1 * b3 + s2, v2 * b1 + s3, v2 * b2 + ha, v2 * b3 - s1, v3 * b1 - s2, v3 * b2 + s1,
         v3 * b3 + ha,

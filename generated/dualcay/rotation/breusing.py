@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="16f0ff25d1b7bd7e",
+    programs="b54d069fcd26681f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="442665a10544c45e",
+    programs="2e09cc277035fa39",
 )
 
 KERNELS = RotationKernels(CHART)

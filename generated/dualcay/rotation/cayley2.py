@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="144159ceca191401",
+    programs="801723c15f58a668",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="009bf761ed334479",
+    programs="342fdcbeab365512",
 )
 
 KERNELS = RotationKernels(CHART)

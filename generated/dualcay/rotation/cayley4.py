@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ab943322d0716ba9",
+    programs="a99052bd75d7b553",
 )
 
 KERNELS = RotationKernels(CHART)

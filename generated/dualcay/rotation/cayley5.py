@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bd26e74ec4a6a6d8",
+    programs="e2e5f0ceff144be8",
 )
 
 KERNELS = RotationKernels(CHART)

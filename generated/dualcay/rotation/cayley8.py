@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ff9bf8894112482b",
+    programs="072a098f9be8c2a5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="964ffe2de913a6d3",
+    programs="c31cb6caedbb1b24",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="116c6220b8155bd6",
+    programs="713e7c1457d6f95b",
 )
 
 KERNELS = RotationKernels(CHART)

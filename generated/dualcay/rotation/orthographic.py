@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="70727f047ca24002",
+    programs="dc9b71988d425c5d",
 )
 
 KERNELS = RotationKernels(CHART)

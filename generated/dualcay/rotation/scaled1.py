@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="5a6d24645c876a80",
+    programs="c167b03518ec2e9e",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e415acad51b14f76",
+    programs="ed9f018f69b91525",
 )
 
 KERNELS = RotationKernels(CHART)

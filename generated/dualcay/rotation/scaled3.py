@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2cdefe8694b0cd50",
+    programs="419066846b7ae0ba",
 )
 
 KERNELS = RotationKernels(CHART)

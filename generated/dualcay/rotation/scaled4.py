@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="947e49c6ad877c9a",
+    programs="d616d195513482b9",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ff091b7f116422aa",
+    programs="e73a26965e6cd6c0",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="74faa01498256424",
+    programs="4b15bc0589cf5f80",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9efb5f076629be0d",
+    programs="27ef69285a730029",
 )
 
 KERNELS = RotationKernels(CHART)
