@@ -96,13 +96,11 @@ def texts() -> dict[str, str]:
     [
         ("_quaternion", "-3 * (w / c)", "-2 * (w / c)"),
         ("_tangent", "128 * c", "64 * c"),
-        ("_tangent_inv_blocks", "sub(mul(n8, c", "add(mul(n8, c"),
         ("_gain_unit", "/ 6", "/ 4"),
         ("_gain_positive", "1 + tt", "1 - tt"),
         ("_direction", "y < 0", "0 < y"),
         ("_natural", "6 / c", "3 / c"),
         ("_turned", "further < 0", "1 < 0"),
-        ("_turned_blocks", "n_minus_1, n1", "n1, n1"),
         ("_beyond", "limit1 < limit1 +", "limit1 < limit1 -"),
         ("_coefficient", "1 - tt", "1 + tt"),
     ],
