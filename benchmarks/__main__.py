@@ -7,23 +7,21 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import former, kernels, libraries, native, peers
+from benchmarks import kernels, libraries, native, page, peers
 from benchmarks.timing import ROUNDS
 
-SECTIONS = {
-    "kernels": kernels.section, "native": native.section, "libraries": libraries.section, "former": former.section,
-}  # fmt: skip
+SECTIONS = {"kernels": kernels.section, "native": native.section, "libraries": libraries.section}
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Measure the kernels against peers and against the former release.")
+    parser = argparse.ArgumentParser(description="Measure the kernels against peers.")
     parser.add_argument("-o", "--output", type=Path, help="also write the tables there, as Markdown")
     what = "measure these, and keep what is written of the others"
     parser.add_argument("--section", choices=SECTIONS, nargs="+", default=list(SECTIONS), help=what)
     options = parser.parse_args()
     output, kept = options.output, {}
     if output and output.exists():
-        kept = _sections(output.read_text(encoding="utf-8"))
+        kept = page.sections(output.read_text(encoding="utf-8"))
     how = (
         f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
         f"{kernels.ROUNDS_OF_LARGE} from {kernels.LARGE:,} poses on. SymPy's derivatives, those of JAX in forward mode "
@@ -33,30 +31,13 @@ def main() -> None:
         "dash: nothing to compare with, or SymPy derives it for minutes, or computes it in more than "
         f"{peers.ROOM / 1e9:g} GB."
     )
-    parts = ["# Speed", how]
     for name, measure in SECTIONS.items():
         if name in options.section:
             kept[name] = measure().rstrip()
             print(kept[name], end="\n\n", flush=True)
-        if name in kept:
-            parts.append(f"{_begin(name)}\n\n{kept[name]}")
     if output:
         output.parent.mkdir(exist_ok=True)
-        output.write_text("\n\n".join(parts) + "\n", encoding="utf-8")
-
-
-def _begin(name: str) -> str:
-    """What a section of the page begins with, unseen."""
-    return f"<!-- {name} -->"
-
-
-def _sections(page: str) -> dict[str, str]:
-    """The sections of a page, by name."""
-    places = sorted((page.index(_begin(name)), name) for name in SECTIONS if _begin(name) in page)
-    found = {}
-    for (place, name), (end, _) in zip(places, [*places[1:], (len(page), "")], strict=True):
-        found[name] = page[place + len(_begin(name)) : end].strip()
-    return found
+        output.write_text(page.joined(f"# Speed\n\n{how}", kept), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib
 import json
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from rich.console import Console
 from benchmarks.accuracy.__main__ import progress
 from benchmarks.kernels import GATED, fresh, measured
 from benchmarks.peers import Poses
-from derive.cli.compared import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.cli.compare import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
 from derive.maps.chart import Chart
 from tests.support import families, oracle
@@ -70,7 +71,7 @@ def main() -> None:
         for chart in charts:
             found[chart.name] = {"errors": errors(chart), "nanoseconds": times[chart.name]}
             bar.advance(row)
-    MEASUREMENTS.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    Path(MEASUREMENTS).write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -23,9 +23,9 @@ from rich.console import Console
 
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
-from derive.cli.compared import Compared
+from derive.cli.compare import Compared
 from derive.codegen import catalogue
-from derive.maps.stretch import stretch
+from derive.maps.any_phi.stretch import stretch
 from dualcay import cayley2
 
 FOLDER = Path(__file__).parents[1] / "docs" / "figures"

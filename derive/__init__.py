@@ -18,7 +18,7 @@ f, g, h            coefficients of dcay: f I + g skew(v) + h v⊗v, and R = I + 
 cay                CP23's bare ``cay`` is n = 1 on tensors (27) but n = 2 on quaternions (34); here ``Cayley(n)``
 =================  ==========================================================================================
 
-Everything is loaded on first use, so that importing :mod:`derive` costs nothing.
+Names are loaded on first use, so that importing :mod:`derive` takes no time.
 """
 
 from __future__ import annotations
@@ -52,11 +52,11 @@ _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
     "algebra", "cli", "codegen", "maps", "output", "papers", "proof",
 }  # fmt: skip
-"""Every module and package of this folder: an installed one may hold those of another distribution too."""
+"""Modules and packages of this folder; an installed folder may also hold those of another distribution."""
 
 
 def _refuse_company(folder: str) -> None:
-    """Two distributions install a package ``derive``: into one folder, where neither would work."""
+    """Raise ImportError if another distribution has installed its package ``derive`` into the same folder."""
     modules = {name for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name, "__init__.py"))}
     modules |= {name for name in os.listdir(folder) if name.endswith(".py")}
     if foreign := ", ".join(sorted(modules - _OWN)):
@@ -67,11 +67,11 @@ def _refuse_company(folder: str) -> None:
         )
 
 
-if os.path.isdir(os.path.join(os.path.dirname(__file__), "_templates")):  # which only an installed package holds
+if os.path.isdir(os.path.join(os.path.dirname(__file__), "_templates")):  # only in an installed package
     _refuse_company(os.path.dirname(__file__))
 
 
-if not TYPE_CHECKING:  # which knows all names by the imports above
+if not TYPE_CHECKING:  # type checkers know all names by the imports above
 
     def __getattr__(name: str) -> object:
         if name not in _HOMES:

@@ -1,4 +1,4 @@
-"""The command ``dualcay``: says what to install before it imports anything that may be missing."""
+"""The command ``dualcay``: names missing libraries before it imports any."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ INTERRUPTED = 130
 
 
 def main() -> int:
-    """Run the command line; 3 when the toolkit's libraries are not installed, unless only help is asked for."""
+    """Run the command line and return its exit code: 3 if libraries are missing, unless only help is asked for."""
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # formulas are UTF-8 whatever the locale; names of files may be none
+        if isinstance(stream, io.TextIOWrapper):  # in any locale; names of files may not be UTF-8
             stream.reconfigure(encoding="utf-8", errors="surrogateescape")
     try:
         missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
@@ -31,7 +31,7 @@ def main() -> int:
 
 
 def _without(missing: str, arguments: set[str]) -> int:
-    """What can be said without the libraries."""
+    """Print help, the version, or which libraries are missing."""
     if arguments & {"-V", "--version"}:
         print(f"dualcay, version {__version__}")
         return 0

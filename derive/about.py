@@ -1,12 +1,14 @@
-"""What can be said of the toolkit before any of it is loaded: `--help` and completion show it at once.
+"""Facts about the toolkit that help, `list` and completion show before anything is loaded.
 
-Tests hold the names to the tables of what they name.
+Tests compare the names with the tables of what they name.
 """
 
 from __future__ import annotations
 
+from pathlib import Path
+
 __version__ = "0.1.0"
-"""Of the toolkit, and of the kernels it writes: the one place."""
+"""Version of the toolkit, and of the kernels it writes."""
 
 ORDERS = (1, 2, 3, 4, 5, 8)
 """Orders whose modules are committed."""
@@ -18,7 +20,7 @@ FAMILIES = (
 """Families whose modules are committed."""
 
 MAX_ORDER = 64
-"""Largest order generated without being asked twice: proof times beyond it are not measured."""
+"""Largest order generated without --max-n: proof times beyond it are not measured."""
 
 TARGETS = ("numpy", "array-api", "numba", "c", "native")
 """Keys of `derive.codegen.targets.TARGETS`."""
@@ -29,8 +31,27 @@ TARGET = TARGETS[0]
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
 """Attributes of `derive.Cayley` that are formulas."""
 
+FUNCTIONS = (
+    "quaternion", "tensor", "pose", "transform_point", "transform_line", "inverse", "tangent", "tangent_inv",
+    "body_tangent", "body_tangent_inv", "twist", "rate", "body_twist", "body_rate", "tangent_dot",
+    "body_tangent_dot", "twist_dot", "body_twist_dot", "rate_dot", "body_rate_dot", "twist_jacobian",
+    "body_twist_jacobian", "rate_jacobian", "body_rate_jacobian", "cotangent", "body_cotangent",
+    "cotangent_jacobian", "body_cotangent_jacobian", "from_quaternion", "from_tensor", "from_pose", "from_screw",
+    "to_screw", "angle", "to_exponential", "from_exponential", "shadow", "shadow_jacobian", "principal", "compose",
+    "between", "compose_jacobians", "between_jacobians", "retract", "body_retract", "retract_jacobians",
+    "body_retract_jacobians", "local", "body_local", "interpolate", "adjoint", "transform_point_jacobians",
+    "transform_line_jacobians",
+)  # fmt: skip
+"""Functions of a kernel module: keys of `derive.codegen.signatures.PUBLIC`."""
+
 PAPERS = ("condurache-popa-2023", "karakilic-2010")
 """Slugs of `derive.papers.PAPERS`."""
 
 FORMATS = ("text", "json", "markdown", "html", "latex")
 """Keys of `derive.papers.report.FORMATS`."""
+
+
+def checkout() -> Path | None:
+    """Return the root of the checkout of the project that the toolkit runs from; None where it is installed."""
+    root = Path(__file__).parent.parent
+    return root if (root / "templates").is_dir() and (root / "pyproject.toml").is_file() else None

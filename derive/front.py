@@ -1,4 +1,4 @@
-"""The front door: the maps of `derive.maps` with their proofs."""
+"""Charts as users make them: those of `derive.maps`, with their proofs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .proof import Proof, proofs
 
 
 class Provable:
-    """A chart that can be asked for its proofs."""
+    """Chart with a method that proves it."""
 
     def prove(self: Any) -> Listing[Proof]:
         """Decide everything claimed of this chart; return each `Proof`.
@@ -33,18 +33,18 @@ def family(name: str) -> Any:
     Parameters
     ----------
     name : str
-        One of those that `dualcay list` names, with the order n where there is one in it.
+        A name of `dualcay list`, with the order n in a numbered family.
 
     Returns
     -------
     Chart
-        With the formulas ``quaternion``, ``tensor``, ``tangent``, ``tangent_inv``, with φ as ``phi`` and its end as
-        ``edge``, with ``singular_angles``, and with ``prove()``.
+        Its formulas are ``quaternion``, ``tensor``, ``tangent``, ``tangent_inv``; φ is ``phi``, its largest angle
+        ``edge``. It also has ``singular_angles`` and ``prove()``.
 
     Raises
     ------
     ValueError
-        If there is none of that name.
+        If no family has that name.
 
     Examples
     --------
@@ -64,23 +64,24 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     Parameters
     ----------
     phi : str or Expr
-        Odd by its structure, φ′(0) > 0; of one that ends before half a turn, as sin α does, there are formulas but no
-        kernels. What is beyond 4π is left out. Of a text numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and
-        elementary functions are understood, and nothing of it is run. An expression is one in `derive.alpha`.
+        Odd by its structure, with φ′(0) > 0; angles beyond 4π are left out. A φ that ends before half a turn, such as
+        sin α, has formulas but no kernels. A text may hold numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and
+        elementary functions; it is parsed, never evaluated. An expression is one in `derive.alpha`.
     name : str
-        An identifier.
+        Name of the chart, an identifier.
     order : int, optional
-        The value of n in a text.
+        Value of n in a text.
 
     Returns
     -------
     Chart
-        As of `family`; also ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of T and T⁻¹ at 0, ``inverse``.
+        As `family` returns; also ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of T and T⁻¹ at 0, and
+        ``inverse``.
 
     Raises
     ------
     PhiError
-        A `ValueError` that says why φ is refused.
+        A `ValueError` with the reason why φ is refused.
 
     Examples
     --------
@@ -94,7 +95,7 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
 
 
 def provable(chart: Any) -> Any:
-    """The same chart, with ``prove()``."""
+    """Return a chart with the method ``prove``."""
     kind = type(chart)
     with_proofs = type(kind.__name__, (Provable, kind), {"__doc__": kind.__doc__, "__module__": kind.__module__})
     return with_proofs(**{field.name: getattr(chart, field.name) for field in fields(chart)})
@@ -107,7 +108,7 @@ class Cayley(maps.Cayley):
     def prove(self) -> Listing[Proof]:
         """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
 
-        Whether all hold is ``all(proof.proved for proof in m.prove())``.
+        All hold if ``all(proof.proved for proof in m.prove())``.
 
         Examples
         --------

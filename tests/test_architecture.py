@@ -15,12 +15,15 @@ ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "co
 """Each room of derive may import itself and those before it."""
 
 IN_CODEGEN = (
-    "programs", "lowering", "rows", "signatures", "lowered", "cases", "differential", "validation", "facts",
-    "fingerprint", "targets", "taken", "catalogue", "module", "package", "compiler",
+    "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
+    "build", "publish",
 )  # fmt: skip
 """Likewise the rooms and modules of codegen; inside derive.papers a test of its own says what may."""
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
+
+TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/unit.py")
+"""The one place that runs a text: Python translated from the syntax tree of a printed C header."""
 
 
 def out_of_order(base: tuple[str, ...], rooms: tuple[str, ...]) -> list[str]:
@@ -71,7 +74,8 @@ def test_no_text_is_evaluated_and_nothing_decided_by_simplify():
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
                 name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
-                assert name not in EVALUATORS, f"{path}:{node.lineno} calls {name}"
+                allowed = (name, path.relative_to(ROOT).as_posix()) == TRANSLATED
+                assert allowed or name not in EVALUATORS, f"{path}:{node.lineno} calls {name}"
 
 
 def test_no_templates_import_or_compute():

@@ -11,6 +11,7 @@ import pytest
 from click.testing import CliRunner
 
 from derive.cli.commands import cli
+from derive.codegen.targets import TARGETS
 from tests.support import examples
 
 ROOT = Path(__file__).parent.parent
@@ -65,3 +66,8 @@ def test_numbers_are_those_of_the_benchmarks() -> None:
     rows = [line for line in TEXT.splitlines() if re.match(r"\| (n|\d+) \| ", line)]
     assert len(rows) > 5
     assert [row for row in rows if row not in page] == []
+
+
+def test_assurance_page_has_a_section_for_every_target() -> None:
+    page = (ROOT / "docs" / "assurance.md").read_text(encoding="utf-8")
+    assert re.findall(r"^### (.+)$", page, re.M) == list(TARGETS)

@@ -24,7 +24,7 @@ def progress(console: Console) -> Progress:
 
 
 def search(folder: Path, seconds: float, bar: Progress) -> None:
-    """Random inputs until the time is over; those worse than any kept are kept."""
+    """Try random inputs until the time is over, and keep the worst."""
     kept, seed = cases.read()
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
@@ -34,17 +34,17 @@ def search(folder: Path, seconds: float, bar: Progress) -> None:
         sampling.generator("search", seed=seed).shuffle(tasks)
         row = bar.add_task(f"searching, seed {seed}", total=len(tasks))
         found = list(measure.run(tasks, partial(bar.advance, row), deadline))
-        kept = cases.added(kept, measure.cases_of(found))
+        kept = cases.worst([*kept, *measure.cases_of(found)])
         cases.write(kept, seed)
 
 
 def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
-    """Seeded samples and kept cases; the worst samples are kept."""
+    """Measure seeded samples and kept cases, and keep the worst."""
     kept, searched = cases.read()
     tasks = measure.sample_tasks(folder) + measure.replay_tasks(folder, kept)
     row = bar.add_task("kernels", total=len(tasks))
     found = list(measure.run(tasks, partial(bar.advance, row)))
-    cases.write(cases.added(kept, measure.cases_of(found)), searched)
+    cases.write(cases.worst([*kept, *measure.cases_of(found)]), searched)
     return found
 
 

@@ -257,7 +257,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
         "Written by `make accuracy`: change that, not this page.",
         "",
         f"Every kernel function against {DIGITS}-digit arithmetic that shares no formula with it: {COUNT} seeded "
-        "samples per order, type and regime, and every input that was ever the worst "
+        "samples per order, type and regime, and the worst inputs found before "
         "(`benchmarks/worst_cases.json`).",
         "",
         "Errors are normwise in eps of the type, the larger of the real part's, ‖Δ‖ / ‖Re‖, and the dual part's, ‖Δ‖ / "

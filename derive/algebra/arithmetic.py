@@ -1,7 +1,7 @@
-"""What a formula may do with numbers beyond + − ×: divide exactly, take roots, compare, select, name.
+"""Operations of formulas beyond + − ×: exact division, roots, comparison, selection, names.
 
-Formulas that serve values and programs alike take an `Arithmetic`. `PLAIN` computes with the numbers as they are; a
-trace (``codegen.trace``) records the same operations, and the names of intermediate values with them.
+Formulas that make both values and programs take an `Arithmetic`. `PLAIN` computes with numbers. A trace
+(``codegen.trace``) records the operations and the names of intermediate values.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from .coefficients import Coefficient
 
 
 class Arithmetic(Protocol):
-    """The operations of one kind of number."""
+    """Operations of one kind of number."""
 
     def name(self, name: str, value: Coefficient, /) -> Coefficient:
-        """Return the value, known by this letter from now on."""
+        """Return the value and name it."""
 
     def name_rest(self, letter: str, /) -> None:
-        """Values of formulas that are made by a computer, too many for letters, are known by one and a number."""
+        """Name all further values by a letter and a number; for formulas with too many values for single letters."""
 
     def corrected(self, value: Coefficient, /) -> Coefficient:
-        """Return the value, a named one, whose rounding is corrected afterwards: by a step of Newton's method."""
+        """Return a named value whose rounding error a later Newton step corrects."""
 
     def rounded_off(self, value: Coefficient, /) -> Coefficient:
-        """Return what rounding took from additions that are known to make a value; 0 where none are."""
+        """Return the rounding error of the recorded additions that make a value; 0 without such a record."""
 
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""
@@ -42,11 +42,11 @@ class Arithmetic(Protocol):
     def both(self, a: Any, b: Any, /) -> Any: ...
     def either(self, a: Any, b: Any, /) -> Any: ...
     def where(self, condition: Any, a: Coefficient, b: Coefficient, /) -> Coefficient:
-        """Return a where the condition holds, b elsewhere."""
+        """Return a where the condition holds, else b."""
 
 
 class Plain:
-    """Numbers of any type as they are; names are forgotten."""
+    """Operations on numbers of any type; names are ignored."""
 
     abs = staticmethod(abs)
     sqrt = staticmethod(functions.sqrt)

@@ -1,9 +1,9 @@
-"""What every structure of this package asks of its coefficients, and what it promises about itself.
+"""Coefficients and the base class of the structures of this package.
 
 A coefficient is any value of a commutative ring with ``+ - *`` (and ``/`` where a method divides): ``int``, ``float``,
 ``fractions.Fraction``, mpmath ``mpf``, SymPy expressions, elements of polynomial rings and fraction fields, traced
-values, and `Dual` numbers over any of these. Coefficients are duck-typed, hence the alias of ``Any``. Where a zero
-divisor must be told apart, ``coefficient == 0`` decides.
+values, and `Dual` numbers over any of these. Coefficients are duck-typed, hence the alias of ``Any``. Zero divisors are
+detected by ``coefficient == 0``.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ Coefficient: TypeAlias = Any
 
 
 class ZeroDivisorError(ZeroDivisionError):
-    """A value with vanishing real part was asked for its inverse, quotient or square root: it is a zero divisor."""
+    """Error: inverse, quotient or square root of a zero divisor: its real part is zero."""
 
 
 class Structure:
-    """Base of vectors, tensors and quaternions: has coefficients and never is one.
+    """Base class of vectors, tensors and quaternions; a structure is never a coefficient.
 
-    Scalars leave a product with a structure to the structure. ``__array_ufunc__ = None`` makes NumPy scalars and
-    arrays do the same instead of looping over its components.
+    Products of a scalar and a structure are computed by the structure. ``__array_ufunc__ = None`` makes NumPy scalars
+    and arrays do the same instead of looping over its components.
     """
 
     __slots__ = ()

@@ -120,7 +120,7 @@ def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
 
 
 def sqrt(value: Coefficient) -> Coefficient:
-    """Return the square root; a number with a method ``sqrt`` (of an exact ring) is asked itself.
+    """Return the square root; numbers of an exact ring have their own method ``sqrt``.
 
     Raises
     ------

@@ -15,11 +15,11 @@ from .vector import Vector
 
 
 class MeaninglessError(TypeError):
-    """The formula combines things that have no such operation."""
+    """Error: an operation is not defined for these types."""
 
 
 def quaternion(a: Any) -> Quaternion:
-    """A number, vector or quaternion as a quaternion."""
+    """Return a number, vector or quaternion as a quaternion."""
     if isinstance(a, Quaternion):
         return a
     if isinstance(a, Vector):
@@ -30,14 +30,14 @@ def quaternion(a: Any) -> Quaternion:
 
 
 def add(a: Any, b: Any) -> Any:
-    """Sum; numbers and vectors mix to quaternions."""
+    """Return the sum; that of a number and a vector is a quaternion."""
     if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
         return a + b
     return quaternion(a) + quaternion(b)
 
 
 def multiply(a: Any, b: Any) -> Any:
-    """Product of things side by side."""
+    """Return the product of two neighbours in a formula."""
     if not (isinstance(a, Structure) and isinstance(b, Structure)):
         return a * b
     if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):

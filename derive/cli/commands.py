@@ -1,13 +1,18 @@
-"""What the command takes: declarations, from which help and completion come before anything else is loaded."""
+"""The commands and their options, declared so that help and completion come before anything else is loaded."""
 
 from __future__ import annotations
 
-from typing import Any
+import shutil
+import textwrap
+from collections.abc import Callable
+from typing import Any, TypeAlias
 
 import click
 
 from .. import about
 from . import options
+
+Decorator: TypeAlias = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 ALL = ",".join(about.FORMULAS)
 EPILOG = """Exit codes: 0 done, 1 stale or a proof failed, 2 usage, 3 could not, 130 interrupted.
@@ -18,26 +23,30 @@ Completion in bash, likewise zsh_source and fish_source:
 """
 
 
-class Interrupted(click.ClickException):
-    """Ctrl-C, before Click makes an empty line of it."""
-
-    exit_code = 130
-
-    def __init__(self) -> None:
-        super().__init__("interrupted")
-
-    def show(self, file: Any = None) -> None:
-        click.echo(f"dualcay: {self.message}", file, err=True)
-
-
 class Commands(click.Group):
-    """A group that may be interrupted."""
+    """Group of commands that may be interrupted."""
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except KeyboardInterrupt:
-            raise Interrupted from None
+        except KeyboardInterrupt:  # for which Click would print an empty line
+            click.echo("dualcay: interrupted", err=True)
+            ctx.exit(130)
+
+
+def orders(text: str, required: bool = False) -> Decorator:
+    """Declare the option -n."""
+    return click.option("-n", "orders", callback=options.orders, required=required, metavar="ORDERS", help=text)
+
+
+def form(choices: tuple[str, ...], text: str) -> Decorator:
+    """Declare the option --format."""
+    return click.option("--format", "form", type=click.Choice(choices), default="text", show_default=True, help=text)
+
+
+def families(text: str) -> Decorator:
+    """Declare the option --family."""
+    return click.option("--family", "families", callback=options.listed, metavar="NAMES", help=text)
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]}, epilog=EPILOG)
@@ -47,11 +56,9 @@ def cli() -> None:
 
 
 @cli.command()
-@click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders n of v = tan(α/2n) u, e.g. 7 or "
-              "1-5,8; by default the committed ones.")  # fmt: skip
-@click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
-              "lambert,sine7.")  # fmt: skip
-@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+@orders("Orders n of v = tan(α/2n) u, e.g. 7 or 1-5,8; by default the committed ones.")
+@families("Other parameterizations, e.g. lambert,sine7.")
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--name", metavar="NAME", help="Name of its module.")
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
@@ -70,12 +77,10 @@ def generate(**given: Any) -> None:
 
 
 @cli.command()
-@click.option("-n", "orders", callback=options.orders, required=True, metavar="ORDERS",
-              help="Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.")  # fmt: skip
+@orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.", required=True)
 @click.option("--what", callback=options.names(about.FORMULAS), default=ALL, metavar="NAMES",
               help=f"Out of {ALL}; all by default.")  # fmt: skip
-@click.option("--format", "form", type=click.Choice(("text", "latex", "markdown", "json")), default="text",
-              show_default=True, help="How formulas are written.")  # fmt: skip
+@form(("text", "latex", "markdown", "json"), "How formulas are written.")
 @options.max_n
 def show(**given: Any) -> None:
     """Print the formulas of an order."""
@@ -85,13 +90,11 @@ def show(**given: Any) -> None:
 
 
 @cli.command()
-@click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders n of v = tan(α/2n) u, e.g. 1-4.")
-@click.option("--family", "families", callback=options.listed, metavar="NAMES", help="Other parameterizations, e.g. "
-              "exponential,lambert; without any, the committed ones.")  # fmt: skip
-@click.option("--phi", metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
+@orders("Orders n of v = tan(α/2n) u, e.g. 1-4.")
+@families("Other parameterizations, e.g. exponential,lambert; without any, the committed ones.")
+@click.option("--phi", callback=options.phi, metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
 @click.option("--plot", type=options.Place(dir_okay=False), help="File of a plot against the angle, by its ending.")
-@click.option("--format", "form", type=click.Choice(("text", "json", "markdown")), default="text", show_default=True,
-              help="How the figures are written.")  # fmt: skip
+@form(("text", "json", "markdown"), "How the figures are written.")
 @options.max_n
 def compare(**given: Any) -> None:
     """Compare parameterizations: how far they reach, how much they stretch, what they cost."""
@@ -103,18 +106,22 @@ def compare(**given: Any) -> None:
 @cli.command("list")
 def list_catalogue() -> None:
     """List targets, committed orders and what a module holds."""
-    from .show import list_catalogue
-
-    list_catalogue()
+    width = min(shutil.get_terminal_size((120, 0)).columns, 120)
+    for heading, names in (
+        ("targets", ", ".join(about.TARGETS)),
+        ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
+        ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
+        ("formulas", ", ".join(about.FORMULAS)),
+        ("functions", ", ".join(about.FUNCTIONS)),
+    ):
+        click.echo(textwrap.fill(f"{heading:<9} {names}", width, subsequent_indent=10 * " "))
 
 
 @cli.command()
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
 @click.option("--eq", "equations", metavar="NAMES", help="Numbers or slugs, e.g. 88,111; all by default.")
-@click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help="Orders at which statements about n are "
-              "executed and the formulas proved, e.g. 1-8.")  # fmt: skip
-@click.option("--format", "form", type=click.Choice(about.FORMATS), default="text", show_default=True,
-              help="How the report is written.")  # fmt: skip
+@orders("Orders at which statements about n are executed and the formulas proved, e.g. 1-8.")
+@form(about.FORMATS, "How the report is written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File to write; else stdout.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if the file of -o is not what would be written.")
 @click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
@@ -130,24 +137,18 @@ def run() -> int:
     """Run the command line and return its exit code; no bad input ends in a traceback."""
     try:
         code = cli.main(prog_name=options.program(), standalone_mode=False)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
-    except click.Abort:
-        Interrupted().show()
-        return Interrupted.exit_code
     except click.ClickException as error:
         error.show()
         return error.exit_code
     except Exception as error:
-        code = next((code for kind, code in _endings().items() if isinstance(error, kind)), None)
+        code = next((code for kind, code in _exit_codes().items() if isinstance(error, kind)), None)
         if code is None:
             raise
         click.echo(f"dualcay: {error}", err=True)
     return code if isinstance(code, int) else 0
 
 
-def _endings() -> dict[type[Exception], int]:
-    """The exit codes of what can go wrong."""
+def _exit_codes() -> dict[type[Exception], int]:
     from ..codegen import RefusedError, ValidationFailed
     from ..papers import UndecidedError
     from ..proof import ProofFailed

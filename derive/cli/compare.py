@@ -1,64 +1,167 @@
-"""``dualcay compare``: what parameterizations are like, side by side, as tables, numbers, a page or a plot."""
+"""``dualcay compare``: parameterizations side by side, as tables, JSON, a page or a plot."""
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
 from pathlib import Path
+from typing import Any, TypeAlias
 
 import click
+import sympy
 
+from .. import about
 from ..codegen import catalogue
+from ..codegen.lowered import lower_chart
 from ..maps import PhiError
-from ..maps.stretch import Stretch
-from ..output.tables import Column, Grid, columns
-from . import compare_page, compare_plot, options
-from .compared import ANGLES, COUNTED, Compared, errors, number, times
+from ..maps.any_phi.stretch import POINTS, Stretch, best, bound, stretch
+from ..maps.chart import Chart
+from ..maps.families import alpha
+from ..output import render
+from ..output.tables import columns, figures
+from . import options
 
-NAME = "phi"
+ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
+"""Angles at which singular values and errors are shown."""
+
+COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
+"""Functions whose operations are counted."""
+
+MEASURED = ("pose", "tangent", "from_pose")
+"""Functions whose errors were measured."""
+
+TIMED = ("pose", "from_pose")
+"""Functions whose times were measured."""
+
+MEASUREMENTS = "docs/parameterizations.json"
+"""File of measurements in a checkout."""
+
+PLOT_MAX = 4 * math.pi
+"""Largest angle of a plotted curve."""
+
+PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float]]] = {
+    "|v|/φ′(0)": (lambda found, at_0: found.size * at_0, (0, 8)),
+    "along the axis, 1/φ′ (by that at 0)": (lambda found, at_0: found.along / at_0, (0, 3)),
+    "across, 2 sin(α/2)/φ (by that at 0)": (lambda found, at_0: found.across / at_0, (0, 1.5)),
+    "condition of Re T": (lambda found, at_0: found.condition, (0.9, 30)),
+}
+"""Title of each panel of a plot, with its figure, given the singular value at 0, and the limits of its axis."""
+
+Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
+"""Headings, and a row for each chart."""
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A chart and its figures."""
+
+    chart: Chart
+
+    @cached_property
+    def edge(self) -> float:
+        edge = self.chart.edge
+        return math.inf if edge.is_infinite else float(edge.evalf(20))
+
+    @property
+    def range(self) -> float:
+        """|v| at the edge."""
+        size = self.chart.phi.subs(alpha, self.chart.edge)
+        return math.inf if size.is_infinite else float(size.evalf(20))
+
+    @cached_property
+    def stretches(self) -> dict[str, Stretch | None]:
+        """Singular values at `ANGLES`; None beyond the edge."""
+        return {name: stretch(self.chart.phi, a) if a < self.edge else None for name, a in ANGLES.items()}
+
+    @cached_property
+    def operations(self) -> dict[str, int | None]:
+        """Operations by function; None for a φ that kernels do not compute."""
+        try:
+            found = lower_chart(self.chart).operations
+        except PhiError:
+            return dict.fromkeys(COUNTED)
+        return {name: found[name].total() for name in COUNTED}
+
+    @property
+    def measured(self) -> Mapping[str, Any] | None:
+        """Its ``errors`` by function and angle and its ``nanoseconds`` by function and number of poses, if known."""
+        return measurements().get(self.chart.name)
+
+
+@cache
+def measurements() -> Mapping[str, Any]:
+    """Read errors and times by chart, which ``python -m benchmarks.charts`` writes; empty outside a checkout."""
+    root = about.checkout()
+    found: dict[str, Any] = json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")) if root else {}
+    return found
 
 
 def compare(
     orders: tuple[int, ...], families: tuple[str, ...], phi: str | None, plot: Path | None, form: str, max_n: int
 ) -> None:
-    """Do what the command says; its parameters are the options."""
+    """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
-    try:
-        if phi is None:
-            charts = catalogue.charts(orders, families) or catalogue.charts((1, 2, 3, 4), catalogue.FAMILIES)
-        else:
-            own, *_ = catalogue.charts((), (), phi, NAME)
-            charts = [*catalogue.charts(orders, families), own]
-        compared = [Compared(chart) for chart in charts]
+    with options.refusals("--family"):
+        charts = catalogue.charts(orders, families)
+        if phi is not None:
+            charts.append(catalogue.charts((), (), phi, "phi")[0])
+        compared = [Compared(chart) for chart in charts or catalogue.charts((1, 2, 3, 4), about.FAMILIES)]
         click.echo(FORMS[form](compared), nl=False)
-    except PhiError as error:
-        raise click.BadParameter(str(error), param_hint="--phi") from None
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--family") from None
     if plot is not None:
-        compare_plot.write(compared, plot)
+        draw(compared, plot)
+
+
+# ---- tables ---------------------------------------------------------------------------------------------------
+
+
+def number(value: float | None) -> str:
+    """Return a figure in few digits; a dash for none."""
+    if value is None:
+        return "-"
+    if math.isinf(value):
+        return "∞"
+    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
+
+
+def _measured(compared: Sequence[Compared], what: str, functions: Sequence[str], place: str) -> Table:
+    """Return what was measured, by function and by place: an angle or a number of poses."""
+    found = {row.chart.name: row.measured[what] for row in compared if row.measured}
+    places = {(f, at): None for f in functions for values in found.values() for at in values[f]}
+    rows = [[chart, *(number(values[f].get(at)) for f, at in places)] for chart, values in found.items()]
+    return ["chart", *(f"{f} {place}{at}" for f, at in places)], rows
+
+
+def errors(compared: Sequence[Compared]) -> Table:
+    """Return errors in eps, by function and angle."""
+    return _measured(compared, "errors", MEASURED, "")
+
+
+def times(compared: Sequence[Compared]) -> Table:
+    """Return nanoseconds for a pose, by function and number of poses."""
+    return _measured(compared, "nanoseconds", TIMED, "N = ")
+
+
+def cost(compared: Sequence[Compared]) -> Table:
+    """Return operations by function."""
+    return ["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]
 
 
 def _text(compared: Sequence[Compared]) -> str:
-    """Without singular values one by one, for which a line is too short."""
+    """Return tables with condition numbers only: a line is too short for every singular value."""
     headings = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED]
     rows = []
-    for row in compared:
+    for row, (name, *counts) in zip(compared, cost(compared)[1], strict=True):
         conditions = [number(found.condition if found else None) for found in row.stretches.values()]
-        counts = map(number, row.operations.values())
-        rows.append([row.chart.name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
+        rows.append([name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
     tables = (
         ("condition of Re T by angle, and operations", (headings, rows)),
         ("errors in eps by angle, as measured", errors(compared)),
         ("nanoseconds for a pose of N, as measured", times(compared)),
     )
-    return "".join(_grid(title, *table) for title, table in tables if table[1])
-
-
-def _grid(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    first, *rest = headings
-    return Grid(title, [Column(first), *(Column(name, number=True) for name in rest)], rows).text(columns())
+    return "".join(figures(title, *table).text(columns()) for title, table in tables if table[1])
 
 
 def _json(compared: Sequence[Compared]) -> str:
@@ -67,15 +170,12 @@ def _json(compared: Sequence[Compared]) -> str:
             return None
         return {"size": found.size, "along": found.along, "across": found.across, "condition": found.condition}
 
-    def finite(value: float) -> float | None:
-        return None if math.isinf(value) else value
-
     entries = [
         {
             "chart": row.chart.name,
             "phi": str(row.chart.phi),
-            "edge": finite(row.edge),
-            "range": finite(row.range),
+            "edge": None if math.isinf(row.edge) else row.edge,
+            "range": None if math.isinf(row.range) else row.range,
             "branches": row.chart.branches or None,
             "singular_angles": [float(angle.evalf(17)) for angle in row.chart.singular_angles],
             "stretch": {name: numbers(found) for name, found in row.stretches.items()},
@@ -87,4 +187,73 @@ def _json(compared: Sequence[Compared]) -> str:
     return json.dumps(entries, indent=2, ensure_ascii=False) + "\n"
 
 
-FORMS = {"text": _text, "json": _json, "markdown": compare_page.page}
+# ---- page and plot --------------------------------------------------------------------------------------------
+
+
+def _page(compared: Sequence[Compared]) -> str:
+    """Return docs/parameterizations.md."""
+    return render(
+        "report/parameterizations.md.j2",
+        shape=_table(*_shape(compared)),
+        cost=_table(*cost(compared)),
+        errors=_table(*errors(compared)),
+        times=_table(*times(compared)),
+        points=POINTS,
+        best=_table(*_best()),
+    )
+
+
+def _shape(compared: Sequence[Compared]) -> Table:
+    of_angles = [f"{name} {what}" for name in ANGLES for what in ("1/φ′", "across", "cond")]
+    rows = []
+    for row in compared:
+        cells = [row.chart.name, row.chart.parameter, number(row.edge / math.pi), number(row.range)]
+        for found in row.stretches.values():
+            cells += map(number, (found.along, found.across, found.condition) if found else [None] * 3)
+        singular = (number(float((angle / sympy.pi).evalf(10))) for angle in row.chart.singular_angles)
+        rows.append([*cells, ", ".join(singular)])
+    return ["chart", "φ", "edge/π", "|v| there", *of_angles, "singular angles/π"], rows
+
+
+def _best() -> Table:
+    rows = []
+    for name, angle in ANGLES.items():
+        rows.append([name, "any (bound)", "", f"{bound(angle):.5f}"])
+        rows += [[name, found.kind, f"`{found.phi}`", f"{found.worst:.5f}"] for found in best(angle)]
+    return ["A", "among", "--phi", "M"], rows
+
+
+def _table(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [headings, ["---"] * len(headings), *rows]
+    return "\n".join(f"| {' | '.join(cell.replace('|', '&#124;') for cell in line)} |" for line in lines)
+
+
+def draw(compared: Sequence[Compared], file: Path) -> None:
+    """Plot the figures of `PANELS` against the angle."""
+    try:
+        import matplotlib
+    except ImportError:
+        raise click.UsageError("--plot needs matplotlib: pip install 'dualcay[bench]'") from None
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(2, 2, figsize=(11, 8), sharex=True, layout="constrained")
+    for index, row in enumerate(compared):
+        angles = [min(row.edge, PLOT_MAX) * k / 300 for k in range(300)]
+        found = [stretch(row.chart.phi, angle) for angle in angles]
+        style = {"linestyle": ("-", "--", "-.", ":")[index // 10 % 4], "color": f"C{index % 10}"}
+        for axis, (figure_of, _) in zip(axes.flat, PANELS.values(), strict=True):
+            axis.plot(angles, [figure_of(at, found[0].along) for at in found], label=row.chart.name, **style)
+    for axis, (title, (_, limits)) in zip(axes.flat, PANELS.items(), strict=True):
+        axis.set(title=title, xlim=(0, 2 * math.pi), ylim=limits)
+        axis.set_xticks([k * math.pi / 2 for k in range(5)], ["0", "π/2", "π", "3π/2", "2π"])
+        axis.grid(alpha=0.3)
+    axes[1, 1].set_yscale("log")
+    for axis in axes[1]:
+        axis.set_xlabel("α")
+    figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside right upper")
+    figure.savefig(file, dpi=110, metadata={"Software": None} if file.suffix == ".png" else None)
+    pyplot.close(figure)
+
+
+FORMS: Mapping[str, Callable[[Sequence[Compared]], str]] = {"text": _text, "json": _json, "markdown": _page}

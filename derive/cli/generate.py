@@ -1,26 +1,28 @@
-"""``dualcay generate``: write kernels, or check the ones on disk."""
+"""``dualcay generate``: write kernels, or check those on disk."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from ..codegen import Package, catalogue, generate_charts
-from ..codegen.compiler import check_charts as check_folder
-from ..codegen.compiler import expected
-from ..maps import PhiError
-from ..output.tables import Column, Grid, columns
+from .. import about
+from ..codegen import Package, catalogue, generate_charts, publish
+from ..codegen.build import with_geometry
+from ..maps.chart import Chart
+from ..maps.named import described
+from ..output.tables import Grid, columns, figures
 from ..workers import cores
 from . import display, options
 
-WRITTEN, CHECKED = 4, 2
-"""Lines of progress for each module: what is checked is proved and printed, and not executed."""
+WRITE_STEPS, CHECK_STEPS = 4, 2
+"""Lines of progress for each module: a check proves and prints, but executes nothing."""
 
-FEW = 3
-"""Charts that are not worth processes: the first, with all of the geometry, takes as long as the others."""
+SERIAL_MAX = 3
+"""Largest number of charts for which worker processes do not pay."""
 
-HEADINGS = ("theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
+HEADINGS = ("module", "theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
 
 
 def generate(
@@ -34,44 +36,49 @@ def generate(
     force: bool,
     max_n: int,
 ) -> None:
-    """Do what the command says; its parameters are the options."""
+    """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if (phi is None) != (name is None):
         raise click.UsageError("--phi and --name belong together")
-    try:
+    with options.refusals("--family" if phi is None else "--name"):
         charts = catalogue.charts(orders, families, phi, name) or catalogue.committed()
-    except PhiError as error:
-        raise click.BadParameter(str(error), param_hint="--phi") from None
-    except ValueError as error:
-        raise click.BadParameter(str(error), param_hint="--family" if phi is None else "--name") from None
-    if output is None and not catalogue.has_place(target):
-        raise click.UsageError(f"name a folder with -o: only {catalogue.TARGET} kernels have a place, in a checkout")
-    folder = output or catalogue.COMMITTED
-    try:
-        printed, unmade = expected(folder, charts, target, max_n) if check else (charts, {})
-        with display.progress((CHECKED if check else WRITTEN) * len(printed)) as step:
-            if check:
-                found = check_folder(folder, printed, unmade, target, step)
-            else:
-                processes = cores() if len(charts) > FEW else 1
-                package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
-    except PhiError as error:
-        raise click.BadParameter(str(error), param_hint="--phi") from None
-    if not check:
-        click.echo(written(package, folder).text(columns()), nl=False)
-        display.not_compiled(package)
-    elif found:
-        display.differences(found, options.unchecked())
+    if phi is not None and (known := described(charts[0])):
+        click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
+    folder = output or publish.home(target)
+    if folder is None:
+        raise click.UsageError(f"name a folder with -o: only {about.TARGET} kernels have a place, in a checkout")
+    with options.refusals():
+        if check:
+            _check(folder, charts, target, max_n)
+        else:
+            _write(folder, charts, target, force)
+
+
+def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> None:
+    printed, unmade = publish.expected(folder, charts, target, max_n)
+    with display.progress(CHECK_STEPS * len(printed)) as step:
+        found = publish.check_charts(folder, printed, unmade, target, step)
+    if found:
+        display.differences(found, options.without_check())
         raise click.exceptions.Exit(1)
 
 
-def written(package: Package, folder: Path) -> Grid:
-    """What was proved and written, a row per module."""
+def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
+    charts = publish.with_bases(charts, target)
+    processes = cores() if len(charts) > SERIAL_MAX else 1
+    with display.progress(WRITE_STEPS * len(with_geometry(charts))) as step:
+        package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
+    click.echo(summary(package, folder).text(columns()), nl=False)
+    if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
+        click.echo(f"no C compiler found (set CC), so validated as text only: {', '.join(not_compiled)}", err=True)
+
+
+def summary(package: Package, folder: Path) -> Grid:
+    """Return a table of what was proved and written, with a row per module."""
     rows = []
     for module in package.modules:
-        proofs = module.proved.proofs
+        proofs, counts = module.proved.proofs, module.counts
         general = sum(proof.scope == "all n" for proof in proofs)
-        lines = module.text.count("\n")
-        counts = (general, len(proofs) - general, module.validated, module.replayed or "-", module.tested or "-", lines)
-        rows.append((module.name, *map(str, counts)))
-    return Grid(f"kernels in {folder}", [Column("module"), *(Column(name, number=True) for name in HEADINGS)], rows)
+        called = (counts.validated, counts.replayed or "-", counts.tested or "-")
+        rows.append((module.name, *map(str, (general, len(proofs) - general, *called, module.text.count("\n")))))
+    return figures(f"kernels in {folder}", HEADINGS, rows)

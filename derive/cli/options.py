@@ -1,11 +1,12 @@
-"""Parsed options: lists of orders, names to show, files and folders, the cap on orders."""
+"""Parsed options: lists of orders and names, files and folders, the cap on orders."""
 
 from __future__ import annotations
 
 import re
 import shlex
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -13,36 +14,35 @@ import click
 
 from .. import about
 
-LONGEST_RANGE = 10_000
+RANGE_MAX = 10_000
+"""Largest number of orders in a range."""
 
 
 def orders(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[int, ...]:
     """Return orders such as ``7`` or ``1-5,8``, sorted and each once; none for no value."""
     if value is None:
         return ()
-    found = {order for part in value.split(",") for order in _range(part.strip(), value)}
-    return tuple(sorted(found))
+    return tuple(sorted({order for part in value.split(",") for order in _range(part.strip(), value)}))
 
 
 def _range(part: str, value: str) -> range:
     match = re.fullmatch(r"(\d{1,9})\s*(?:-\s*(\d{1,9}))?", part)
     if match is None:
         raise click.BadParameter(f"expected orders such as 7 or 1-5,8, got {value!r}")
-    first, last = int(match.group(1)), int(match.group(2) or match.group(1))
+    first, last = int(match[1]), int(match[2] or match[1])
     if first < 1:
         raise click.BadParameter(f"an order is an integer n >= 1, got {part!r}")
-    if not first <= last < first + LONGEST_RANGE:
-        raise click.BadParameter(f"a range runs upwards over at most {LONGEST_RANGE} orders, got {part!r}")
+    if not first <= last < first + RANGE_MAX:
+        raise click.BadParameter(f"a range runs upwards over at most {RANGE_MAX} orders, got {part!r}")
     return range(first, last + 1)
 
 
 def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Return a parser of comma-separated names out of a fixed set, each once."""
+    """Return a parser of comma-separated names out of a fixed set."""
 
     def parse(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
         given = listed(context, parameter, value)
-        unknown = ", ".join(repr(name) for name in given if name not in choices)
-        if unknown:
+        if unknown := ", ".join(repr(name) for name in given if name not in choices):
             raise click.BadParameter(f"expected names out of {', '.join(choices)}, got {unknown}")
         return given
 
@@ -50,12 +50,22 @@ def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter,
 
 
 def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    """Return names between commas, each once; none for no value."""
+    """Return comma-separated names, each once; none for no value."""
     return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
 
 
+def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
+    """Return the text of a φ; refuse wrong grammar before SymPy is loaded."""
+    if value is not None:
+        from ..maps.any_phi.grammar import syntax_tree
+
+        with refusals("--phi"):
+            syntax_tree(value.strip())
+    return value
+
+
 class Place(click.Path):
-    """A file or folder to write, which has a name: an empty one (of a variable that is not set) is no path."""
+    """A file or folder to write; an empty name, as of a variable that is not set, is refused."""
 
     def __init__(self, **kind: bool) -> None:
         super().__init__(path_type=Path, **kind)
@@ -73,22 +83,34 @@ max_n = click.option(
     type=click.IntRange(min=1),
     help=f"Largest order that -n may name. Proofs beyond {about.MAX_ORDER} are long, so they are asked for twice.",
 )
-"""The cap on orders."""
 
 
 def require_cap(chosen: tuple[int, ...], cap: int) -> None:
-    """Refuse an order above the cap, naming the option that raises it."""
+    """Refuse an order above the cap, and name the option that raises it."""
     if chosen and chosen[-1] > cap:
         raise click.BadParameter(f"order {chosen[-1]} is above the cap {cap}; raise it with --max-n", param_hint="-n")
 
 
+@contextmanager
+def refusals(option: str = "") -> Iterator[None]:
+    """Turn a refused φ into a usage error of --phi, and any other ValueError into one of ``option``, if given."""
+    try:
+        yield
+    except ValueError as error:
+        from ..maps import PhiError
+
+        hint = "--phi" if isinstance(error, PhiError) else option
+        if not hint:
+            raise
+        raise click.BadParameter(str(error), param_hint=hint) from None
+
+
 def program() -> str:
-    """What the user typed to start the command."""
+    """Return the words that started the command."""
     started = Path(sys.argv[0])
     return "python -m derive" if started.name == "__main__.py" else started.stem
 
 
-def unchecked() -> str:
-    """The command line without ``--check``: what writes what was compared."""
-    kept = [argument for argument in sys.argv[1:] if argument != "--check"]
-    return f"{program()} {shlex.join(kept)}"
+def without_check() -> str:
+    """Return the command line without ``--check``: it writes what was compared."""
+    return f"{program()} {shlex.join(argument for argument in sys.argv[1:] if argument != '--check')}"

@@ -1,24 +1,20 @@
-"""``dualcay show`` and ``dualcay list``: formulas, and what there is."""
+"""``dualcay show``: the formulas of an order."""
 
 from __future__ import annotations
 
 import json
-import textwrap
-from typing import Any
+from collections.abc import Iterator
 
 import click
 import sympy
 
-from .. import about
-from ..codegen.signatures import PUBLIC
 from ..maps import Cayley
 from ..maps.formula import LATEX_ORDER
-from ..output.tables import columns
 from . import options
 
 
 def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) -> None:
-    """Do what the command says; its parameters are the options."""
+    """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if form == "json":
         click.echo(json.dumps([_as_json(Cayley(n), what) for n in orders], indent=2))
@@ -27,50 +23,33 @@ def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) 
         click.echo("\n".join(_lines(Cayley(n), what, form)))
 
 
-def list_catalogue() -> None:
-    """Print what can be asked for by name."""
-    for heading, names in (
-        ("targets", ", ".join(about.TARGETS)),
-        ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
-        ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
-        ("formulas", ", ".join(about.FORMULAS)),
-        ("functions", ", ".join(PUBLIC)),
-    ):
-        click.echo(textwrap.fill(f"{heading:<9} {names}", columns(), subsequent_indent=10 * " "))
-
-
-def _formula(cayley: Cayley, name: str) -> tuple[str, tuple[sympy.Expr, ...], tuple[str, ...]]:
-    """Name, coefficients and what they multiply."""
+def _terms(cayley: Cayley, name: str) -> dict[str, str]:
+    """Coefficients of a formula by what they multiply; a polynomial by the empty text."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
-        return f"{name}_{cayley.order}", (value,), ("",)
+        return {"": _text(value)}
     basis = ("1", "v") if name == "quaternion" else ("I", "skew(v)", "v⊗v")
-    return name, value.coefficients, basis
+    return dict(zip(basis, map(_text, value.coefficients), strict=True))
 
 
-def _lines(cayley: Cayley, what: tuple[str, ...], form: str) -> list[str]:
-    lines = [f"n = {cayley.order}"] if form == "text" else [f"## n = {cayley.order}", ""] if form == "markdown" else []
+def _lines(cayley: Cayley, what: tuple[str, ...], form: str) -> Iterator[str]:
+    if form != "latex":
+        yield f"n = {cayley.order}" if form == "text" else f"## n = {cayley.order}\n"
     for name in what:
         value = getattr(cayley, name)
-        title, coefficients, basis = _formula(cayley, name)
+        polynomial = isinstance(value, sympy.Expr)
         if form == "text":
-            terms = (f"({_text(c)}) {b}".rstrip() if b else _text(c) for c, b in zip(coefficients, basis, strict=True))
-            lines.append(f"  {title} = {' + '.join(terms)}")
+            terms = [f"({factor}) {basis}" if basis else factor for basis, factor in _terms(cayley, name).items()]
+            yield f"  {name}{f'_{cayley.order}' if polynomial else ''} = {' + '.join(terms)}"
             continue
-        plain = isinstance(value, sympy.Expr)
-        latex = f"{name}_{{{cayley.order}}} = {sympy.latex(value, order=LATEX_ORDER)}" if plain else value.latex()
-        lines += [f"$${latex}$$", ""] if form == "markdown" else [latex]
-    return lines
+        latex = f"{name}_{{{cayley.order}}} = {sympy.latex(value, order=LATEX_ORDER)}" if polynomial else value.latex()
+        yield f"$${latex}$$\n" if form == "markdown" else latex
 
 
 def _text(expression: sympy.Expr) -> str:
     return str(sympy.sstr(expression, order="rev-lex"))
 
 
-def _as_json(cayley: Cayley, what: tuple[str, ...]) -> dict[str, Any]:
-    entries: dict[str, Any] = {"n": cayley.order}
-    for name in what:
-        _, coefficients, basis = _formula(cayley, name)
-        values = dict(zip(basis, map(_text, coefficients), strict=True))
-        entries[name] = values if len(values) > 1 else values[""]
-    return entries
+def _as_json(cayley: Cayley, what: tuple[str, ...]) -> dict[str, int | str | dict[str, str]]:
+    terms = {name: _terms(cayley, name) for name in what}
+    return {"n": cayley.order, **{name: found.get("", found) for name, found in terms.items()}}

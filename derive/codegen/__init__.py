@@ -1,29 +1,25 @@
 """From proved formulas to files of kernels.
 
 ============ ==============================================================================
-programs     straight-line programs: traced, scheduled, placed in registers
+programs     straight-line programs: traced and scheduled
 lowering     recipes: the geometry that all charts share, and the scalars of a chart
-rows         what a row says of a kernel function: arrays, recipe, names, its part for rotations
+rows         a row of the table of kernel functions: arrays, recipe, names, its part for rotations
 signatures   the table of kernel functions, and of those of rotations
 lowered      all programs of a proved chart
-cases        what functions must return, from the formulas alone
-differential tables of seeded cases for the tests of compiled targets
-validation   the file on disk computes its formula
-facts        what a module says besides its programs
+validation   expected results, from the formulas alone; the file on disk computes them
+package      the texts of a package, and what its templates are told about a chart
 targets      the languages: a printer and a template folder each
-taken        names that a chart of one's own may not bear
-catalogue    what is committed, and the commands that make it
-module       the texts of a package, through the templates
-package      a module with its texts, and a package of them
-compiler     the road: prove, lower, print, write, validate, publish
+catalogue    which charts exist, and names that are reserved
+build        the road: prove -> lower -> print -> write -> check
+publish      kernels into a folder, or a folder compared with them
 ============ ==============================================================================
 
 A module imports only from those above it.
 """
 
 from ..output import Difference, RefusedError
-from .compiler import build, check, generate, generate_charts
 from .package import Module, Package
+from .publish import check, generate, generate_charts
 from .validation import ValidationFailed
 
 __all__ = [
@@ -32,7 +28,6 @@ __all__ = [
     "Package",
     "RefusedError",
     "ValidationFailed",
-    "build",
     "check",
     "generate",
     "generate_charts",

@@ -1,12 +1,14 @@
-"""What is committed, where, and the commands that make it."""
+"""Which charts exist: orders, families, a user's φ; those committed, those in a folder, and names that are reserved."""
 
 from __future__ import annotations
 
 import itertools
 import re
 import shlex
-from collections.abc import Iterable
-from pathlib import Path
+import symtable
+from collections.abc import Iterable, Iterator
+from functools import cache
+from pathlib import Path, PurePath
 
 import sympy
 
@@ -15,48 +17,30 @@ from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.sine import Sine
-from . import taken
+from ..output import files, render
+from .package import command, module_name
 from .signatures import ROTATIONS
+from .targets import TARGETS, Target
 
-ORDERS, FAMILIES, TARGET, MAX_ORDER = about.ORDERS, about.FAMILIES, about.TARGET, about.MAX_ORDER
-
-CHECKOUT = Path(__file__).parent.parent.parent
-COMMITTED = CHECKOUT / "generated" / "dualcay"
-"""Where the committed kernels lie in a checkout."""
-
-
-def is_checkout() -> bool:
-    """Whether the toolkit runs from a checkout of the project, whose kernels it may rewrite."""
-    return (CHECKOUT / "templates").is_dir() and (CHECKOUT / "pyproject.toml").is_file()
-
-
-def has_place(target: str) -> bool:
-    """Whether kernels of a target have a place of their own: those committed in a checkout, and no other."""
-    return target == TARGET and is_checkout()
-
-
-def command(target: str, *charts: Chart) -> str:
-    """The command that writes the modules of some charts, wherever they are put; without any, that of shared files."""
-    chosen: dict[str, list[str]] = {}
-    for option, value in (chart.selection for chart in charts):
-        chosen.setdefault(option, []).append(value)
-    options = "".join(f" {option} {','.join(values)}" for option, values in chosen.items())
-    largest = max((chart.order for chart in charts), default=0)
-    cap = f" --max-n {largest}" if largest > MAX_ORDER else ""
-    return f"python -m derive generate{options} --target {target}{cap}"
+C_HEADERS = frozenset({
+    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits", "locale", "math", "setjmp",
+    "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool", "stdckdint", "stddef", "stdint", "stdio",
+    "stdlib", "stdnoreturn", "string", "tgmath", "threads", "time", "uchar", "wchar", "wctype", "python",
+})  # fmt: skip
+"""Headers of the C library (C23, 7.1.2) and of Python, which a module of the same name would hide."""
 
 
 def charts(
     orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
 ) -> list[Chart]:
-    """The charts of some orders, then those of some families, each once; or that of φ, and of families.
+    """Return the charts of some orders or the chart of φ, then those of some families, each once.
 
-    Of φ an order is the n in it.
+    With φ, an order is the n in it.
 
     Raises
     ------
     ValueError, TypeError
-        For an order or a family that does not exist, a φ that is refused, or a name that is taken.
+        For an order or a family that does not exist, a φ that is refused, or a reserved name.
     """
     named: list[Chart] = [*map(family, dict.fromkeys(families))]
     given = sorted(set(orders))
@@ -64,41 +48,19 @@ def charts(
         return [*map(Cayley, given), *named]
     if len(given) > 1:
         raise ValueError(f"n in phi has one value, got {', '.join(map(str, given))}")
-    if name and name.split("_")[0] == ROTATIONS.name:  # in C dualcay_rotation_... are functions of rotations
-        raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
-    if name in {chart.name for chart in committed()}:
-        raise ValueError(f"{name!r} is the name of a committed module")
-    taken.require_free(name or "")
+    require_free(name or "")
     own: Chart = parameterization(phi, name or "", given[0] if given else None)
-    _require_no_other(own)
+    _require_same_chart(own)
     return [own, *named]
 
 
-def _require_no_other(own: Chart) -> None:
-    """Refuse the name of another chart; but sin(α/N) may be called sineN, by what divides its angle."""
-    other = _called(own.name)
-    if other is None or own.phi == other.phi:
-        return
-    if not (isinstance(other, Sine) and own.phi == sympy.sin(alpha / other.order)):
-        raise ValueError(f"{own.name!r} is the name of the chart of phi = {other.phi}: take another for {own.phi}")
-
-
-def _called(name: str) -> Chart | None:
-    """The chart that a name denotes, with or without a φ; None of a name that is free."""
-    cayley = re.fullmatch(r"cayley([1-9]\d*)", name)
-    try:
-        return Cayley(int(cayley[1])) if cayley else family(name)
-    except ValueError:
-        return None
-
-
 def committed() -> list[Chart]:
-    """The charts whose modules are committed."""
-    return charts(ORDERS, FAMILIES)
+    """Return the charts whose modules are committed."""
+    return charts(about.ORDERS, about.FAMILIES)
 
 
 def chart_of(line: str) -> Chart | None:
-    """The chart in the command of a module; None for the command of shared files, and for any other."""
+    """Return the chart in the command of a module; None for any other command."""
     words = shlex.split(line)
     chosen = dict(itertools.pairwise(words))
     try:
@@ -110,3 +72,64 @@ def chart_of(line: str) -> Chart | None:
         return Cayley(int(chosen["-n"])) if "-n" in chosen else None
     except (KeyError, ValueError):
         return None
+
+
+def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
+    """Yield the charts of modules in a folder whose first line is the command that makes them."""
+    for path in sorted(folder.glob(f"*.{target.extension}")):
+        line = files.header_command(path) or ""
+        chart = chart_of(line)
+        if chart and module_name(chart, target) == path.name and command(target.name, chart) == line:
+            yield chart
+
+
+# ---- reserved names -------------------------------------------------------------------------------------------
+
+
+def require_free(name: str) -> None:
+    """Raise ValueError for a name that a user's chart may not have."""
+    if name.split("_")[0] == ROTATIONS.name:  # C functions of rotations begin with dualcay_rotation_
+        raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
+    if name in {chart.name for chart in committed()}:
+        raise ValueError(f"{name!r} is the name of a committed module")
+    if name.startswith("_"):
+        raise ValueError(f"names with a leading underscore are those of a package's own files, got {name!r}")
+    if name.lower() in C_HEADERS:  # some file systems ignore case
+        raise ValueError(f"a header {name}.h would hide that of C or Python: take another name than {name!r}")
+    if name in reserved_names():
+        raise ValueError(f"{name!r} is the name of a file or of something else in packages of kernels: take another")
+
+
+@cache
+def reserved_names() -> frozenset[str]:
+    """Names of files and folders in packages of any target, and names that their entries use."""
+    return frozenset(name for target in TARGETS.values() for name in _reserved(target))
+
+
+def _reserved(target: Target) -> Iterator[str]:
+    for file, data in target.shared().items():
+        path = PurePath(file)
+        yield from path.parts[:-1]
+        if path.suffix == f".{target.extension}":
+            yield path.stem
+        if path.name == "__init__.py":
+            yield from _globals(symtable.symtable(render(f"{target.name}/{file}.j2", header="", **data), file, "exec"))
+
+
+def _globals(table: symtable.SymbolTable) -> Iterator[str]:
+    """Yield every global name of a module, built-in functions among them: a submodule would hide each."""
+    module = table.get_type() == "module"
+    yield from (symbol.get_name() for symbol in table.get_symbols() if module or symbol.is_global())
+    for inner in table.get_children():
+        yield from _globals(inner)
+
+
+def _require_same_chart(own: Chart) -> None:
+    """Raise ValueError if the name denotes another chart; sin(α/N) may also be called sineN."""
+    cayley = re.fullmatch(r"cayley([1-9]\d*)", own.name)
+    try:
+        other: Chart = Cayley(int(cayley[1])) if cayley else family(own.name)
+    except ValueError:
+        return
+    if own.phi != other.phi and not (isinstance(other, Sine) and own.phi == sympy.sin(alpha / other.order)):
+        raise ValueError(f"{own.name!r} is the name of the chart of phi = {other.phi}: take another for {own.phi}")

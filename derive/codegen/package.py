@@ -1,61 +1,305 @@
-"""Kernel modules on their way to files, and packages of them."""
+"""The texts of a package of kernels, and what its templates are told about a chart."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+import hashlib
+import textwrap
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, Protocol
 
-from ..proof import Proved
+import mpmath
+import numpy as np
+import sympy
 
-Counts = tuple[int, int, int | None]
-"""Calls validated, replayed and tested."""
+from .. import about
+from ..maps import Formula
+from ..maps.chart import Chart
+from ..output import render
+from ..proof import Proved, theorems
+from .lowered import Lowered, geometry
+from .programs.program import Call, Program, Statement
+from .rows import Table
+
+DIGITS = 40
+"""Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
+
+WIDTH = 110
+"""Largest number of characters in a comment line."""
+
+LETTERS_MAX = 600
+"""Largest number of characters of the polynomials in a header; longer ones are left to the command that shows them."""
+
+LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
+
+HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
+"""Suffixes of files whose comments begin with #, in every target."""
 
 
 @dataclass(frozen=True, slots=True)
-class Module:
-    """A kernel module on its way: proved, printed, and how many calls of it were compared with its formula.
+class Counts:
+    """Calls that agree with the formulas: on exact numbers, on floats, and in compiled code (None: no compiler)."""
 
-    ``companions`` are further files by name. ``replayed`` counts the calls on floats that agree, ``tested`` those of
-    compiled code: 0 where the target has none of its own, None where nothing could compile it. A module that is only
-    to be compared with what is on disk is not executed, and all of them are 0.
-    """
-
-    name: str
-    proved: Proved
-    text: str
-    companions: dict[str, str]
     validated: int = 0
     replayed: int = 0
     tested: int | None = 0
 
-    @property
-    def texts(self) -> dict[str, str]:
-        """Its files by name."""
-        return self.companions | {self.name: self.text}
 
-    def counted(self, counts: Counts) -> Module:
-        """The same module, executed."""
-        validated, replayed, tested = counts
-        return replace(self, validated=validated, replayed=replayed, tested=tested)
+@dataclass(frozen=True, slots=True)
+class Module:
+    """A proved and printed chart: its files by name, and how many calls of them agree with its formulas.
+
+    ``name`` is the file of the module for poses; further files are companions, such as the module for rotations.
+    """
+
+    name: str
+    proved: Proved
+    texts: Mapping[str, str]
+    counts: Counts = Counts()
+
+    @property
+    def text(self) -> str:
+        """Text of the module for poses."""
+        return self.texts[self.name]
 
     def __repr__(self) -> str:
-        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.validated} calls validated>"
+        return f"<Module {self.name}: {len(self.proved.proofs)} proofs, {self.counts.validated} calls validated>"
 
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """All files of a package of kernels, by name, and the modules among them."""
+    """Files that all modules of a package share, by name, and the modules."""
 
-    texts: dict[str, str]
+    shared: Mapping[str, str]
     modules: tuple[Module, ...]
 
-    @classmethod
-    def of(cls, shared: Mapping[str, str], modules: Sequence[Module]) -> Package:
-        """Of the files that modules share, and of theirs."""
-        texts = dict(shared)
-        for module in modules:
-            texts |= module.texts
-        return cls(texts, tuple(modules))
+    @property
+    def texts(self) -> dict[str, str]:
+        """All files by name."""
+        return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
         return f"<Package of {', '.join(module.name for module in self.modules)}: {len(self.texts)} files>"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """A proved chart and its programs, with the texts that templates ask for."""
+
+    proved: Proved
+    lowered: Lowered
+
+    @property
+    def chart(self) -> Chart:
+        return self.proved.formulas
+
+    @property
+    def parameter(self) -> str:
+        """φ(α) in ASCII, for comments of any language."""
+        return self.chart.parameter.replace("α", "alpha")
+
+    @cached_property
+    def turns(self) -> list[tuple[str, str]]:
+        """Decimals of the two numbers that turn v to each branch; those of one branch for an unbounded chart."""
+        with mpmath.workdps(DIGITS + 10):
+            return [(_decimal(a), _decimal(b)) for a, b in map(self.chart.turn, range(self.chart.branches) or [1])]
+
+    @cached_property
+    def returns(self) -> list[tuple[str, ...]]:
+        """Decimals of the table of returns, row by row."""
+        with mpmath.workdps(DIGITS + 10):
+            return [tuple(map(_decimal, row)) for row in self.chart.returns()]
+
+    @property
+    def singular_angles(self) -> list[str]:
+        return [_multiple_of_pi(angle) for angle in self.chart.singular_angles]
+
+    @property
+    def maps(self) -> tuple[Formula, ...]:
+        chart = self.chart
+        return chart.quaternion, chart.tensor, chart.tangent, chart.tangent_inv
+
+    def definitions(self, indent: str) -> dict[str, str]:
+        """Formulas of the maps in LaTeX, broken into lines."""
+        texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
+        return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
+
+    @property
+    def domain(self) -> dict[str, str]:
+        return {f.name: f.domain for f in self.maps}
+
+    @property
+    def singular(self) -> dict[str, str]:
+        return {f.name: f.singular for f in self.maps}
+
+    @property
+    def overflow(self) -> str:
+        """Reason why forward maps are NaN for large v."""
+        return self.chart.overflow(1)[0]
+
+    @property
+    def largest(self) -> dict[str, str]:
+        """Largest Re|v| by dtype for which forward maps are finite."""
+        most = {name: float(np.finfo(name).max) for name in ("float32", "float64")}
+        return {name: f"{self.chart.overflow(value)[1]:.1g}" for name, value in most.items()}
+
+    def header(self, command: str, template: str) -> list[str]:
+        """Lines of the header: command, licence, template, φ, polynomials, and the number of proofs."""
+        chart = self.chart
+        polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
+        if sum(map(len, polynomials)) > LETTERS_MAX:
+            polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
+        own = sum(proof not in theorems() for proof in self.proved.proofs)
+        shared = len(self.proved.proofs) - own
+        general = f" and {shared} theorems for every n" if shared else ""
+        proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
+        return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
+
+
+def command(target: str, *charts: Chart) -> str:
+    """Return the command that writes the modules of charts; without charts, that of shared files."""
+    chosen: dict[str, list[str]] = {}
+    for option, value in (chart.selection for chart in charts):
+        chosen.setdefault(option, []).append(value)
+    options = "".join(f" {option} {','.join(values)}" for option, values in chosen.items())
+    largest = max((chart.order for chart in charts), default=0)
+    cap = f" --max-n {largest}" if largest > about.MAX_ORDER else ""
+    return f"python -m derive generate{options} --target {target}{cap}"
+
+
+def head(command: str, template: str) -> list[str]:
+    """First lines of a generated file: its command, its licence, its template."""
+    return [command, LICENCE, f"Generated by the command above from templates/{template}: change that, not this file."]
+
+
+def comment(lines: Iterable[str], mark: str) -> str:
+    """Return lines as comment lines, with long ones broken."""
+    wrapped = [part for line in lines for part in _wrap(line)]
+    return "\n".join(f"{mark} {line}".rstrip() for line in wrapped)
+
+
+def numbers(equations: Iterable[int]) -> str:
+    """Equation numbers in brackets."""
+    return ", ".join(f"({number})" for number in equations)
+
+
+def _wrap(line: str) -> list[str]:
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    return textwrap.wrap(line, WIDTH, subsequent_indent=indent, drop_whitespace=True) or [""]
+
+
+def _plain(expression: sympy.Expr) -> str:
+    return str(sympy.sstr(expression, order="rev-lex")).replace("**", "^")
+
+
+def _decimal(value: Any) -> str:
+    return str(mpmath.nstr(value, DIGITS, min_fixed=-DIGITS))
+
+
+def _multiple_of_pi(angle: sympy.Expr) -> str:
+    factor = angle / sympy.pi
+    if not factor.is_Rational:
+        with mpmath.workdps(DIGITS + 10):
+            return _decimal(mpmath.mpf(angle.evalf(DIGITS + 10)))
+    above = "pi" if factor.p == 1 else f"{factor.p} * pi"
+    return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C
+
+
+def fingerprint(facts: Facts, lowered: Lowered) -> str:
+    """Digest of the programs of a chart and of the geometry; equal in two packages that compute the same."""
+    lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
+    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
+    lines += [f"{facts.turns} {facts.returns}"]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
+
+
+@cache  # every chart has the same geometry
+def _geometry_lines(table: Table) -> Sequence[str]:
+    return tuple(_program_lines(geometry(table)))
+
+
+def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
+    for name, program in programs.items():
+        yield f"{name} {program.inputs} -> {program.outputs}"
+        yield from map(_statement_line, program.statements)
+
+
+def _statement_line(statement: Statement) -> str:
+    if isinstance(statement, Call):  # sorted, since a set has no order
+        return f"{statement.names} {statement.function} {statement.args} {statement.rest} {sorted(statement.truths)}"
+    return f"{statement.name} {statement.op} {statement.args}"
+
+
+Data = Mapping[str, Any]
+"""Values for the names in a template, but for ``header``."""
+
+
+class Printer(Protocol):
+    """The part of a target that makes texts."""
+
+    name: str
+    """Name of its template folder too."""
+
+    extension: str
+    """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
+
+    entry: str
+    """The shared file that is read before any other."""
+
+    comment: str
+    """Beginning of a comment line."""
+
+    def shared(self) -> Mapping[str, Data]:
+        """Files that every package of the target holds, each from the template of its name."""
+
+    def module(self, facts: Facts) -> Data:
+        """Data for the module of a chart."""
+
+    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+        """Further files of a chart: by name, the template and its data."""
+
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        """Raise ValueError unless the shared texts define the functions of the table."""
+
+
+def shared_texts(target: Printer) -> dict[str, str]:
+    """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
+    texts = {}
+    for name, data in target.shared().items():
+        template = f"{target.name}/{name}.j2"
+        lines = head(command(target.name), template)
+        if name == target.entry:  # the only file that a release changes
+            lines.append(f"Version {about.__version__}.")
+        texts[name] = render(template, header=comment(lines, _mark(name, target)), **data)
+    target.require_complete(texts)
+    return texts
+
+
+def module_name(chart: Chart, target: Printer) -> str:
+    """File name of the module of a chart."""
+    return f"{chart.name}.{target.extension}"
+
+
+def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
+    """Render the module of a proved chart and its companions, by name."""
+    made_by = command(target.name, facts.chart)
+    template = f"{target.name}/chart.{target.extension}.j2"
+    header = comment(facts.header(made_by, template), target.comment)
+    texts = {module_name(facts.chart, target): render(template, header=header, **target.module(facts))}
+    for name, (companion, data) in target.companions(facts).items():
+        template = f"{target.name}/{companion}.j2"
+        texts[name] = render(template, header=comment(head(made_by, template), target.comment), **data)
+    return texts
+
+
+def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
+    """Render the entry that stands in a package while its other files are exchanged, by name."""
+    template = f"interrupted/{target.entry}.j2"
+    made_by = command(target.name, *charts)
+    header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))
+    return {target.entry: render(template, header=header, command=made_by)}
+
+
+def _mark(name: str, target: Printer) -> str:
+    return "#" if name.endswith(HASH_COMMENTS) else target.comment

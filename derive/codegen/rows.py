@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from ..maps.chart import Chart
-from .lowering.point import Geometry
-from .lowering.real import RealGeometry
+from .lowering.point import Recipe, traced, traced_kernel
 from .programs.program import Program
-
-Recipe = Callable[[Geometry], Program]
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +90,7 @@ class Function:
         The function whose program it runs for a turn by no branch, where it runs its own for others; empty where the
         argument stands.
     aliases : tuple of str
-        Further names in the modules of Cayley maps.
+        Further names in the modules of Cayley maps; with dexp for dcay, in that of the exponential.
     keywords : tuple of str
         Keyword parameters besides those of every function, in languages that have them: they choose what is done to
         arguments and results, and change no program.
@@ -127,8 +124,8 @@ class Function:
         """Of what its program returns: several results stand side by side."""
         return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
 
-    def traced(self, chart: Chart | None = None) -> Program:
-        """Its program for all charts, or for one.
+    def traced(self) -> Program:
+        """Return its program.
 
         Raises
         ------
@@ -137,15 +134,17 @@ class Function:
         """
         if self.recipe is None:
             raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
-        if self.pose is None:
-            return self.recipe(Geometry(chart))
-        kept = [array.places for array in self.pose.arguments]
-        return self.recipe(RealGeometry(self.name, kept, self.pose.kept, chart))
+        return traced(self.recipe) if self.pose is None else traced_kernel(self.recipe, self.name, self.pose.kept)
 
     @property
     def kernel(self) -> str:
         """The function whose program it runs."""
         return self.shares or self.name
+
+    def aliases_in(self, chart: Chart) -> list[str]:
+        """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
+        stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
+        return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
 
     # --- rotations alone ----------------------------------------------------------------------------------------
 
@@ -213,8 +212,8 @@ class Table:
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
 
     def aliases(self, chart: Chart) -> dict[str, str]:
-        """Further names in the module of a chart, and the functions they are names of."""
-        return {alias: name for name, row in self.public.items() for alias in row.aliases} if chart.cayley else {}
+        """Return further names in the module of a chart, and the functions they name."""
+        return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}
 
 
 def inside(table: Table, name: str) -> str:

@@ -10,7 +10,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
-from .rows import Array, Function, Recipe, Table
+from .lowering.point import Recipe
+from .rows import Array, Function, Table
 
 
 def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:
@@ -125,7 +126,7 @@ _ROWS = (
     ),
     Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
     Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
-    Function("between", TWO, (V,), groups.between, exact=False, real=True),
+    Function("between", TWO, (V,), inverse.between, exact=False, real=True),
     Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
     Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
     _by_exponential("retract", (V, DELTA), retraction.retract, MOVED_V),

@@ -1,12 +1,37 @@
-"""What the papers define: the polynomials p_n, q_n, the Cayley maps of order n and their inverses, screws and poses.
+"""Definitions of the papers: polynomials p_n and q_n, Cayley maps of order n, their inverses, screws, poses, charts.
 
-CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number.
+CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number. Names are loaded on first use, so
+that the grammar of a user's φ can be checked without SymPy.
 """
 
-from .cayley import Cayley
-from .expressions import PhiError
-from .formula import Formula, IsotropicMap, QuaternionMap
-from .named import family, parameterization
-from .polynomials import x
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .any_phi.grammar import PhiError
+    from .cayley import Cayley
+    from .formula import Formula, IsotropicMap, QuaternionMap
+    from .named import family, parameterization
+    from .polynomials import x
 
 __all__ = ["Cayley", "Formula", "IsotropicMap", "PhiError", "QuaternionMap", "family", "parameterization", "x"]
+
+_HOMES = {
+    "PhiError": "any_phi.grammar",
+    "Cayley": "cayley",
+    "Formula": "formula",
+    "IsotropicMap": "formula",
+    "QuaternionMap": "formula",
+    "family": "named",
+    "parameterization": "named",
+    "x": "polynomials",
+}
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        if name not in _HOMES:
+            raise AttributeError(f"module 'derive.maps' has no attribute {name!r}")
+        return getattr(importlib.import_module(f"derive.maps.{_HOMES[name]}"), name)

@@ -1,6 +1,6 @@
 r"""Breusing's chart, the geometric mean of tangent and sine: ``v = sin θ/√(cos θ) u``, θ = α/4.
 
-From ``x = (1 − c²)/c``, ``c = cos θ``, so that the quaternion is ``c − x + 2 √c v`` over ``1/c = c + x``:
+With ``c = cos θ`` and ``x = (1 − c²)/c`` the quaternion is ``(c − x + 2 √c v)/(c + x)``, where ``c + x = 1/c``:
 
 .. math::
     c = \frac{2}{x + \sqrt{x^2 + 4}} \qquad s = \frac{c - x}{c + x} \quad w = \frac{2 \sqrt c}{c + x} \quad
@@ -8,7 +8,7 @@ From ``x = (1 − c²)/c``, ``c = cos θ``, so that the quaternion is ``c − x 
 
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 
-Over c + x, not times c: so it is a unit quaternion whatever rounding makes of c.
+The division by c + x, in place of the product with c, keeps the norm 1 for any rounding error of c.
 """
 
 from __future__ import annotations
@@ -20,154 +20,79 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import next_to_pole
+from . import near_pole
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .families import alpha
-from .of_order import OfOrder, of_twice
+from .order_charts import OrderChart, double_angle
+from .scalar import scalar
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
-    """``2/cos θ`` at x; where x² overflows infinite."""
+    """Return ``2/cos θ`` at x; infinite where x² overflows."""
     return m.name("below", x + m.sqrt(x * x + 4))
 
 
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
-    """cos θ at x; where x² overflows NaN, not 0."""
+    """Return cos θ at x; NaN, not 0, where x² overflows."""
     below = twice_secant(x, m)
     return m.name("c", (below - below + 2) / below)
 
 
 class BreusingScalars(DependentScalars):
-    """The scalars at ``x = sin² θ/cos θ``."""
+    """Scalars at ``x = sin² θ/cos θ``."""
 
     @cached_property
     def c(self) -> Coefficient:
         return cosine(self.x, self.m)
 
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", self.c * self.c)
-
-    @cached_property
-    def _over(self) -> Coefficient:
-        """``1/(1 + c²)``."""
-        return self.m.name("over", self.m.div(1, 1 + self.cc))
-
-    @cached_property
-    def _weight(self) -> Coefficient:
-        return self.m.name("weight", 3 + 2 * self.cc)
-
-    @cached_property
-    def _above(self) -> Coefficient:
-        """``c − x``."""
-        return self.m.name("above", self.c - self.x)
-
-    @cached_property
-    def _size(self) -> Coefficient:
-        """``c + x = 1/c``."""
-        return self.m.name("size", self.c + self.x)
-
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self._above / self._size)
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", 2 * self._root / self._size)
+    cc = scalar(lambda at: at.c * at.c)
+    _over = scalar(lambda at: at.m.div(1, 1 + at.cc), "over")  # 1/(1 + c²)
+    _weight = scalar(lambda at: 3 + 2 * at.cc, "weight")
+    _above = scalar(lambda at: at.c - at.x, "above")  # c − x
+    _size = scalar(lambda at: at.c + at.x, "size")  # c + x = 1/c
+    s = scalar(lambda at: at._above / at._size)
+    w = scalar(lambda at: 2 * at._root / at._size)
 
     @property
     def _twice(self) -> Coefficient:
-        """2 w."""
+        """Return 2 w."""
         return 2 * self.w
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
         return self._above, self.m.name("b", 2 * self._root), self._size
 
-    @cached_property
-    def _root(self) -> Coefficient:
-        return self.m.name("rootc", self.m.sqrt(self.c))
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", 4 * (self.w * self._over))
-
-    @cached_property
-    def h(self) -> Coefficient:
-        """``2 c w (3 + 2 c²)/(1 + c²)``, of fewer operations."""
-        return self.m.name("h", self.c * self._twice * (2 + self._over))
-
-    @cached_property
-    def _decline(self) -> Coefficient:
-        """``−2 c′/c``."""
-        return self.m.name("decline", 2 * (self.c * self._over))
-
-    @cached_property
-    def _share(self) -> Coefficient:
-        """``4 c²/(1 + c²)``."""
-        return self.m.name("share", 4 * (self.cc * self._over))
+    _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
+    rate = scalar(lambda at: 4 * (at.w * at._over), "rho")
+    h = scalar(lambda at: at.c * at._twice * (2 + at._over))  # 2 c w (3 + 2 c²)/(1 + c²), of fewer operations
+    _decline = scalar(lambda at: 2 * (at.c * at._over), "decline")  # −2 c′/c
+    _share = scalar(lambda at: 4 * (at.cc * at._over), "share")  # 4 c²/(1 + c²)
 
     @cached_property
     def _declining(self) -> Coefficient:
-        """The slope of that."""
+        """Slope of ``−2 c′/c``."""
         half = self.m.div(self._share, 2)
         return self.m.name("decliney", self._decline * self._decline * (half - 1))
 
-    @cached_property
-    def _sharing(self) -> Coefficient:
-        return self.m.name("sharey", -2 * (self._share * self._over * self._decline))
-
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", self.s * self._twice)
-
-    @cached_property
-    def g(self) -> Coefficient:
-        """``2 w² = 8 c/(c + x)²``, of fewer roundings."""
-        return self.m.name("g", 8 * (self.c / (self._size * self._size)))
-
-    @cached_property
-    def fi(self) -> Coefficient:
-        """``s/w = (c − x)/(2 √c)``."""
-        return self.m.name("fi", self._above / (2 * self._root))
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        """``3/(4 √c)``."""
-        return self.m.name("hi", self.m.div(3, 4 * self._root))
-
-    @cached_property
-    def hiy(self) -> Coefficient:
-        return self.m.name("hiy", self.m.div(self.hi * self._decline, 2))
-
-    @cached_property
-    def hiyy(self) -> Coefficient:
-        return self.m.name("hiyy", self.m.div(self.hiy * self._decline + self.hi * self._declining, 2))
+    _sharing = scalar(lambda at: -2 * (at._share * at._over * at._decline), "sharey")
+    f = scalar(lambda at: at.s * at._twice)
+    g = scalar(lambda at: 8 * (at.c / (at._size * at._size)))  # 2 w² = 8 c/(c + x)², of fewer roundings
+    fi = scalar(lambda at: at._above / (2 * at._root))  # s/w = (c − x)/(2 √c)
+    hi = scalar(lambda at: at.m.div(3, 4 * at._root))  # 3/(4 √c)
+    hiy = scalar(lambda at: at.m.div(at.hi * at._decline, 2))
+    hiyy = scalar(lambda at: at.m.div(at.hiy * at._decline + at.hi * at._declining, 2))
 
     def _bend(self, slope: Coefficient, value: Coefficient, growth: Coefficient, change: Coefficient) -> Coefficient:
-        """The slope of ``value · decline · growth/2``."""
+        """Return the slope of ``value · decline · growth/2``."""
         of_decline = self._declining * growth + self._decline * change
         return self.m.div(slope * self._decline * growth + value * of_decline, 2)
 
-    @cached_property
-    def _rate_growth(self) -> Coefficient:
-        return self.m.name("rhogrowth", self._share - 3)
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.m.div(self.rate * self._decline * self._rate_growth, 2))
-
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        return self.m.name("rhoyy", self._bend(self.ratey, self.rate, self._rate_growth, self._sharing))
-
-    @cached_property
-    def _h_growth(self) -> Coefficient:
-        return self.m.name("hgrowth", self._share - 5 - 8 * (self.cc / self._weight))
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        return self.m.name("hy", self.m.div(self.h * self._decline * self._h_growth, 2))
+    _rate_growth = scalar(lambda at: at._share - 3, "rhogrowth")
+    ratey = scalar(lambda at: at.m.div(at.rate * at._decline * at._rate_growth, 2), "rhoy")
+    rateyy = scalar(lambda at: at._bend(at.ratey, at.rate, at._rate_growth, at._sharing), "rhoyy")
+    _h_growth = scalar(lambda at: at._share - 5 - 8 * (at.cc / at._weight), "hgrowth")
+    hy = scalar(lambda at: at.m.div(at.h * at._decline * at._h_growth, 2))
 
     @cached_property
     def hyy(self) -> Coefficient:
@@ -176,8 +101,8 @@ class BreusingScalars(DependentScalars):
 
 
 @dataclass(frozen=True)
-class Breusing(OfOrder):
-    """v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
+class Breusing(OrderChart):
+    """Chart v = sin(α/4)/√cos(α/4) u, up to |Re α| = 2π."""
 
     name: str = "breusing"
     order: int = 2
@@ -198,27 +123,27 @@ class Breusing(OfOrder):
     def scalars(self, x: Coefficient, m: Arithmetic) -> BreusingScalars:
         return BreusingScalars(x, m)
 
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        square = m.name(f"square{mark}", cosine * cosine)
         inverse = m.name(f"iroot{mark}", m.div(1, m.sqrt(cosine)))
-        return sine * inverse, m.div((1 + cosine * cosine) / cosine * inverse, 2)
+        slope = m.div((1 + square) / cosine * inverse, 2)
+        return sine * inverse, slope, m.div((3 - square) * sine / square * inverse, 4)
 
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
-        of_rest = of_twice(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
+        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
+        of_rest = double_angle(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
         first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """``h_i = ¾ √(1/c)``, of fewer operations; what a quaternion leads to never overflows."""
+        """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow for a v that comes from a quaternion."""
         return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         c = cosine(x, m)
         return c, m.name("sigma", m.sqrt(c))
 
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         return 1, m.sqrt(cosine)

@@ -1,4 +1,4 @@
-r"""`Cayley(n)`: everything the Cayley map of order n defines, as formulas in ``x = v · v``, and the chart it is.
+r"""The Cayley map of order n: its formulas in ``x = v · v``, and its chart.
 
 This is the Cayley map of unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), equally of 6x6
 adjoint matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation and another translation.
@@ -9,36 +9,39 @@ Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import closed_forms, next_to_pole, polynomials, turns, way_back
+from . import branches, closed_forms, gains, near_pole, polynomials
 from .cayley_scalars import CayleyScalars
 from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
+from .parameterized import Parameterized
 from .polynomials import FIELD, rational, require_order, x
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
-"""The general equation of each map."""
+"""Numbers of the general equations of each map in CP23."""
 
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 """First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
 
 
 @dataclass(frozen=True)
-class Cayley(turns.InTurns):
+class Cayley(branches.BranchesOfOrder, Parameterized):
     """The Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
     ----------
     order : int
         n ≥ 1. TypeError for anything but an integer, ValueError below 1.
+    name, selection : optional
+        Of a user's φ that is tan(α/2n): the name of its module, and the option that selects it.
 
     Attributes
     ----------
@@ -64,10 +67,14 @@ class Cayley(turns.InTurns):
     """
 
     order: int
-    remainder: ClassVar[float] = 0.0
+    name: str = field(default="", repr=False)
+    selection: tuple[str, str] = field(default=("", ""), repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "order", require_order(self.order))
+        if not self.name:
+            object.__setattr__(self, "name", f"cayley{self.order}")
+            object.__setattr__(self, "selection", ("-n", str(self.order)))
 
     @property
     def n(self) -> int:
@@ -167,23 +174,11 @@ class Cayley(turns.InTurns):
             ),
         )
 
-    # --- as a chart (see `Chart`) -----------------------------------------------------------------------------
-
-    @property
-    def name(self) -> str:
-        return f"cayley{self.order}"
-
-    @property
-    def selection(self) -> tuple[str, str]:
-        return "-n", str(self.order)
+    # --- chart (see `Chart`) ----------------------------------------------------------------------------------
 
     @property
     def title(self) -> str:
         return f"Cayley map of order {self.order}"
-
-    @property
-    def parameter(self) -> str:
-        return f"tan(α/{2 * self.order})"
 
     @property
     def phi(self) -> sympy.Expr:
@@ -211,13 +206,13 @@ class Cayley(turns.InTurns):
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = next_to_pole.sides(self.order, angle, sine, cosine, m)
+        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
         t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", way_back.gain(self.order, q, size, m, positive))
+        return m.name("gain", gains.gain(self.order, q, size, m, positive))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         at = self.scalars(x, m)
@@ -227,21 +222,21 @@ class Cayley(turns.InTurns):
         return self.scalars(x, m)
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return turns.direction(self.order, self.scalars(x, m), y, r, m)
+        return branches.direction(self.order, self.scalars(x, m), y, r, m)
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
-        return turns.natural(self.order, self.scalars(x, m), y, r, m)
+        return branches.natural(self.order, self.scalars(x, m), y, r, m)
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(r, 1)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        return turns.turned(r, turn, m)
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
+        return branches.turned(r, turn, m)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        return tuple(turns.returns(self.order))
+        return tuple(branches.returns(self.order))
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the paper's letters."""
@@ -252,9 +247,6 @@ class Cayley(turns.InTurns):
         lines += [f"{item.symbol} &= {item.definition}" for item in maps]
         separator = " \\\\\n"
         return f"\\begin{{aligned}}\n{separator.join(lines)}\n\\end{{aligned}}"
-
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
 
     @property
     def _letters(self) -> tuple[str, str, str]:

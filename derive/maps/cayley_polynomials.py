@@ -1,11 +1,12 @@
-"""p_n, q_n and the brackets c_n, d_n of CP23 (88) and (89) at one x, with two derivatives, named when asked for.
+"""Polynomials p_n, q_n and the brackets c_n, d_n of CP23 (88), (89) at x, with their derivatives.
 
-Those of the chain are divided by one power of 1 + x: p, q and d, which scalars take in quotients only, by the power
-⌊n/2⌋, and c, as p² and x q² are, by its square.
+Above `HORNER_LIMIT` they come from the chain, divided by powers of 1 + x. p, q and d, which scalars use in quotients
+only, are divided by the power ⌊n/2⌋, and c by its square, as p² and x q² are.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -13,10 +14,16 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .evaluation import HORNER_LIMIT, Jet, chain, horner
+from .scalar import scalar
+
+
+def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet], Coefficient]) -> scalar:
+    """Return a scalar: a derivative of p, q, c or d, by Horner's rule or from the jets of p and q of the chain."""
+    return scalar(lambda at: at._at_x(letter, derivative) if at._expanded else by_chain(at, *at._jets))
 
 
 class CayleyPolynomials:
-    """The polynomials of an order at x; every value is computed, and named, when it is asked for."""
+    """Polynomials of an order at x, each computed and named when it is first asked for."""
 
     def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         self.order = order
@@ -25,20 +32,18 @@ class CayleyPolynomials:
 
     @property
     def _expanded(self) -> bool:
-        """Small orders are evaluated by Horner's rule; above, it loses digits on shadows and the chain does not."""
+        """Return whether Horner's rule is used; for higher orders it loses digits on shadows."""
         return self.order <= HORNER_LIMIT
 
     @cached_property
     def _chain(self) -> dict[int, tuple[Jet, Jet]]:
         return chain(self.order, self.x, self._shrinking, self.m)
 
-    @cached_property
-    def _beyond_one(self) -> Coefficient:
-        return self.m.name("x1", 1 + self.x)
+    _beyond_one = scalar(lambda at: 1 + at.x, "x1")
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """``1/(1 + x)``, and NaN where `CHAIN_POWER` of it would be 0, and slopes of slopes finite and wrong."""
+        """``1/(1 + x)``; NaN where its power `CHAIN_POWER` underflows, which would make second slopes wrong."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
@@ -47,78 +52,33 @@ class CayleyPolynomials:
     def _jets(self) -> tuple[Jet, Jet]:
         return self._chain[self.order]
 
-    def _horner(self, name: str, polynomial: Any, derivative: int = 0) -> Coefficient:
-        for _ in range(derivative):
-            polynomial = polynomial.diff(polynomials.RING_X)
+    def _horner(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, horner(polynomial, self.x))
 
-    @cached_property
-    def p(self) -> Coefficient:
-        """p_n, CP23 (51)."""
-        return self._horner("p", polynomials.ring_pair(self.order)[0]) if self._expanded else self._jets[0].value
+    def _at_x(self, letter: str, derivative: int) -> Coefficient:
+        """Return a derivative of p, q, c or d by Horner's rule."""
+        pair = polynomials.ring_pair if letter in "pq" else polynomials.ring_brackets
+        polynomial = pair(self.order)[letter in "qd"]
+        for _ in range(derivative):
+            polynomial = polynomial.diff(polynomials.RING_X)
+        return horner(polynomial, self.x)
+
+    p = _polynomial("p", 0, lambda at, p, q: p.value)  # CP23 (51)
+    q = _polynomial("q", 0, lambda at, p, q: q.value)  # CP23 (52)
+    dp = _polynomial("p", 1, lambda at, p, q: p.first)
+    dq = _polynomial("q", 1, lambda at, p, q: q.first)
+    ddq = _polynomial("q", 2, lambda at, p, q: 2 * q.half_second)
+    # [n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)
+    c = _polynomial("c", 0, lambda at, p, q: 2 * (at.p * at.dq - at.q * at.dp))
+    dc = _polynomial("c", 1, lambda at, p, q: 4 * (at.p * q.half_second - at.q * p.half_second))
 
     @cached_property
-    def q(self) -> Coefficient:
-        """q_n, CP23 (52)."""
-        return self._horner("q", polynomials.ring_pair(self.order)[1]) if self._expanded else self._jets[1].value
-
-    @cached_property
-    def dp(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dp", polynomials.ring_pair(self.order)[0], 1)
-        return self._jets[0].first
-
-    @cached_property
-    def dq(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dq", polynomials.ring_pair(self.order)[1], 1)
-        return self._jets[1].first
-
-    @cached_property
-    def ddq(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddq", polynomials.ring_pair(self.order)[1], 2)
-        return self.m.name("ddq", 2 * self._jets[1].half_second)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """``[n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)``."""
-        if self._expanded:
-            return self._horner("c", polynomials.ring_brackets(self.order)[0])
-        return self.m.name("c", 2 * (self.p * self.dq - self.q * self.dp))
-
-    @cached_property
-    def dc(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dc", polynomials.ring_brackets(self.order)[0], 1)
+    def _cubic(self) -> Coefficient:
         p, q = self._jets
-        return self.m.name("dc", 4 * (self.p * q.half_second - self.q * p.half_second))
+        return 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
 
-    @cached_property
-    def ddc(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddc", polynomials.ring_brackets(self.order)[0], 2)
-        p, q = self._jets
-        cubic = 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
-        return self.m.name("ddc", 4 * (cubic + p.first * q.half_second - q.first * p.half_second))
-
-    @cached_property
-    def d(self) -> Coefficient:
-        """``[(1+x) q − n p]/x = q − 2 q′ − 2 p′``."""
-        if self._expanded:
-            return self._horner("d", polynomials.ring_brackets(self.order)[1])
-        return self.m.name("d", self.q - 2 * (self.dq + self.dp))
-
-    @cached_property
-    def dd(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("dd", polynomials.ring_brackets(self.order)[1], 1)
-        p, q = self._jets
-        return self.m.name("dd", self.dq - 4 * (q.half_second + p.half_second))
-
-    @cached_property
-    def ddd(self) -> Coefficient:
-        if self._expanded:
-            return self._horner("ddd", polynomials.ring_brackets(self.order)[1], 2)
-        p, q = self._jets
-        return self.m.name("ddd", self.ddq - 12 * (q.sixth_third + p.sixth_third))
+    ddc = _polynomial("c", 2, lambda at, p, q: 4 * (at._cubic + p.first * q.half_second - q.first * p.half_second))
+    # [(1+x) q − n p]/x = q − 2 q′ − 2 p′
+    d = _polynomial("d", 0, lambda at, p, q: at.q - 2 * (at.dq + at.dp))
+    dd = _polynomial("d", 1, lambda at, p, q: at.dq - 4 * (q.half_second + p.half_second))
+    ddd = _polynomial("d", 2, lambda at, p, q: at.ddq - 12 * (q.sixth_third + p.sixth_third))

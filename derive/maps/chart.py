@@ -1,6 +1,6 @@
-r"""A chart: one parameterization v = φ(α) u of displacements, as its scalars of ``x = v · v`` and its way back.
+r"""A chart: a parameterization v = φ(α) u of displacements, given by scalars of ``x = v · v`` and its inverse maps.
 
-Geometry is the same for all charts. With a handful of scalars, each regular at x = 0,
+Geometry is the same for all charts. Scalars, each regular at x = 0, tell them apart:
 
 .. math::
     \hat q = s + w\,v \qquad R = I + f\,\tilde v + g\,\tilde v^2 \qquad T = f\,I + g\,\tilde v + h\,v \otimes v \qquad
@@ -9,14 +9,15 @@ Geometry is the same for all charts. With a handful of scalars, each regular at 
     f = 2 s w \quad g = 2 w^2 \quad f^2 + x g^2 = 2 g \quad f_i = \frac{f}{g} \quad
     h_i = \frac{1}{x} \left(\frac{2}{f + x h} - f_i\right) \qquad v = \mathrm{gain}(\hat q)\,\mathrm{vec}\,\hat q
 
-where ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``x° = 2 y``, ``y = v · v°``, that of f(x) is
-``fy y``, ``fy = 2 f′``. A slope is marked by y, that of a slope by yy.
+Here ``ω = T v̇`` is the space twist. Dual parts need slopes: with ``y = v · v°`` and ``x° = 2 y`` the dual part of
+f(x) is ``fy y``, where ``fy = 2 f′``. A trailing y marks a slope, yy a second slope.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import sympy
 
@@ -33,83 +34,38 @@ DEFINITIONS = {
     "tangent": r"T = f\,I + g\,\tilde v + h\,v \otimes v",
     "tangent_inv": r"T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}",
 }
-"""What every chart's maps are, in its scalars."""
+"""The maps of every chart in its scalars, as LaTeX."""
 
 
-class Scalars(Protocol):
-    """The scalars of a chart at one x; a trailing y marks a slope, ``2 d/dx``, two of them the slope of that."""
+Scalars: TypeAlias = Any
+"""Scalars of a chart at x: s, w, f, g, h, fi, hi, and ``rate = 1/φ′ = f + x h``, the factor of T along the axis.
 
-    @property
-    def s(self) -> Coefficient: ...
-    @property
-    def w(self) -> Coefficient: ...
-    @property
-    def sy(self) -> Coefficient: ...
-    @property
-    def wy(self) -> Coefficient: ...
-    @property
-    def f(self) -> Coefficient: ...
-    @property
-    def g(self) -> Coefficient: ...
-    @property
-    def h(self) -> Coefficient: ...
-    @property
-    def fy(self) -> Coefficient: ...
-    @property
-    def gy(self) -> Coefficient: ...
-    @property
-    def hy(self) -> Coefficient: ...
-    @property
-    def rate(self) -> Coefficient:
-        """``1/φ′ = f + x h``, what T does along the axis."""
-
-    @property
-    def ratey(self) -> Coefficient: ...
-    @property
-    def fi(self) -> Coefficient: ...
-    @property
-    def hi(self) -> Coefficient: ...
-    @property
-    def fiy(self) -> Coefficient: ...
-    @property
-    def hiy(self) -> Coefficient: ...
-    @property
-    def fyy(self) -> Coefficient: ...
-    @property
-    def gyy(self) -> Coefficient: ...
-    @property
-    def hyy(self) -> Coefficient: ...
-    @property
-    def fiyy(self) -> Coefficient: ...
-    @property
-    def hiyy(self) -> Coefficient: ...
-
-    @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """(a, b, size): ``a + b v`` is the quaternion times its positive size, wherever that is cheaper."""
+Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slopes are fyy, gyy, hyy, fiyy and hiyy.
+``ray`` is (a, b, size): ``a + b v`` is the quaternion times a positive size, 1 unless another is cheaper.
+"""
 
 
 class Chart(Protocol):
-    """A parameterization of displacements that can be proved and lowered."""
+    """Parameterization of displacements that can be proved and lowered."""
 
     def __hash__(self) -> int:
-        """Charts do not change: what has been computed of one is kept."""
+        """Charts are immutable, so results about them are cached."""
 
     @property
     def name(self) -> str:
-        """An identifier, the name of its module."""
+        """Name of its module, an identifier."""
 
     @property
     def selection(self) -> tuple[str, str]:
-        """The option that selects it in the command and its value: ``-n``, ``3``."""
+        """Command-line option that selects it, with its value: ``-n``, ``3``."""
 
     @property
     def order(self) -> int:
-        """The order n in its name, 1 where there is none."""
+        """Order n; 1 where it has none."""
 
     @property
     def title(self) -> str:
-        """What it is, as a headline: ``Cayley map of order 3``."""
+        """Headline: ``Cayley map of order 3``."""
 
     @property
     def parameter(self) -> str:
@@ -121,26 +77,37 @@ class Chart(Protocol):
 
     @property
     def edge(self) -> sympy.Expr:
-        """Re α beyond which there is no v: a pole of φ or φ′ = 0; infinite where there is none."""
+        """Largest Re α of the chart: a pole of φ or a zero of φ′; infinite where there is none."""
 
     @property
     def branches(self) -> int:
-        """How many vectors v_k = φ(α + 2πk) u a pose has, k modulo their number; 0 where k is any integer."""
+        """Number of vectors v_k = φ(α + 2πk) u of a pose, k modulo that number; 0 where k is any integer."""
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Re α > 0 where v, T or its inverse is singular, the edge of the chart last."""
+        """The Re α > 0 where v, T or T⁻¹ is singular; the edge is the last."""
 
     @property
     def cayley(self) -> Cayley | None:
-        """The Cayley map it is, about which there are theorems for every order; None for any other chart."""
+        """The chart itself where it is a Cayley map, for which theorems hold at every order; None otherwise."""
+
+    @property
+    def base(self) -> Chart | None:
+        """The chart whose vectors w, times `factor`, are those of this chart; None where it is no multiple."""
+
+    @property
+    def factor(self) -> Fraction:
+        """K in ``v = K w``; 1 where there is no base chart."""
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        """Why forward maps are NaN for large v, and the Re|v| beyond which they are, in floats up to `largest`."""
+        """Return the reason why forward maps are NaN for large v, and the Re|v| beyond which they are.
+
+        `largest` is the largest finite float.
+        """
 
     @property
     def remainder(self) -> float:
-        """What scalars as computed are off by at most, however many digits numbers have: 0 of a formula."""
+        """Bound of the error of scalars that remains with any number of digits; 0 for closed formulas."""
 
     @property
     def quaternion(self) -> QuaternionMap: ...
@@ -153,62 +120,72 @@ class Chart(Protocol):
 
     @property
     def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
-        """Functions of x the formulas are written in: p_n and q_n."""
+        """Functions of x in the formulas, by letter: p_n and q_n."""
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars:
-        """The scalars at x."""
+        """Return the scalars at x."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """φ and φ′ at an angle: ``v = φ(α) u``."""
+        """Return φ and φ′ at an angle."""
 
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        """The same of a quaternion: at an angle, sine ≥ 0 and cosine of whose half are known but for length and sign.
+        """Return φ and φ′ at the angle of a quaternion.
 
-        Next to a pole of φ these say how far it is from there, which the angle, rounded, does not.
+        Sine ≥ 0 and cosine of half the angle are given up to a common factor. Near a pole of φ they determine the
+        distance from it, which the rounded angle does not.
         """
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """The factor in ``v = gain · vec q`` for a quaternion of norm `size`; `positive` says that its scalar is."""
+        """Return the factor in ``v = gain · vec q`` for a quaternion of norm `size`.
+
+        With `positive` its scalar part is known to be positive.
+        """
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """The scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``, where `fi` is the gain times the scalar of q.
+        """Return the scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``.
 
-        That is f_i too: for a chart that is folded at its edge, φ′ = 0, it is the better one, since x hardly changes
-        there. For others that at x is: the derivative of a gain loses digits where v is small.
+        The gain times the scalar of q is f_i too, and is given as `fi`. It is the better one for a chart with a fold at
+        its edge, where x hardly changes. For other charts f_i at x is better: the derivative of a gain loses digits
+        where v is small.
         """
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> Scalars:
-        """Scalars of T⁻¹ at ``v = φ(α) u`` of a known angle, `fi` as in `back`.
+        """Return the scalars of T⁻¹ at a known angle; `fi` is that of `back`.
 
-        Where φ′ = 0 is near, x says little of the angle: what a rounding of v changes grows with 1/φ′.
+        Near a fold x determines the angle badly: the error grows with 1/φ′.
         """
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """1 or −1: the axis of the principal angle is that times ``v/|v|``, where ``v = r u``, r ≥ 0."""
+        """Return 1 or −1: the axis of the principal angle is that times ``v/|v|``, for ``r = |v|``."""
 
     def natural(
         self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """The principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on v's own branch, and the `direction`."""
+        """Return the principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on the branch of v, and the `direction`."""
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """The angle of ``v = r u`` on its own branch, r > 0."""
+        """Return the angle of ``v = r u``, r > 0, on the branch of v."""
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """The coefficient of the vector a `turn` on from ``v = r u``, and its derivative by r.
+    def turned(
+        self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        """Return r_k of the vector a `turn` on from ``v = r u``, and its first and second derivatives by r.
 
-        Where v is principal already nothing uses them, r is ``sqrt(1 + x)``, and they must be numbers nevertheless.
+        Where v is principal already they are not used, r is ``sqrt(1 + x)``, and they must still be numbers.
         """
 
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
     ) -> tuple[Any, Sequence[Coefficient]]:
-        """Whether v lies beyond the principal branch, and the turn that brings it back, from the table `returns`."""
+        """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        """The two numbers of a turn by so many branches, in the working precision of mpmath."""
+        """Return the two numbers of a turn by a number of branches, in the working precision of mpmath."""
 
     def returns(self) -> Sequence[tuple[Any, Any, Any]]:
-        """By turns back, the x beyond which one more is due and its two numbers; empty where every v is principal."""
+        """Return the table of returns: for each turn back the limit of x, and the two numbers of the turn.
+
+        The limit is one of ``x/K²`` for a multiple K of a base chart. The table is empty where every v is principal.
+        """

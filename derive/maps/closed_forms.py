@@ -1,6 +1,6 @@
-r"""The Cayley maps of order n in closed form, at ``x = v · v`` of any number type: `CayleyScalars` as maps.
+r"""Cayley maps of order n in closed form, at ``x = v · v`` of any number type.
 
-Elements of Q(x) give the formulas, ``Fraction`` and mpmath numbers values, `Dual` numbers those of dual vectors.
+Elements of Q(x) give formulas, other numbers give values, `Dual` numbers give values of dual vectors.
 Angles: ``v = tan(α/2n) u`` with α the dual angle and u the unit dual vector of the screw axis.
 """
 
@@ -62,7 +62,7 @@ def tangent_inv(n: int, at: Coefficient) -> Isotropic:
     Defined where ``Re q_n ≠ 0``; the poles are Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋ (none for n = 1, 2).
     """
     at_x = scalars(n, at)
-    one = 1 + 0 * at  # at n = 1 everything is an int, and int / int would leave the number type of `at`
+    one = 1 + 0 * at  # at n = 1 all values are int, and int / int would not have the type of `at`
     return Isotropic(one * at_x.fi / 2, -one / 2, one * at_x.hi / 2, at)
 
 

@@ -1,14 +1,8 @@
-r"""Composition of displacements: of quaternions, of tensors, and of the vectors v of one order.
-
-Everywhere the second argument acts first: ``compose(n, v2, v1)`` is the v of ``R(v2) R(v1)``, ``q(v2) q(v1)``.
-"""
+r"""Composition at n = 1 and 2 in closed form: the second argument acts first, as in ``R(v2) R(v1)``."""
 
 from __future__ import annotations
 
-from ..algebra import Quaternion, Tensor, Vector, real_part
-from .closed_forms import quaternion_from_vector
-from .inverse import vector_from_quaternion
-from .polynomials import require_order
+from ..algebra import Quaternion, Tensor, Vector
 
 
 def tensor_from_quaternion(q: Quaternion) -> Tensor:
@@ -51,22 +45,3 @@ def compose_second_order(s2: Vector, s1: Vector) -> Vector:
     numerator = s1 * (1 - s2.dot(s2)) + s2 * (1 - s1.dot(s1)) + cross * 2
     composed: Vector = numerator / ((1 - dot) ** 2 + cross.dot(cross))
     return composed
-
-
-def compose(n: int, v2: Vector, v1: Vector) -> Vector:
-    """Return the principal v of order n of the displacement v1 followed by v2.
-
-    The closed forms CP23 (45) and (41) serve n = 1, and n = 2 where (41) is principal; everything else goes through
-    the unit dual quaternions, CP23 (58).
-
-    Raises
-    ------
-    ZeroDivisorError
-        At n = 1 where the composed rotation is by π.
-    """
-    if require_order(n) == 1:
-        return compose_first_order(v2, v1)
-    product = quaternion_from_vector(n, v2) * quaternion_from_vector(n, v1)
-    if n == 2 and real_part(product.scalar) >= 0:
-        return compose_second_order(v2, v1)
-    return vector_from_quaternion(n, product)

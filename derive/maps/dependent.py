@@ -1,4 +1,4 @@
-r"""Scalars that follow from others, whatever the chart: from q̂, from h with its slope, and from ``ρ = 1/φ′``.
+r"""Scalars that follow from others in every chart: from s and w, h and ``ρ = 1/φ′``, with their slopes.
 
 .. math::
     f = 2 s w \quad g = 2 w^2 \quad f + x h = \rho \qquad
@@ -7,121 +7,61 @@ r"""Scalars that follow from others, whatever the chart: from q̂, from h with i
     f_i = \frac{s}{w} \quad h_i = \frac{g - f_i h}{\rho} \qquad
     f_{iy} = -\frac{h}{g} \quad h_{iy} = \frac{g_y - f_{iy} h - f_i h_y - h_i \rho_y}{\rho}
 
-and the derivatives of these. They follow from ``s² + x w² = 1``, from ``2 dα/dx = ρ/φ``, and from ``T T⁻¹ = I``. No
-difference of nearly equal terms is among them that matters: where two cancel, what they stand before is small.
+and their derivatives. They follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where two terms cancel,
+the factor of their difference is small, so that no digits are lost.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .scalar import scalar
 
 
-def divided(value: Coefficient, by: Fraction, m: Arithmetic) -> Coefficient:
-    """The value over a rational number."""
-    above = value if by.denominator == 1 else by.denominator * value
-    return above if by.numerator == 1 else m.div(above, by.numerator)
+class DependentScalars:
+    """Scalars of a chart. A subclass has s and w, and h and ``rate``, ρ, with their first and second slopes."""
 
-
-class DependentScalars(ABC):
-    """The scalars of a chart, of which a subclass gives s, w, and h and ρ with their slopes."""
+    s: Any
+    w: Any
+    h: Any
+    hy: Any
+    hyy: Any
+    rate: Any
+    ratey: Any
+    rateyy: Any
 
     def __init__(self, x: Coefficient, m: Arithmetic) -> None:
         self.x = x
         self.m = m
 
-    @property
-    @abstractmethod
-    def s(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def w(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def h(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def hy(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def rate(self) -> Coefficient:
-        """``ρ = 1/φ′``, the coefficient of T along the axis."""
-
-    @property
-    @abstractmethod
-    def ratey(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def hyy(self) -> Coefficient: ...
-    @property
-    @abstractmethod
-    def rateyy(self) -> Coefficient: ...
-
-    @cached_property
-    def ww(self) -> Coefficient:
-        return self.m.name("ww", self.w * self.w)
-
-    @cached_property
-    def sy(self) -> Coefficient:
-        return self.m.name("sy", -self.m.div(self.rate * self.w, 2))
-
-    @cached_property
-    def wy(self) -> Coefficient:
-        return self.m.name("wy", self.m.div(self.s * self.h, 2) - self.w * self.ww)
+    ww = scalar(lambda at: at.w * at.w)
+    sy = scalar(lambda at: -at.m.div(at.rate * at.w, 2))
+    wy = scalar(lambda at: at.m.div(at.s * at.h, 2) - at.w * at.ww)
 
     @cached_property
     def wyy(self) -> Coefficient:
         bend = self.m.div(self.sy * self.h + self.s * self.hy, 2)
         return self.m.name("wyy", bend - 3 * (self.ww * self.wy))
 
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", 2 * (self.s * self.w))
-
-    @cached_property
-    def g(self) -> Coefficient:
-        return self.m.name("g", 2 * self.ww)
-
-    @cached_property
-    def fy(self) -> Coefficient:
-        return self.m.name("fy", self.h - self.rate * self.g)
-
-    @cached_property
-    def gy(self) -> Coefficient:
-        return self.m.name("gy", self.f * self.h - self.g * self.g)
-
-    @cached_property
-    def fi(self) -> Coefficient:
-        return self.m.name("fi", self.m.div(self.s, self.w))
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        return self.m.name("hi", (self.g - self.fi * self.h) / self.rate)
-
-    @cached_property
-    def fiy(self) -> Coefficient:
-        return self.m.name("fiy", -(self.h / self.g))
+    f = scalar(lambda at: 2 * (at.s * at.w))
+    g = scalar(lambda at: 2 * at.ww)
+    fy = scalar(lambda at: at.h - at.rate * at.g)
+    gy = scalar(lambda at: at.f * at.h - at.g * at.g)
+    fi = scalar(lambda at: at.m.div(at.s, at.w))
+    hi = scalar(lambda at: (at.g - at.fi * at.h) / at.rate)
+    fiy = scalar(lambda at: -(at.h / at.g))
 
     @cached_property
     def hiy(self) -> Coefficient:
         change = self.gy - self.fiy * self.h - self.fi * self.hy - self.hi * self.ratey
         return self.m.name("hiy", change / self.rate)
 
-    @cached_property
-    def fyy(self) -> Coefficient:
-        return self.m.name("fyy", self.hy - self.ratey * self.g - self.rate * self.gy)
-
-    @cached_property
-    def gyy(self) -> Coefficient:
-        return self.m.name("gyy", self.fy * self.h + self.f * self.hy - 2 * (self.g * self.gy))
-
-    @cached_property
-    def fiyy(self) -> Coefficient:
-        return self.m.name("fiyy", -((self.hy + self.fiy * self.gy) / self.g))
+    fyy = scalar(lambda at: at.hy - at.ratey * at.g - at.rate * at.gy)
+    gyy = scalar(lambda at: at.fy * at.h + at.f * at.hy - 2 * (at.g * at.gy))
+    fiyy = scalar(lambda at: -((at.hy + at.fiy * at.gy) / at.g))
 
     @cached_property
     def hiyy(self) -> Coefficient:

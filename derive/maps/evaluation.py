@@ -1,6 +1,6 @@
-"""Evaluate p_n, q_n and their derivatives without losing digits: Horner's rule, or the pair chain by squaring.
+"""Evaluation of p_n, q_n and their derivatives without loss of digits, by Horner's rule or a chain of doublings.
 
-The chain divides by powers of 1 + x along the way: any order then overflows no sooner than the fourth does.
+The chain divides by powers of 1 + x at each step, so that no order overflows sooner than the fourth.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 
 HORNER_LIMIT = 8
-"""Largest order evaluated by Horner's rule: above, cancellation between its large alternating coefficients shows."""
+"""Largest order evaluated by Horner's rule: above it, large alternating coefficients cancel and digits are lost."""
 
 CHAIN_POWER = 4
-"""The power of 1 + x that the chain needs as a number: slopes of slopes are made with one over it."""
+"""Power of 1 + x whose inverse second slopes need; it must not overflow."""
 
 
 @dataclass(frozen=True, slots=True)
 class Jet:
-    """Taylor coefficients in x: a value, its first derivative, half its second and a sixth of its third derivative."""
+    """Taylor coefficients in x: the value, its first, half its second and a sixth of its third derivative."""
 
     value: Coefficient
     first: Coefficient = 0
@@ -60,7 +60,7 @@ class Jet:
         return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
 
     def named(self, m: Arithmetic, letter: str) -> Jet:
-        """The same jet with its coefficients named p, p_x, p_xx, p_xxx."""
+        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx."""
         return Jet(
             m.name(letter, self.value),
             m.name(f"{letter}_x", self.first),
@@ -70,7 +70,7 @@ class Jet:
 
 
 def horner(polynomial: Any, x: Coefficient) -> Coefficient:
-    """The value of an element of Z[x] at a number x by Horner's rule."""
+    """Return the value of an element of Z[x] at a number x, by Horner's rule."""
     value: Coefficient = 0
     for power in range(max(polynomial.degree(), 0), -1, -1):
         value = value * x + int(polynomial.get((power,), 0))
@@ -78,7 +78,7 @@ def horner(polynomial: Any, x: Coefficient) -> Coefficient:
 
 
 def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
-    """Jets of (p_k, q_k) over ``(1 + x)^⌊k/2⌋`` for every k on the way from 1 to ``order`` by doubling and stepping.
+    """Return jets of (p_k, q_k) over ``(1 + x)^⌊k/2⌋`` for every k between 1 and ``order`` of a chain of doublings.
 
     ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums. Derivatives
     are those of p_k and q_k, divided alike. Where k is odd, the squares are divided once more, by 1 + x.

@@ -1,4 +1,4 @@
-r"""The exponential chart, ``v = α u``: T is dexp, and going back is the logarithm.
+r"""The exponential chart, ``v = α u``: T is dexp, and the inverse map is the logarithm.
 
 .. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x) \qquad x = \alpha^2
 """
@@ -7,33 +7,32 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
-from .by_angle import ByAngle
+from .any_phi.angle_chart import AngleChart
+from .branches import Derivatives
 from .dependent import DependentScalars
 from .families import alpha
-from .of_order import of_twice
+from .order_charts import double_angle
+from .scalar import scalar
 
 
 class ExponentialScalars(DependentScalars):
-    """The scalars at x = α²."""
+    """Scalars at x = α²."""
 
     rate = 1
     ratey = 0
     rateyy = 0
 
-    @cached_property
-    def _near(self) -> Any:
-        return self.m.name("near", self.m.less(self.x, stumpff.LIMIT))
+    _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "near")
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Of what is near; else of no angle, of the type of x."""
+        """Series below the limit; at angle 0 beyond it."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
@@ -41,43 +40,35 @@ class ExponentialScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    @cached_property
-    def _square(self) -> Coefficient:
-        """α² of what is far; else some number beyond the limit."""
-        return self.m.name("xx", self.m.where(self._near, stumpff.LIMIT + self.x, self.x))
-
-    @cached_property
-    def _angle(self) -> Coefficient:
-        """α of what is far."""
-        return self.m.name("alpha", self.m.sqrt(self._square))
+    # α² beyond the limit; for x below it, another number beyond
+    _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
+    _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """Cosine of α/2, and sine of it over α."""
-        sine, cosine = of_twice(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
+        """``cos(α/2)`` and ``sin(α/2)/α``."""
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
         return cosine, sine / self._angle
 
     @cached_property
     def _turned(self) -> tuple[Coefficient, Coefficient]:
-        """sin α and ``1 − cos α``; what rounding took from the root, up to 2 eps, is put back."""
+        """``sin α`` and ``1 − cos α``, corrected by the rounding error of the root."""
         t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
         sine = self.m.name("sine", 2 * t / below)
-        # next to half a turn the slope of 2 tt over that is a difference of terms as large as t
+        # near half a turn the derivative of 2 tt/below is a difference of terms as large as t
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    @cached_property
-    def _lost(self) -> Coefficient:
-        """``(α² − root²)/2α``, α² the exact sum of the squares that are given."""
-        return self.m.name("lost", self._left / (2 * self._angle))
+    # (α² − root²)/2α, α² the exact sum of the squares that are given
+    _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
 
     @property
     def _left(self) -> Coefficient:
-        """That difference, by terms that are exact up to α = 8.
+        """``α² − root²``, by terms that are exact up to α = 8.
 
-        Beyond nothing is put back: what is lost there may be no small turn, and R would not stay a rotation.
+        Beyond 8 it is 0: the error may be no small angle there, and a correction would not keep R a rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside
@@ -86,26 +77,16 @@ class ExponentialScalars(DependentScalars):
     def _bounded(self, left: Coefficient) -> Coefficient:
         return self.m.where(self.m.less(self._angle, 8), left, 0)
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self.m.where(self._near, self._half.c0, self._trigonometry[0]))
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", self.m.where(self._near, self.m.div(self._half.c1, 2), self._trigonometry[1]))
-
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", self.m.where(self._near, self._half.c0 * self._half.c1, self._turned[0] / self._angle))
+    s = scalar(lambda at: at.m.where(at._near, at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at.m.where(at._near, at.m.div(at._half.c1, 2), at._trigonometry[1]))
+    f = scalar(lambda at: at.m.where(at._near, at._half.c0 * at._half.c1, at._turned[0] / at._angle))
 
     @cached_property
     def g(self) -> Coefficient:
         near = self.m.div(self._half.square, 2)
         return self.m.name("g", self.m.where(self._near, near, self._turned[1] / self._square))
 
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", self.m.where(self._near, self._whole.c3, (1 - self.f) / self._square))
+    h = scalar(lambda at: at.m.where(at._near, at._whole.c3, (1 - at.f) / at._square))
 
     @cached_property
     def hy(self) -> Coefficient:
@@ -119,15 +100,15 @@ class ExponentialScalars(DependentScalars):
 
 
 class PrincipalScalars(ExponentialScalars):
-    """The same up to half a turn, where a logarithm is."""
+    """Scalars up to half a turn, the range of the logarithm."""
 
     def _bounded(self, left: Coefficient) -> Coefficient:
         return left
 
 
 @dataclass(frozen=True)
-class Exponential(ByAngle):
-    """v = α u, without an edge."""
+class Exponential(AngleChart):
+    """Chart v = α u, without an edge."""
 
     name: str = "exponential"
     selection: tuple[str, str] = ("--family", "exponential")
@@ -154,5 +135,5 @@ class Exponential(ByAngle):
     def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
         return r
 
-    def sized(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> tuple[Coefficient, Coefficient]:
-        return angle, 1
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        return angle, 1, 0

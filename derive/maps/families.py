@@ -12,7 +12,7 @@ With ``q̂ = cos α/2 + u sin α/2`` and φ odd and smooth,
     T^{-1} &= \frac{\varphi}{2} \cot\frac{\alpha}{2}\,I - \frac12\,\tilde v
         + \frac{\varphi' - (\varphi/2) \cot(\alpha/2)}{\varphi^2}\,v \otimes v
 
-where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0 (`Family.series`);
+where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0.
 ``det T = 2 (1 − cos α)/(φ′ φ²)``, so that T loses rank at Re α = 2πk, k ≠ 0, and is not defined where φ′ = 0.
 """
 
@@ -24,12 +24,10 @@ from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import sympy
-from sympy.polys.ring_series import rs_cos, rs_mul, rs_series_inversion, rs_sin, rs_trunc
 
-from ..algebra import Coefficient, Tensor, Vector, functions, real_part
-from .elementary import evaluate
+from ..algebra import Coefficient, Vector, functions
+from .any_phi.elementary import evaluate
 from .polynomials import require_order, x
-from .sign_tests import is_zero
 
 alpha = sympy.Symbol("alpha")
 """The dual angle α: rotation angle + ε translation along the screw axis."""
@@ -67,54 +65,15 @@ class Family:
 
     @property
     def tangent(self) -> Triple:
-        """The coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
+        """Coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
         along = sympy.sin(alpha) / self.phi
         return along, (1 - sympy.cos(alpha)) / self.phi**2, (1 / self.slope - along) / self.phi**2
 
     @property
     def tangent_inv(self) -> Triple:
-        """The coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
+        """Coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
         along = self.phi / 2 * sympy.cot(alpha / 2)
         return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
-
-    @property
-    def determinant(self) -> sympy.Expr:
-        """``det T``."""
-        return 2 * (1 - sympy.cos(alpha)) / (self.slope * self.phi**2)
-
-    def taylor(self, terms: int) -> tuple[sympy.Rational, ...]:
-        """The coefficients c₁, c₃, c₅, … of φ."""
-        cut = sympy.series(self.phi, alpha, 0, 2 * terms + 1).removeO()
-        return tuple(cut.coeff(alpha, 2 * k + 1) for k in range(terms))
-
-    def series(self, terms: int = 3) -> tuple[tuple[tuple[sympy.Rational, ...], ...], ...]:
-        """The coefficients of T and of T⁻¹ as power series in α² around 0.
-
-        Returns
-        -------
-        tuple
-            ``(tangent, tangent_inv)``, each three tuples of `terms` rational numbers.
-        """
-        ring, t = sympy.ring("t", sympy.QQ)
-        cut = 2 * terms + 4
-        phi = sum((c * t ** (2 * k + 1) for k, c in enumerate(self.taylor(terms + 2))), ring.zero)
-        slope, sine, cosine = phi.diff(t), rs_sin(t, t, cut), rs_cos(t, t, cut)
-
-        def quotient(above: Any, below: Any, power: int) -> Any:
-            """above/below, both divisible by the power of t."""
-            of_below = rs_series_inversion(below.quo(t**power), t, cut)
-            return rs_mul(above.quo(t**power), of_below, t, cut)
-
-        along = quotient(sine, phi, 1)
-        across = quotient(phi * cosine + phi, 2 * sine, 1)  # cot(α/2) = (1 + cos α)/sin α
-        square = rs_trunc(phi**2, t, cut)
-        forward = along, quotient(1 - cosine, square, 2), quotient(quotient(ring.one, slope, 0) - along, square, 2)
-        backward = across, -ring.one / 2, quotient(slope - across, square, 2)
-
-        def even(a: Any) -> tuple[sympy.Rational, ...]:
-            return tuple(sympy.Rational(a.coeff(t ** (2 * k) if k else 1)) for k in range(terms))
-
-        return tuple(map(even, forward)), tuple(map(even, backward))
 
     def at(self, angle: Coefficient, library: Any = functions) -> Coefficient:
         """Return φ of a number; `library` has its ``sin``, ``cos`` and ``sqrt``.
@@ -126,32 +85,10 @@ class Family:
         """
         return evaluate(self.phi, alpha, angle, library)
 
-    def scale_at(self, square: Coefficient, library: Any = functions) -> Coefficient:
-        """Return a(v) from ``v · v``."""
-        return evaluate(self.scale, x, square, library)
-
     def vector(self, angle: Coefficient, axis: Vector, library: Any = functions) -> Vector:
         """Return ``v = φ(α) u`` of a screw."""
         v: Vector = axis * self.at(angle, library)
         return v
-
-    def operator(self, angle: Coefficient, axis: Vector, library: Any = functions, inverse: bool = False) -> Tensor:
-        """Return T (or T⁻¹) at the v of a screw; where Re α = 0 from the first terms of its series.
-
-        Raises
-        ------
-        ZeroDivisionError
-            For T where Re φ = 0 or Re φ′ = 0, for T⁻¹ at Re α = 2πk, k ≠ 0.
-        """
-        v = self.vector(angle, axis, library)
-        if is_zero(real_part(angle)):  # then α² = 0
-            a, b, c = (coefficient[0] for coefficient in self.series(1)[inverse])
-        else:
-            triple = self.tangent_inv if inverse else self.tangent
-            a, b, c = (evaluate(coefficient, alpha, angle, library) for coefficient in triple)
-        T: Tensor = Tensor.identity() * a + Tensor.skew(v) * b + Tensor.dyad(v, v) * c
-        return T
-
 
 def rodrigues(n: int) -> Family:
     """Higher-order Rodrigues vector, ``tan(α/2n) u``, CP23 (49) at k = 0."""
@@ -182,16 +119,16 @@ def lambert() -> Family:
 
 
 def breusing() -> Family:
-    """Breusing's projection, the geometric mean ``√(tan(α/4) sin(α/4)) u`` for α ≥ 0, written as its odd function."""
+    """Breusing's projection, the geometric mean ``√(tan(α/4) sin(α/4)) u`` for α ≥ 0, written as an odd function."""
     phi = sympy.sin(alpha / 4) / sympy.sqrt(sympy.cos(alpha / 4))
     scale = sympy.sqrt((sympy.sqrt(4 + x**2) - x) / 2)
     return Family("Breusing", 2, phi, scale, "|Re alpha| < 2 pi")
 
 
 def isochoric() -> Family:
-    """``[6 (α − sin α)]^(1/3) u``: det T = 1, so that volumes of rotation vectors are those of rotations."""
+    """Isochoric vector, ``[6 (α − sin α)]^(1/3) u``: det T = 1, so that it keeps volumes of sets of rotations."""
     phi = sympy.cbrt(6 * (alpha - sympy.sin(alpha)))
-    scale = phi * sympy.cot(alpha / 2)  # of x it is no function that has a name
+    scale = phi * sympy.cot(alpha / 2)  # no elementary function of x
     return Family("isochoric", 1, phi, scale, "every alpha; T loses rank at |Re alpha| = 2 pi k")
 
 
@@ -202,7 +139,7 @@ def euler() -> Family:
 
 
 def of_angle(phi: sympy.Expr) -> SimpleNamespace:
-    """The scalars of a chart (`chart.Scalars`) as functions of α, and its x."""
+    """Return the scalars of a chart (`chart.Scalars`) and x as functions of α."""
     sine, cosine, slope = sympy.sin(alpha / 2), sympy.cos(alpha / 2), phi.diff(alpha)
     f, fi = 2 * sine * cosine / phi, phi * cosine / sine
     g, h, hi = 2 * sine**2 / phi**2, (1 / slope - f) / phi**2, (2 * slope - fi) / phi**2
@@ -210,5 +147,5 @@ def of_angle(phi: sympy.Expr) -> SimpleNamespace:
 
 
 def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
-    """The derivative by x = φ² of a function of α."""
+    """Return the derivative by x = φ² of a function of α."""
     return expression.diff(alpha) / (2 * phi * phi.diff(alpha))

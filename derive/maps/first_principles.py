@@ -1,7 +1,7 @@
 """Motion from first principles: the rotation tensor by its action, the twist ``vect(Ṙ Rᵀ)``, differentials.
 
-No closed form of a tangent operator is used here: derivatives are taken in nilpotent arithmetic, through whatever
-map is given. Space frame where nothing else is said.
+No closed form of a tangent operator is used: dual numbers differentiate the given map. Twists are in the space frame
+unless stated.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
-    """The coefficient with a time derivative, below its dual unit if it has one."""
+    """Return the coefficient with a time derivative, nested below its dual unit if it has one."""
     if not isinstance(c, Dual):
         return Dual(c, rate)
     return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))

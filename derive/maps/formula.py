@@ -1,4 +1,4 @@
-"""A formula of the paper as a value: what it says, where it stands, where it holds."""
+"""Formulas of the paper as values: coefficients, equation numbers, domain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LATEX_ORDER = "rev-lex"
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """A map of order n whose coefficients are functions of ``x = v · v``.
+    """Map of order n whose coefficients are functions of ``x = v · v``.
 
     Parameters
     ----------
@@ -30,9 +30,9 @@ class Formula:
     at : callable
         The same coefficients at any number x, as `closed_forms` computes them.
     equations : tuple of int
-        The equations of CP23 it stands in: the general one, then that of this order if the paper prints it.
+        Its equations in CP23: the general one, then that of this order if the paper prints it.
     identities : tuple of str
-        What it has to satisfy.
+        Identities that it satisfies.
     domain, singular : str
         Where it is defined, and where it or its inverse is not.
     symbol, definition : str
@@ -51,7 +51,7 @@ class Formula:
     definition: str = field(repr=False)
 
     basis: ClassVar[tuple[str, ...]] = ()
-    """LaTeX of what the coefficients multiply."""
+    """LaTeX of the basis that the coefficients multiply."""
 
     def latex(self) -> str:
         r"""Return the formula with its coefficients written out, ``symbol = definition = a I + …``.
@@ -84,7 +84,7 @@ class Formula:
 
 
 class IsotropicMap(Formula):
-    """A dual tensor ``a I + b skew(v) + c v⊗v``; its coefficients are (a, b, c), rational in x."""
+    """Dual tensor ``a I + b skew(v) + c v⊗v``; its coefficients are (a, b, c), rational in x."""
 
     __slots__ = ()
 
@@ -92,7 +92,7 @@ class IsotropicMap(Formula):
 
     @property
     def isotropic(self) -> Isotropic:
-        """The formula as an element of the algebra {I, skew(v), v⊗v} over the rational functions of x."""
+        """Formula as an element of the algebra {I, skew(v), v⊗v} over the rational functions of x."""
         a, b, c = self.coefficients
         return Isotropic(a, b, c, x)
 
@@ -118,7 +118,7 @@ class IsotropicMap(Formula):
 
 
 class QuaternionMap(Formula):
-    """A unit dual quaternion ``s + t v``; its coefficients are (s, t), over ``(1+x)^(n/2)``."""
+    """Unit dual quaternion ``s + t v``; its coefficients are (s, t), over ``(1+x)^(n/2)``."""
 
     __slots__ = ()
 

@@ -1,4 +1,4 @@
-r"""Oriented lines as unit dual vectors: Study's mapping, and the angle and distance of two lines.
+r"""Oriented lines as unit dual vectors: Study's mapping, and the distance of two lines.
 
 The line through the point p with unit direction a is ``a + ε p × a`` (direction, moment about the origin). The
 functions take any real coefficients; `library` has their ``sqrt``.

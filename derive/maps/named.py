@@ -1,4 +1,4 @@
-"""The parameterizations that have names, and those that a φ of a known form is."""
+"""Charts by name, and the chart of a user's φ: a named chart, a multiple of one, or another."""
 
 from __future__ import annotations
 
@@ -12,30 +12,34 @@ from typing import TypeAlias
 
 import sympy
 
+from .any_phi.edges import edge_of
+from .any_phi.expressions import parity, parsed
+from .any_phi.general import General
+from .any_phi.grammar import PhiError
+from .any_phi.real_constants import is_small
+from .any_phi.recognition import multiple_of_known
 from .breusing import Breusing
-from .edges import edge_of
+from .cayley import Cayley
+from .chart import Chart
 from .exponential_chart import Exponential
-from .expressions import PhiError, parity, parsed
-from .families import alpha
-from .general import General
+from .multiple import Multiple
 from .polynomials import require_order
-from .scaled import Scaled
 from .sine import Sine
 
-Named: TypeAlias = Sine | Scaled | Breusing | Exponential
+Base: TypeAlias = Cayley | Sine | Breusing | Exponential
+Named: TypeAlias = Base | Multiple
 
-LONGEST = 9
-"""Digits of the order in a name."""
+ORDER_DIGITS_MAX = 9
 
 
 def sine(n: int) -> Sine:
-    """``sin(α/2n) u``."""
+    """Return ``sin(α/2n) u``."""
     return Sine(f"sine{n}", require_order(n), title=f"Sine chart of order {n}")
 
 
-def scaled(n: int) -> Scaled:
-    """``2n tan(α/2n) u``, the normal higher-order Rodrigues vector."""
-    return Scaled(f"scaled{n}", require_order(n), Fraction(2 * n), title=f"Normal Rodrigues vector of order {n}")
+def scaled(n: int) -> Multiple:
+    """Return ``2n tan(α/2n) u``, the normal higher-order Rodrigues vector."""
+    return Multiple(f"scaled{n}", Cayley(n), Fraction(2 * n), title=f"Normal Rodrigues vector of order {n}")
 
 
 SINGLE: Mapping[str, Callable[[], Named]] = {
@@ -44,15 +48,15 @@ SINGLE: Mapping[str, Callable[[], Named]] = {
     "lambert": lambda: replace(sine(2), title="Lambert's equal-area projection"),
     "breusing": Breusing,
     "wiener_milenkovic": lambda: replace(scaled(2), title="Wiener-Milenkovic vector"),
-    "reduced_euler_rodrigues": lambda: Sine("", 1, Fraction(2), title="Reduced Euler-Rodrigues vector"),
+    "reduced_euler_rodrigues": lambda: Multiple("", sine(1), Fraction(2), title="Reduced Euler-Rodrigues vector"),
 }
-"""By name."""
+"""Charts by name."""
 
 SYMBOLIC = ("isochoric",)
-"""Names of `families` without a kernel: their scalars are no functions of x that have names."""
+"""Names of `families` without a kernel: their scalars are no elementary functions of x."""
 
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
-"""By what stands before the order in the name."""
+"""Charts by the part of the name before the order."""
 
 
 def family(name: str) -> Named:
@@ -63,7 +67,7 @@ def family(name: str) -> Named:
     ValueError
         If there is none of that name.
     """
-    numbered = re.fullmatch(rf"([a-z]+?)([1-9]\d{{0,{LONGEST - 1}}})", name)
+    numbered = re.fullmatch(rf"([a-z]+?)([1-9]\d{{0,{ORDER_DIGITS_MAX - 1}}})", name)
     if name in SINGLE:
         found = SINGLE[name]()
     elif numbered and numbered[1] in NUMBERED:
@@ -76,28 +80,43 @@ def family(name: str) -> Named:
     return replace(found, name=name, selection=("--family", name))
 
 
-def recognized(phi: sympy.Expr, name: str, selection: tuple[str, str]) -> Named | None:
-    """The chart that a rational multiple of tan(α/2n) or sin(α/2n) is."""
-    factor, function = phi.as_coeff_Mul()
-    kinds: Mapping[type[sympy.Function], type[Sine] | type[Scaled]] = {sympy.sin: Sine, sympy.tan: Scaled}
-    if function.func not in kinds or not factor.is_Rational:
+def recognized(phi: sympy.Expr) -> Named | None:
+    """Return the known chart that a φ describes, or a multiple of one; None for another φ. The decision is exact."""
+    if phi == Breusing().phi:
+        return Breusing()
+    form = multiple_of_known(phi)
+    if form is None or not is_small(form[0]):
         return None
-    order = 1 / (2 * function.args[0].coeff(alpha))
-    if function.args[0] != alpha / (2 * order) or not (order.is_Integer and order > 0 and factor > 0):
-        return None
-    scale = Fraction(int(factor.p), int(factor.q))
-    return kinds[function.func](name, int(order), scale, selection, f"The chart of phi = {phi}")
+    factor, function, order = form
+    base: Base = Exponential()
+    if function is not None:
+        base = Cayley(order) if function == sympy.tan else sine(order)
+    if factor == 1:
+        return base
+    return Multiple("", base, factor, title=f"{factor} times the vector of {base.name}")
+
+
+def described(chart: Chart) -> str:
+    """Return the name of a known chart, ``cayley1`` or ``2 sine1``; nothing for another φ."""
+    match chart:
+        case Multiple():
+            return f"{chart.factor} {described(chart.base)}"
+        case Breusing() | Exponential():
+            return type(chart).__name__.lower()
+        case Cayley() | Sine():
+            return f"{type(chart).__name__.lower()}{chart.order}"
+    return ""
 
 
 def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
-    """Return the chart of a φ.
+    """Return the chart of a φ under the given name; a known chart where φ describes one.
 
     Parameters
     ----------
     phi : str or Expr
-        Odd, in `families.alpha`; of a text what `expressions.parsed` takes.
+        Odd, in `families.alpha`; a text is read by `expressions.parsed`.
     name : str
-        Of its module, an identifier.
+        Name of its module, an identifier.
     order : int, optional
         The value of n in a text.
 
@@ -109,12 +128,11 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
     expression = parsed(phi, order) if isinstance(phi, str) else phi
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
-    if expression != 0 and parity(expression) != -1:  # of 0 the slope is at fault
+    if expression != 0 and parity(expression) != -1:  # φ = 0 is refused for its slope
         raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
     with_n = f" -n {order}" if order is not None else ""
     selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")
-    found = recognized(expression, name, selection)
-    if found is not None:
-        return found
+    if found := recognized(expression):
+        return replace(found, name=name, selection=selection)
     edge_of(expression)
     return General(name, expression, selection, f"The chart of phi = {expression}")

@@ -1,22 +1,29 @@
-"""What a chart other than Cayley's owes to its φ and its scalars alone: formulas, and texts about them."""
+"""Formulas of a chart and texts about them, from its φ and its scalars alone."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import fields
+from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import mpmath
 import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import PLAIN, Arithmetic
-from .chart import DEFINITIONS, Scalars
-from .closed_inverse import closed_inverse
-from .edges import angle_of
+from .any_phi.closed_inverse import closed_inverse
+from .any_phi.edges import angle_of
+from .branches import NOISE
+from .chart import DEFINITIONS, Chart, Scalars
+from .dependent import DependentScalars
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import x
+
+if TYPE_CHECKING:
+    from .cayley import Cayley
 
 Map = TypeVar("Map", bound=Formula)
 
@@ -30,11 +37,15 @@ IDENTITIES = {
 
 
 class Parameterized(ABC):
-    """A chart v = φ(α) u whose formulas are made of its scalars."""
+    """Chart v = φ(α) u whose formulas follow from its scalars."""
 
-    cayley: ClassVar[None] = None
     order: int
-    letters: ClassVar[tuple[tuple[str, sympy.Expr], ...]] = ()
+    base: Chart | None = None
+    factor: Fraction = Fraction(1)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields alone: cached formulas hold functions that cannot be sent to another process."""
+        return {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
 
     @property
     @abstractmethod
@@ -58,7 +69,7 @@ class Parameterized(ABC):
 
     @property
     def algebraic(self) -> bool:
-        """Whether its formulas hold no other root than one sqrt(1 + x/k), k an integer."""
+        """Whether its formulas contain no root but one sqrt(1 + x/k), k an integer."""
         return True
 
     @property
@@ -66,10 +77,18 @@ class Parameterized(ABC):
         return 0.0
 
     @property
+    def letters(self) -> tuple[tuple[str, sympy.Expr], ...]:
+        return ()
+
+    @property
+    def cayley(self) -> Cayley | None:
+        return None
+
+    @property
     def parameter(self) -> str:
         return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
 
-    # --- what φ says ----------------------------------------------------------------------------------------------
+    # --- from φ ---------------------------------------------------------------------------------------------------
 
     @property
     def scale(self) -> sympy.Expr:
@@ -78,12 +97,12 @@ class Parameterized(ABC):
 
     @property
     def range(self) -> sympy.Expr:
-        """The |v| at the edge; infinite where φ goes there."""
+        """The |v| at the edge; infinite at a pole."""
         return self.phi.subs(alpha, self.edge)
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
-        """The coefficients of T and of T⁻¹ at α = 0, from ``φ = c₁ α + c₃ α³ + …``."""
+        """Coefficients of T and of T⁻¹ at α = 0, from ``φ = c₁ α + c₃ α³ + …``."""
         first, third = (self.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
         sixth, bend = sympy.Rational(1, 6), 2 * third / first
         tangent = 1 / first, 1 / (2 * first**2), (sixth - bend) / first**3
@@ -91,11 +110,11 @@ class Parameterized(ABC):
 
     @property
     def closed_inverse(self) -> sympy.Expr | None:
-        """φ⁻¹ as an expression in `families.alpha`, which is |v| in it; None where none is found."""
+        """φ⁻¹, in which `families.alpha` stands for |v|; None where no form is found."""
         return closed_inverse(self.phi)
 
     def inverse(self, size: Any) -> Any:
-        """φ⁻¹ of a length below `range`, in the working precision of mpmath: Newton's method between bounds."""
+        """Return φ⁻¹ of a length below `range`, in the working precision of mpmath."""
         return angle_of(self.phi, self.edge, mpmath.mpf(size))
 
     def latex(self) -> str:
@@ -112,7 +131,7 @@ class Parameterized(ABC):
 
     @cached_property
     def _values(self) -> Any:
-        """x and the scalars: as expressions in x, or where the exact ring does not hold them, in α."""
+        """Scalars and x, as expressions in x, or in α where they are not algebraic."""
         return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
 
     @cached_property
@@ -142,7 +161,7 @@ class Parameterized(ABC):
         end = "v is infinite" if infinite else "v ends, and with it the domain,"
         end = "there is no edge" if self.edge.is_infinite else f"{end} at Re alpha = {self.edge}"
         lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
-        coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # constants of Python are numbers of SymPy
+        coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # Python integers become SymPy numbers
         return kind(
             name=name,
             order=self.order,
@@ -155,3 +174,41 @@ class Parameterized(ABC):
             symbol=SYMBOLS[name],
             definition=DEFINITIONS[name].split(" = ", 1)[1],
         )
+
+
+class QuaternionChart(Parameterized):
+    """Chart whose angle and axis follow from its quaternion ``s + w v``."""
+
+    @abstractmethod
+    def scalars(self, x: Coefficient, m: Arithmetic) -> DependentScalars: ...
+
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return fi, self.scalars(x, m).hi
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        """Return scalars with the given f_i, from which h_i follows: T⁻¹ along the axis is φ′ for any error of f_i."""
+        at = self.scalars(x, m)
+        at.fi = fi
+        return at
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return the sign of sin α on the branch of v.
+
+        Where it is 0, it is that of w at half a turn, and that of the translation along v at a whole turn.
+        """
+        return self._direction(self.scalars(x, m), y, m)
+
+    def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
+        # at half a turn s is 0 but for rounding, and w > 0: then the direction of v is kept
+        kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
+        turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
+        backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
+        one = m.name("one", at.s - at.s + 1)  # NaN where x overflows
+        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        at = self.scalars(x, m)
+        sign = self._direction(at, y, m)
+        return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

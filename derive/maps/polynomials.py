@@ -1,4 +1,4 @@
-r"""The polynomials p_n, q_n of the higher-order Cayley maps and what follows from them alone.
+r"""Polynomials p_n, q_n of the higher-order Cayley maps, and their laws.
 
 With ``(1 + iX)ⁿ = p_n + i X q_n`` and ``x = X²`` (CP23 writes p_n(X), q_n(X); both are even, here they are functions
 of x):
@@ -7,7 +7,7 @@ of x):
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
 The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
-d_n are theorems; they stand here as functions of their own, computed on their own.
+d_n are theorems. Functions here compute them independently.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ x = sympy.Symbol("x")
 """The square ``v · v`` of the parameter vector, a dual number."""
 
 RING, RING_X = sympy.ring(x, sympy.ZZ)
-"""Z[x], in which the polynomials are computed, and its generator."""
+"""Ring Z[x] of the polynomials, and its generator."""
 
 FIELD = RING.to_field()
-"""Q(x), in which the coefficients of the maps are computed."""
+"""Field Q(x) of the coefficients of the maps."""
 
 Pair: TypeAlias = tuple[Coefficient, Coefficient]
 
@@ -59,7 +59,7 @@ FIRST: Pair = (1, 1)
 
 
 def following(pair: Pair, at: Coefficient) -> Pair:
-    """The recurrence CP23 (56): the pair of order n + 1 from that of order n."""
+    """Return the pair of order n + 1 from that of order n, by the recurrence CP23 (56)."""
     p, q = pair
     return p - at * q, p + q
 
@@ -73,7 +73,7 @@ def pair(n: int, at: Coefficient) -> Pair:
 
 
 def multiply(first: Pair, second: Pair, at: Coefficient) -> Pair:
-    """Addition law: the pairs of orders m and n give that of order m + n, as ``(1 + iX)ᵐ (1 + iX)ⁿ`` does."""
+    """Return the pair of order m + n from those of m and n, by ``(1 + iX)ᵐ (1 + iX)ⁿ``: the addition law."""
     (p, q), (r, s) = first, second
     return p * r - at * (q * s), p * s + q * r
 

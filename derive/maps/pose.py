@@ -110,20 +110,6 @@ def natural_invariants(R: Tensor) -> Screw:
     return Screw(Dual(angle, rho.dot(u)), Vector.dual(u, moment))
 
 
-def structural_invariants(screw: Screw) -> Pose:
-    r"""Return the structural invariants from the natural ones, CP23 (19).
-
-    .. math::
-        Q = I + \sin\alpha\,\tilde u + (1 - \cos\alpha)\,\tilde u^2, \qquad
-        \rho = d\,u + \sin\alpha\,u^\circ + (1 - \cos\alpha)\,u \times u^\circ
-    """
-    alpha, u, moment = screw.angle.re, screw.axis.re, screw.axis.du
-    s, versine = sin(alpha), 1 - cos(alpha)
-    skew = Tensor.skew(u)
-    rotation = Tensor.identity() + skew * s + skew @ skew * versine
-    return Pose(rotation, u * screw.angle.du + moment * s + u.cross(moment) * versine)
-
-
 def tensor_from_screw(screw: Screw) -> Tensor:
     """Return ``I + sin α skew(u) + (1 − cos α) skew(u)²`` in dual numbers, CP23 (17)."""
     skew = Tensor.skew(screw.axis)
@@ -137,13 +123,18 @@ def quaternion_from_screw(screw: Screw) -> Quaternion:
     return Quaternion(cos(half), screw.axis * sin(half))
 
 
-def quaternion_from_pose(rotation: Quaternion, displacement: Vector) -> Quaternion:
-    """Return the unit dual quaternion ``(1 + ε ρ/2) q`` of a unit quaternion and a displacement, CP23 (22)."""
-    return Quaternion.dual(rotation, Quaternion(0, displacement) * rotation / 2)
+def polar(w: Vector) -> tuple[Dual, Vector]:
+    """Return magnitude and unit dual direction of a dual vector, CP23 Proposition 1 with moment 0 where Re w = 0."""
+    length = w.magnitude()
+    if not is_zero(w.re.dot(w.re)):
+        return length, w / length
+    if is_zero(w.du.dot(w.du)):
+        raise ValueError("the identity has no axis: give branch 0, or the axis")
+    return length, Vector.dual(w.du / w.du.magnitude(), w.re)
 
 
 def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector:
-    """Return u from ``(1 − cos α) u⊗u``, by its column of largest diagonal entry, so that no small number divides."""
+    """Return u from ``(1 − cos α) u⊗u``, by the column of its largest diagonal entry."""
     outer = (Q + Q.transpose) / 2 - Tensor.identity() * cosine
     k = max(range(3), key=lambda i: outer[i, i])
     column = Vector(outer[0, k], outer[1, k], outer[2, k])

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..algebra import Coefficient, Dual, Tensor, Vector, functions
+from ..algebra import Tensor, Vector, functions
 
 
 def cayley_matrix(A: Tensor) -> Tensor:
@@ -56,23 +56,3 @@ def direction(b: Vector, library: Any = functions) -> Vector:
     """
     s: Vector = b / library.sqrt(b.dot(b))
     return s
-
-
-def dual_parameters(angle: Dual, axis: Vector, library: Any = functions) -> Vector:
-    r"""Return the dual Rodrigues parameters b₁*, b₂*, b₃*, K10 (20)-(22).
-
-    .. math:: b^* = s^* \tan\tfrac f2 + s\,\tfrac{f^*}2 \left(1 + \tan^2\tfrac f2\right)
-
-    Parameters
-    ----------
-    angle : Dual
-        ``f + ε f*``: rotation angle, translation along the axis. Singular at odd multiples of π.
-    axis : Vector
-        Unit dual vector ``s + ε s*`` (direction, moment).
-    library
-        Provides ``sin`` and ``cos`` of the angle's parts.
-    """
-    half: Coefficient = angle.re / 2
-    tangent = library.sin(half) / library.cos(half)
-    parameters: Vector = axis.du * tangent + axis.re * (angle.du / 2 * (1 + tangent * tangent))
-    return parameters

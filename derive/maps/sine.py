@@ -1,18 +1,17 @@
-r"""Sine charts, ``v = K sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
+r"""Sine charts, ``v = sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
 
-With ``y = x/K² = sin² θ``, ``c = √(1 − y)`` and polynomials S, W, H, B of y: for even n ``cos nθ = S`` and
+With ``x = sin² θ``, ``c = √(1 − x)`` and polynomials S, W, H, B of x: for even n ``cos nθ = S`` and
 ``sin nθ/sin θ = c W``, for odd n ``c S`` and ``W``. For either
 
 .. math::
-    h = \frac{H}{K^3 c} \quad y H = 2 n - 2 (1 - y) S W \qquad \rho = \frac{2 n}{K c} \qquad
-    h_i = \frac{B}{n K^2 w} \quad y B = (1 - y) W - n S \quad \text{or} \quad
-    h_i = \frac{c B}{n K^2 w} \quad y B = W - n S
+    h = \frac{H}{c} \quad x H = 2 n - 2 (1 - x) S W \qquad \rho = \frac{2 n}{c} \qquad
+    h_i = \frac{B}{n w} \quad x B = (1 - x) W - n S \quad \text{or} \quad
+    h_i = \frac{c B}{n w} \quad x B = W - n S
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -20,16 +19,18 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .dependent import DependentScalars, divided
+from .branches import Derivatives
+from .dependent import DependentScalars
 from .evaluation import horner
 from .families import alpha
-from .of_order import OfOrder, of_twice
+from .order_charts import OrderChart, double_angle
 from .polynomials import RING, RING_X, ring_pair
+from .scalar import scalar
 
 
 @lru_cache(maxsize=64)
 def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
-    """S, W, H and B of an order, elements of Z[y]."""
+    """Return S, W, H and B of an order, elements of Z[x]."""
     p, q = ring_pair(n)
     S, W = _homogeneous(p, n // 2), _homogeneous(q, (n - 1) // 2)
     sine = W if n % 2 else (1 - RING_X) * W
@@ -37,173 +38,125 @@ def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
 
 
 def _homogeneous(polynomial: Any, degree: int) -> Any:
-    """``Σ a_j y^j (1 − y)^(degree − j)``."""
+    """Return ``Σ a_j x^j (1 − x)^(degree − j)``."""
     terms = (c * RING_X**j * (1 - RING_X) ** (degree - j) for (j,), c in polynomial.terms())
     return sum(terms, RING.zero)
 
 
 class SineScalars(DependentScalars):
-    """The scalars at x = K² sin² θ."""
+    """Scalars at x = sin² θ."""
 
-    def __init__(self, order: int, scale: Fraction, x: Coefficient, m: Arithmetic) -> None:
+    def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
         self.order = order
-        self.scale = scale
         self.odd = order % 2 == 1
         self.S, self.W, self.H, self.B = polynomials_of(order)
 
-    def over(self, value: Coefficient, power: int) -> Coefficient:
-        """The value divided by a power of K."""
-        return divided(value, self.scale**power, self.m)
-
-    @cached_property
-    def y(self) -> Coefficient:
-        return self.m.name("z", self.over(self.x, 2))
-
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", 1 - self.y)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """cos θ."""
-        return self.m.name("c", self.m.sqrt(self.cc))
+    cc = scalar(lambda at: 1 - at.x)
+    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ.
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, self._value(polynomial))
 
     def _value(self, polynomial: Any) -> Coefficient:
-        return horner(polynomial, self.y)
+        return horner(polynomial, self.x)
 
     def _with_root(self, value: Coefficient, odd: bool) -> Coefficient:
         return self.c * value if odd else value
 
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self._with_root(self._value(self.S), self.odd))
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", self.over(self._with_root(self._value(self.W), not self.odd), 1))
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", self.m.div(2 * self.order, self.over(1, -1) * self.c))
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.over(self.rate / self.cc, 2))
-
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", self.over(self._value(self.H) / self.c, 3))
+    s = scalar(lambda at: at._with_root(at._value(at.S), at.odd))
+    w = scalar(lambda at: at._with_root(at._value(at.W), not at.odd))
+    rate = scalar(lambda at: at.m.div(2 * at.order, at.c), "rho")
+    ratey = scalar(lambda at: at.rate / at.cc, "rhoy")
+    h = scalar(lambda at: at._value(at.H) / at.c)
 
     @cached_property
     def hy(self) -> Coefficient:
-        """``(2 H′ + H/c²)/(K⁵ c)``."""
-        direct = self.over(2 * self._at("dH", self.H.diff(RING_X)) / self.c, 5)
-        return self.m.name("hy", direct + self.over(self.h / self.cc, 2))
+        """``(2 H′ + H/c²)/c``."""
+        direct = 2 * self._at("dH", self.H.diff(RING_X)) / self.c
+        return self.m.name("hy", direct + self.h / self.cc)
 
-    @cached_property
-    def rateyy(self) -> Coefficient:
-        return self.m.name("rhoyy", self.over(3 * (self.ratey / self.cc), 2))
+    rateyy = scalar(lambda at: 3 * (at.ratey / at.cc), "rhoyy")
 
     @cached_property
     def hyy(self) -> Coefficient:
-        """``(4 H″ + 4 H′/c² + 3 H/c⁴)/(K⁷ c) = (4 H″ − 2 H′/c²)/(K⁷ c) + 3 h_y/(K² c²)``."""
+        """``(4 H″ + 4 H′/c² + 3 H/c⁴)/c = (4 H″ − 2 H′/c²)/c + 3 h_y/c²``."""
         slope = self.H.diff(RING_X)
         first, second = self._at("dH", slope), self._at("ddH", slope.diff(RING_X))
-        direct = self.over((4 * second - self.m.div(2 * first, self.cc)) / self.c, 7)
-        return self.m.name("hyy", direct + self.over(3 * self.hy / self.cc, 2))
+        direct = (4 * second - self.m.div(2 * first, self.cc)) / self.c
+        return self.m.name("hyy", direct + 3 * self.hy / self.cc)
 
-    @cached_property
-    def _below(self) -> Coefficient:
-        """``n K² w``."""
-        return self.m.name("below", self.order * self.over(self.w, -2))
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        return self.m.name("hi", self.m.div(self._with_root(self._at("B", self.B), self.odd), self._below))
+    _below = scalar(lambda at: at.order * at.w, "below")  # n w
+    hi = scalar(lambda at: at.m.div(at._with_root(at._at("B", at.B), at.odd), at._below))
 
     @cached_property
     def hiy(self) -> Coefficient:
-        """By ``n K² (w h_i)_y = (2 B′ c − B/c)/K²``, or ``2 B′/K²``."""
+        """From ``n (w h_i)_y = 2 B′ c − B/c``, or ``2 B′``."""
         B, dB = self._at("B", self.B), 2 * self._at("dB", self.B.diff(RING_X))
-        change = self.over(self.c * dB - self.m.div(B, self.c) if self.odd else dB, 2)
+        change = self.c * dB - self.m.div(B, self.c) if self.odd else dB
         return self.m.name("hiy", self._quotient(change, self.hi * self.wy))
 
     @cached_property
     def hiyy(self) -> Coefficient:
-        """By ``n K² (w h_i)_yy = (4 B″ c − 4 B′/c − B/c³)/K⁴``, or ``4 B″/K⁴``."""
+        """From ``n (w h_i)_yy = 4 B″ c − 4 B′/c − B/c³``, or ``4 B″``."""
         slope = self.B.diff(RING_X)
         B, dB, ddB = self._at("B", self.B), self._at("dB", slope), self._at("ddB", slope.diff(RING_X))
         change = 4 * ddB
         if self.odd:
             change = self.c * change - self.m.div(4 * dB + self.m.div(B, self.cc), self.c)
         rest = 2 * (self.hiy * self.wy) + self.hi * self.wyy
-        return self.m.name("hiyy", self._quotient(self.over(change, 4), rest))
+        return self.m.name("hiyy", self._quotient(change, rest))
 
     def _quotient(self, change: Coefficient, rest: Coefficient) -> Coefficient:
-        """``(change − n K² rest)/(n K² w)``."""
-        return self.m.div(change - self.order * self.over(rest, -2), self._below)
+        """Return ``(change − n rest)/(n w)``."""
+        return self.m.div(change - self.order * rest, self._below)
 
 
 class SineAtAngle(SineScalars):
-    """The same where f_i and cos θ are known."""
+    """Scalars where f_i and cos θ are known."""
 
-    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # made of f_i: T⁻¹ along the axis is φ′, whatever f_i is
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis is φ′ for any error of f_i
 
     def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
-        super().__init__(chart.order, chart.scale, x, m)
+        super().__init__(chart.order, x, m)
         self.fi = fi
         self.c = m.name("c", cosine)
         self.cc = m.name("cc", self.c * self.c)
 
     def _value(self, polynomial: Any) -> Coefficient:
-        """In powers of cos² θ, of which next to the edge one term counts."""
+        """Return a polynomial in powers of cos² θ, which loses no digits near the edge."""
         return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
 
 
 @dataclass(frozen=True)
-class Sine(OfOrder):
-    """v = K sin(α/2n) u, up to |Re α| = nπ."""
+class Sine(OrderChart):
+    """Chart v = sin(α/2n) u, up to |Re α| = nπ."""
 
     name: str
     order: int = 1
-    scale: Fraction = Fraction(1)
     selection: tuple[str, str] = ("", "")
     title: str = ""
 
     @property
     def phi(self) -> sympy.Expr:
-        return sympy.Rational(self.scale) * sympy.sin(alpha / (2 * self.order))
-
-    @property
-    def algebraic(self) -> bool:
-        return (self.scale**2).denominator == 1
+        return sympy.sin(alpha / (2 * self.order))
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        return f"v ends, at |Re v| = {self.scale}", float(self.scale)
+        return "v ends, at |Re v| = 1", 1.0
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
-        return SineScalars(self.order, self.scale, x, m)
+        return SineScalars(self.order, x, m)
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
-        _, cosine = of_twice(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # on by 2nπ it is the opposite
+        _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # its sign changes every 2nπ
 
-    def sized(
-        self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = ""
-    ) -> tuple[Coefficient, Coefficient]:
-        return self._scaled(sine, m), self._scaled(cosine, m)
+    def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Beyond the end too some number, which nothing uses."""
-        y = m.name("z", divided(x, self.scale**2, m))
-        return m.name("c", m.sqrt(m.where(m.less(y, 1), 1 - y, y))), divided(1, self.scale, m)
+        """Return cos θ and 1; beyond the edge another number, which is not used."""
+        return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
-    def factor(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        return self._scaled(1, m), 1
-
-    def _scaled(self, value: Coefficient, m: Arithmetic) -> Coefficient:
-        return divided(value, 1 / self.scale, m)
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return 1, 1

@@ -1,12 +1,12 @@
-r"""Sine and cosine of an angle divided by its powers, without loss of digits at any angle.
+r"""Stumpff functions: sine and cosine of an angle divided by its powers, without loss of digits at any angle.
 
 .. math::
     c_k(\xi) = \sum_{j \ge 0} \frac{(-\xi)^j}{(2j + k)!} \qquad
     c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad
     c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
 
-(Stumpff functions.) They are analytic in ξ, ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below
-`LIMIT` those of the half angle come from a series that is cut off, and the others by sums of positive terms:
+They are analytic in ξ, with ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below `LIMIT` a truncated
+series gives those of the half angle, and sums of positive terms give those of the angle:
 
 .. math::
     c_3(4\zeta) = \tfrac14 (c_3 + c_1 c_2) \quad c_4(4\zeta) = \tfrac18 c_3 (1 + c_1) \quad
@@ -14,7 +14,7 @@ r"""Sine and cosine of an angle divided by its powers, without loss of digits at
 
     c_6(4\zeta) = \tfrac1{32} (2 c_5 + c_3^2) \quad c_7(4\zeta) = \tfrac1{64} (c_7 + c_6 + c_3 c_4 + \tfrac12 c_5)
 
-Beyond, sine and cosine themselves serve; there `LIMIT` is large enough for the differences.
+Beyond `LIMIT` sine and cosine give them without loss of digits.
 """
 
 from __future__ import annotations
@@ -24,27 +24,26 @@ from math import factorial
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
+from .any_phi.real_constants import SMALL
+from .scalar import scalar
 
 LIMIT = 6
-"""The ξ up to which series are summed, an angle of 2.4."""
+"""Largest ξ of the series, an angle of 2.4."""
 
 TERMS = 9
-"""Of the series of c₇ at a quarter of ξ."""
+"""Number of terms in the series of c₇ at ξ/4."""
 
 REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
-"""What is cut off: less than the first term left out, for signs alternate and sizes fall."""
-
-EXACT = 2**24
-"""Integers up to this every type of number holds."""
+"""Bound of the truncation error: the first omitted term, since signs alternate and sizes fall."""
 
 
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
-    """``7! c₇``, cut off: ``1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, denominators joined while integers stay exact."""
+    """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, with joined denominators."""
     above: Coefficient = 1
     below = 1
     for step in range(TERMS - 1, 0, -1):
         divisor = (2 * step + 6) * (2 * step + 7)
-        if below * divisor > EXACT:
+        if below * divisor > SMALL:
             above, below = m.div(above, below), 1
         below *= divisor
         above = below - zeta * above
@@ -52,59 +51,25 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
 
 
 class HalfAngle:
-    """c₀ … c₇ of half an angle, from a quarter ζ of its square, below the limit."""
+    """c₀ … c₇ of half an angle, from ``ζ = ξ/4``, below the limit."""
 
     def __init__(self, zeta: Coefficient, m: Arithmetic) -> None:
         self.zeta = zeta
         self.m = m
 
-    @cached_property
-    def c7(self) -> Coefficient:
-        return self.m.name("C7", self.m.div(series(self.zeta, self.m), 5040))
-
-    @cached_property
-    def c5(self) -> Coefficient:
-        return self.m.name("C5", self.m.div(1 - 120 * (self.zeta * self.c7), 120))
-
-    @cached_property
-    def c3(self) -> Coefficient:
-        return self.m.name("C3", self.m.div(1 - 6 * (self.zeta * self.c5), 6))
-
-    @cached_property
-    def c1(self) -> Coefficient:
-        return self.m.name("C1", 1 - self.zeta * self.c3)
-
-    @cached_property
-    def square(self) -> Coefficient:
-        """``c₁²``."""
-        return self.m.name("CC1", self.c1 * self.c1)
-
-    @cached_property
-    def c0(self) -> Coefficient:
-        return self.m.name("C0", self.m.sqrt(1 - self.zeta * self.square))
-
-    @cached_property
-    def _beside(self) -> Coefficient:
-        return self.m.name("C01", 1 + self.c0)
-
-    @cached_property
-    def c2(self) -> Coefficient:
-        """``c₁²/(1 + c₀)``, by sin² + cos² = 1."""
-        return self.m.name("C2", self.square / self._beside)
-
-    @cached_property
-    def _cube(self) -> Coefficient:
-        return self.m.name("CC3", self.c3 * self.c3)
-
-    @cached_property
-    def c4(self) -> Coefficient:
-        """From the same; it stands beside greater ones only."""
-        return self.m.name("C4", (4 * self.c3 - self.c2 - 2 * (self.zeta * self._cube)) / (2 * self._beside))
-
-    @cached_property
-    def c6(self) -> Coefficient:
-        """And again."""
-        return self.m.name("C6", self.m.div(4 * self.c5 + 2 * self._cube - self.c4 - 2 * (self.c2 * self.c4), 4))
+    c7 = scalar(lambda at: at.m.div(series(at.zeta, at.m), 5040), "C7")
+    c5 = scalar(lambda at: at.m.div(1 - 120 * (at.zeta * at.c7), 120), "C5")
+    c3 = scalar(lambda at: at.m.div(1 - 6 * (at.zeta * at.c5), 6), "C3")
+    c1 = scalar(lambda at: 1 - at.zeta * at.c3, "C1")
+    square = scalar(lambda at: at.c1 * at.c1, "CC1")  # c₁²
+    c0 = scalar(lambda at: at.m.sqrt(1 - at.zeta * at.square), "C0")
+    _beside = scalar(lambda at: 1 + at.c0, "C01")
+    c2 = scalar(lambda at: at.square / at._beside, "C2")  # c₁²/(1 + c₀), by sin² + cos² = 1
+    _cube = scalar(lambda at: at.c3 * at.c3, "CC3")
+    # by the same identity; it is added to larger terms only
+    c4 = scalar(lambda at: (4 * at.c3 - at.c2 - 2 * (at.zeta * at._cube)) / (2 * at._beside), "C4")
+    # by the same identity
+    c6 = scalar(lambda at: at.m.div(4 * at.c5 + 2 * at._cube - at.c4 - 2 * (at.c2 * at.c4), 4), "C6")
 
 
 class WholeAngle:
@@ -118,17 +83,9 @@ class WholeAngle:
     def c3(self) -> Coefficient:
         return self.m.div(self.half.c3 + self.half.c1 * self.half.c2, 4)
 
-    @cached_property
-    def c4(self) -> Coefficient:
-        return self.m.name("c4", self.m.div(self.half.c3 * (1 + self.half.c1), 8))
-
-    @cached_property
-    def c5(self) -> Coefficient:
-        return self.m.name("c5", self.m.div(self.half.c5 + self.half.c4 + self.half.c2 * self.half.c3, 16))
-
-    @cached_property
-    def c6(self) -> Coefficient:
-        return self.m.name("c6", self.m.div(2 * self.half.c5 + self.half.c3 * self.half.c3, 32))
+    c4 = scalar(lambda at: at.m.div(at.half.c3 * (1 + at.half.c1), 8))
+    c5 = scalar(lambda at: at.m.div(at.half.c5 + at.half.c4 + at.half.c2 * at.half.c3, 16))
+    c6 = scalar(lambda at: at.m.div(2 * at.half.c5 + at.half.c3 * at.half.c3, 32))
 
     @cached_property
     def c7(self) -> Coefficient:

@@ -1,9 +1,9 @@
-"""Texts on their way out: filled into templates, put on disk, compared with what is there.
+"""Texts on their way out: rendered from templates, put on disk, compared with what is there.
 
 ========= ==================================================
-templates the template environment; every hole, nothing more
+templates the template environment
 files     write all or none, compare
-exchange  a folder's files for new ones, whenever the process is killed
+exchange  replace files of a folder, safe against a kill
 tables    tables as text, of any width
 listing   lists of results, as lines and as HTML
 ========= ==================================================

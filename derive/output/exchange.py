@@ -1,8 +1,8 @@
-"""Exchange files of a folder so that a process killed at any moment leaves the old ones, the new ones, or a notice.
+"""Replace files of a folder so that a process killed at any moment leaves the old ones, the new ones, or a notice.
 
-All new files are staged first. One rename declares them ready; from then on they are what the folder shall hold, and
-move to their places one by one. Whoever finds them there later moves the rest. In between a notice stands where a
-user of the folder looks first. This is about processes that end, not about machines that lose power.
+All new files are staged first. One rename declares them ready; from then on they move to their places one by one, and
+whoever finds them ready later moves the rest. Meanwhile a notice stands where a user of the folder looks first. Loss
+of power is not covered.
 """
 
 from __future__ import annotations
@@ -16,15 +16,12 @@ from pathlib import Path
 
 STAGED, READY, LOCK = ".dualcay-staged", ".dualcay-ready", ".dualcay-lock"
 LEFTOVERS = frozenset({STAGED, READY, LOCK})
-"""What a killed process can leave in a folder, until the next one has written there."""
+"""Names that a killed process can leave in a folder, until the next one has written there."""
 
 
 @contextmanager
 def locked(folder: Path) -> Iterator[None]:
-    """Wait until no other process holds the folder, then hold it; the system releases what a dead process held.
-
-    Windows has no such lock: there processes at once are not kept apart.
-    """
+    """Wait until no other process holds the folder, then hold it; Windows has no such lock."""
     if sys.platform == "win32":
         yield
         return
@@ -36,7 +33,7 @@ def locked(folder: Path) -> Iterator[None]:
         fcntl.flock(handle, fcntl.LOCK_EX)
         if os.fstat(handle).st_nlink:
             break
-        os.close(handle)  # the one before took its file away: wait for the file that is there now
+        os.close(handle)  # the previous holder removed this file: wait for the new one
     try:
         yield
     finally:
@@ -45,12 +42,11 @@ def locked(folder: Path) -> Iterator[None]:
 
 
 def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str]) -> None:
-    """Give files of a locked folder new texts; ``notices`` stand in their files' places until all others are there."""
+    """Replace files of a locked folder; ``notices`` stand in for some of them until all others are there."""
     body = {name: text for name, text in texts.items() if name not in notices}
-    last = {name: texts[name] for name in notices}
     staged = folder / STAGED
     try:
-        for step, files in enumerate((notices, body, last)):
+        for step, files in enumerate((notices, body, {name: texts[name] for name in notices})):
             for name, text in files.items():
                 path = staged / str(step) / name
                 path.parent.mkdir(parents=True, exist_ok=True)
@@ -63,7 +59,7 @@ def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str])
 
 
 def finish(folder: Path) -> None:
-    """Move what is ready to its place in a locked folder, and drop what never became ready."""
+    """Move ready files to their places in a locked folder, and drop staged ones."""
     if (folder / STAGED).exists():
         shutil.rmtree(folder / STAGED)
     ready = folder / READY

@@ -12,23 +12,19 @@ from pathlib import Path, PurePosixPath
 from .exchange import LEFTOVERS, READY, exchange, finish, locked
 
 MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
-"""The first line of every generated file: a comment with the command that makes it."""
+"""First line of every generated file: a comment with the command that makes it."""
 
-
-LONGEST = 10_000
-"""Characters of a first line that are read."""
+LINE_MAX = 10_000
+"""Largest number of characters of a first line that are read."""
 
 
 class RefusedError(Exception):
-    """Something in the way is not ours to replace, or a folder cannot be written."""
+    """A file in the way is not generated, or a folder cannot be written."""
 
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """A file that is not what the generator would write.
-
-    ``kind`` is stale, missing, foreign, or unfinished: left by a run that was killed.
-    """
+    """A file that is not as generated: stale, missing, foreign, or unfinished (left by a killed run)."""
 
     path: Path
     kind: str
@@ -37,24 +33,31 @@ class Difference:
 
 
 def header_command(path: Path) -> str | None:
-    """The command in the first line of a generated file; None for any other file."""
+    """Return the command in the first line of a generated file; None for any other file."""
     try:
-        if not path.is_file():  # to open a pipe would wait for its writer
+        if not path.is_file():  # opening a pipe would wait for its writer
             return None
         with path.open(encoding="utf-8") as file:
-            return _command(file.readline(LONGEST))
+            return _command(file.readline(LINE_MAX))
     except (OSError, UnicodeDecodeError):
         return None
 
 
 def _command(text: str) -> str | None:
     found = MARK.match(text)
-    return found.group(1) if found else None
+    return found[1] if found else None
 
 
 def _target(command: str | None) -> str | None:
     found = re.search(r" --target (\S+)", command or "")
-    return found.group(1) if found else None
+    return found[1] if found else None
+
+
+def _read(path: Path) -> str | None:
+    try:
+        return path.read_bytes().decode("utf-8")
+    except (FileNotFoundError, NotADirectoryError, IsADirectoryError, UnicodeDecodeError):
+        return None
 
 
 # ---- writing --------------------------------------------------------------------------------------------------
@@ -63,28 +66,26 @@ def _target(command: str | None) -> str | None:
 def write(
     folder: Path, texts: Mapping[str, str], force: bool = False, notices: Mapping[str, str] | None = None
 ) -> list[Path]:
-    """Write files into a folder; returns those whose text changed.
+    """Write files into a folder, all or none, and return those whose text changed; other files stay.
 
-    Other files there stay. A run that finds another one writing there waits for it, and finishes what a killed one
-    left. A folder that is a symbolic link stays one: what it names is written.
+    A run waits for another one in the same folder, and finishes what a killed one left.
 
     Parameters
     ----------
     folder : Path
-        Made if missing.
+        Made if missing; a symbolic link is followed.
     texts : mapping
         By name, ``"/"`` between folders.
     force : bool
-        Overwrite files which do not bear the generated header.
+        Overwrite files that do not bear the generated header.
     notices : mapping, optional
-        Texts that stand in the places of some of the files while the others are exchanged: what a user of the folder
-        meets if this process is killed then. Without, several files are all or none only if it is not.
+        Texts that stand in for some of the files while the others are replaced. Without them, a kill may leave some
+        files old and some new.
 
     Raises
     ------
     RefusedError
-        If a file in the way is not a generated one (unless forced), a folder is in the way, the folder holds kernels
-        of another target, or it cannot be written.
+        If `refuse` does, or the folder cannot be written.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -102,20 +103,17 @@ def write(
 
 
 def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
-    """Refuse what `write` would because of what is in a folder; nothing is changed.
+    """Raise RefusedError if texts may not be written into a folder.
 
-    Raises
-    ------
-    RefusedError
-        If a file in the way is not a generated one (unless forced), a folder is in the way, or the folder holds kernels
-        of another target than those the texts bear the command of.
+    A file in the way must be a generated one, unless forced; no folder may be in the way; the folder may not hold
+    kernels of another target.
     """
     if folder.is_dir():
-        _refuse_what_is_not_ours(folder, texts, force)
+        _refuse_in_the_way(folder, texts, force)
         _refuse_other_targets(folder, texts)
 
 
-def _refuse_what_is_not_ours(folder: Path, texts: Iterable[str], force: bool) -> None:
+def _refuse_in_the_way(folder: Path, texts: Iterable[str], force: bool) -> None:
     paths = [folder / name for name in texts]
     parents = {folder / parent for name in texts for parent in PurePosixPath(name).parents}
     blocked = [path for path in paths if path.is_dir() and not path.is_symlink()]
@@ -129,7 +127,6 @@ def _refuse_what_is_not_ours(folder: Path, texts: Iterable[str], force: bool) ->
 
 
 def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
-    """One folder holds the kernels of one target: files of two would be taken for each other's."""
     given = {target for text in texts.values() if (target := _target(_command(text)))}
     for path in sorted(folder.iterdir()) if given else ():
         found = _target(header_command(path))
@@ -140,20 +137,13 @@ def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
             )
 
 
-def _read(path: Path) -> str | None:
-    try:
-        return path.read_bytes().decode("utf-8")
-    except (FileNotFoundError, NotADirectoryError, IsADirectoryError, UnicodeDecodeError):
-        return None
-
-
 # ---- comparing ------------------------------------------------------------------------------------------------
 
 
 def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:
-    """What in the folder differs from the texts: whatever is not among them is foreign, but for caches of Python.
+    """Yield the differences of a folder from texts; any other file is foreign, but for caches of Python.
 
-    ``unmade`` gives, by name, the reasons why texts are not among them.
+    ``unmade`` gives, by file name, the reason why a text is missing.
     """
     for name, text in texts.items():
         path = folder / name
@@ -164,11 +154,12 @@ def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | 
             old, new = found.splitlines(keepends=True), text.splitlines(keepends=True)
             lines = difflib.unified_diff(old, new, f"{path} (on disk)", f"{path} (generated)")
             yield Difference(path, "stale", "".join(lines))
-    known = {folder / name for name in texts}
+    files = {folder / name for name in texts}
+    folders = {path.parent for path in files} | {folder}
     reasons = {folder / name: reason for name, reason in (unmade or {}).items()}
-    for parent in sorted({path.parent for path in known} | {folder}):
+    for parent in sorted(folders):
         if parent.is_dir():
-            yield from _extra(parent, known | {path.parent for path in known}, reasons)
+            yield from _extra(parent, files | folders, reasons)
 
 
 def _extra(folder: Path, known: set[Path], reasons: Mapping[Path, str]) -> Iterator[Difference]:
@@ -176,10 +167,6 @@ def _extra(folder: Path, known: set[Path], reasons: Mapping[Path, str]) -> Itera
         if path.name in LEFTOVERS:
             yield Difference(path, "unfinished", reason="a run is writing here, or was killed: the next one finishes")
         elif path not in known and not (path.name == "__pycache__" and path.is_dir()):
-            yield Difference(path, "foreign", reason=reasons.get(path) or _claim(path))
-
-
-def _claim(path: Path) -> str:
-    """What is wrong with the header of a file that was not made."""
-    command = header_command(path)
-    return f"not made by what its first line says: {command}" if command else ""
+            command = header_command(path)
+            claim = f"not made by what its first line says: {command}" if command else ""
+            yield Difference(path, "foreign", reason=reasons.get(path, claim))

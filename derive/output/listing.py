@@ -8,17 +8,17 @@ from typing import Protocol, TypeVar
 
 
 class Shown(Protocol):
-    """What has a row in a table."""
+    """A result with a row in a table."""
 
     def cells(self) -> Mapping[str, str]:
-        """Texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
+        """Return texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
 
 
 T = TypeVar("T", bound=Shown)
 
 
 class Listing(list[T]):
-    """A list which shows itself."""
+    """A list with a line for each result, and a table in notebooks."""
 
     def __repr__(self) -> str:
         items = ",\n ".join(map(repr, self))
@@ -27,10 +27,9 @@ class Listing(list[T]):
     def _repr_html_(self) -> str:
         rows = [item.cells() for item in self]
         lines = [_row("th", rows[0])] if rows else []
-        lines += [_row("td", row.values()) for row in rows]
-        return "\n".join(["<table>", *lines, "</table>"])
+        return "\n".join(["<table>", *lines, *(_row("td", row.values()) for row in rows), "</table>"])
 
 
 def _row(kind: str, texts: Iterable[str]) -> str:
-    cells = "".join(f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
-    return f"<tr>{cells}</tr>"
+    cells = (f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
+    return f"<tr>{''.join(cells)}</tr>"

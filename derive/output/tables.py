@@ -1,4 +1,4 @@
-"""Tables as plain text: ruled where they fit, else a line for each cell."""
+"""Tables as plain text: ruled where they fit, otherwise a line for each cell."""
 
 from __future__ import annotations
 
@@ -6,21 +6,20 @@ import io
 import shutil
 import textwrap
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
-from rich.console import Console, JustifyMethod
+from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
 
 WIDTH = 120
-"""Of tables in files and pipes, and on wider screens."""
+"""Largest width of a table, and its width in files and pipes."""
 
 INDENT = "  "
 
 
-@dataclass(frozen=True)
-class Column:
-    """A column: numbers stand to the right; a width is fixed, or a share (``ratio``) of what is left."""
+class Column(NamedTuple):
+    """A column: numbers are aligned to the right; a width is fixed, or a share (``ratio``) of the rest."""
 
     heading: str
     number: bool = False
@@ -28,22 +27,11 @@ class Column:
     ratio: int | None = None
 
 
-@dataclass(frozen=True)
-class Grid:
-    """A table before it has a width.
+class Grid(NamedTuple):
+    """A table before it has a width; the first cell of a row is its name.
 
-    Parameters
-    ----------
-    title : str
-    columns : sequence of Column
-    rows : sequence of rows of str
-        The first cell names the row.
-    least : int, optional
-        The width below which it is lines, where cells may be broken; otherwise that of its longest words.
-    ruled : bool
-        Lines between rows.
-    remarks : collection of str
-        Rows whose cells are about the row before, not what the headings say.
+    Below the width ``least``, by default that of its longest words, it becomes lines; ``ruled`` puts rules between
+    rows. Rows named in ``remarks`` comment on the row before: their cells get no heading.
     """
 
     title: str
@@ -54,22 +42,19 @@ class Grid:
     remarks: Collection[str] = ()
 
     def text(self, width: int = WIDTH) -> str:
-        """It within a width."""
-        screen = Console(file=io.StringIO(), width=width, highlight=False, color_system=None, markup=False, emoji=False)
-        table = self._table()
+        """Return the table within a width."""
+        output, table = io.StringIO(), self._table()
+        screen = Console(file=output, width=width, highlight=False, color_system=None, markup=False, emoji=False)
         least = Measurement.get(screen, screen.options.update(width=10**6), table).minimum
         if width < (least if self.least is None else self.least):
             return "\n".join(self._lines(width)) + "\n"
         screen.print(table)
-        output = screen.file
-        assert isinstance(output, io.StringIO)
         return "\n".join(line.rstrip() for line in output.getvalue().splitlines()) + "\n"
 
     def _table(self) -> Table:
         table = Table(title=self.title, title_justify="left", show_lines=self.ruled)
-        for column in self.columns:
-            justify: JustifyMethod = "right" if column.number else "left"
-            table.add_column(column.heading, justify=justify, width=column.width, ratio=column.ratio)
+        for heading, number, width, ratio in self.columns:
+            table.add_column(heading, justify="right" if number else "left", width=width, ratio=ratio)
         for row in self.rows:
             table.add_row(*row)
         return table
@@ -84,6 +69,11 @@ class Grid:
                 yield from textwrap.wrap(line, width, initial_indent=INDENT, subsequent_indent=2 * INDENT)
 
 
+def figures(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> Grid:
+    """Return a table whose columns, but the first, are numbers."""
+    return Grid(title, [Column(headings[0]), *(Column(heading, number=True) for heading in headings[1:])], rows)
+
+
 def columns() -> int:
-    """The width of the screen, or of ``COLUMNS``, up to that of tables in files; that where there is no screen."""
+    """Return the width of the screen (or ``COLUMNS``), at most `WIDTH`; `WIDTH` without a screen."""
     return min(shutil.get_terminal_size((WIDTH, 0)).columns, WIDTH)

@@ -1,4 +1,4 @@
-"""Find and render the templates: layout only, each given exactly what fills its holes."""
+"""Find and render templates: layout only, each given exactly the names it asks for."""
 
 from __future__ import annotations
 
@@ -9,18 +9,16 @@ from typing import Any
 import jinja2
 from jinja2 import meta, nodes
 
-PACKAGED = Path(__file__).parent.parent / "_templates"
-CHECKOUT = Path(__file__).parent.parent.parent / "templates"
-
 
 def folder() -> Path:
-    """Where the templates lie: inside the installed package, or beside it in a checkout."""
-    return PACKAGED if PACKAGED.is_dir() else CHECKOUT
+    """Return the folder of templates: inside the installed package, or beside it in a checkout."""
+    packaged = Path(__file__).parent.parent / "_templates"
+    return packaged if packaged.is_dir() else packaged.parent.parent / "templates"
 
 
 @lru_cache(maxsize=1)
 def environment() -> jinja2.Environment:
-    """The environment all templates are rendered in."""
+    """Return the environment that renders all templates."""
     return jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder(), encoding="utf-8"),
         undefined=jinja2.StrictUndefined,
@@ -37,7 +35,7 @@ def render(name: str, /, **data: Any) -> str:
     Raises
     ------
     TypeError
-        If the data are not exactly what the template and those it includes ask for, as with a call's arguments.
+        If the data are not exactly the names that the template and those it includes ask for.
     """
     asked = holes(name)
     if asked != data.keys():
@@ -48,7 +46,7 @@ def render(name: str, /, **data: Any) -> str:
 
 @cache
 def holes(name: str) -> frozenset[str]:
-    """Names a template asks for, with those of the templates it refers to and does not define for them."""
+    """Return the names that a template and those it refers to ask for, without macros it defines for them."""
     loader = environment().loader
     assert loader is not None
     tree = environment().parse(loader.get_source(environment(), name)[0], name)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from math import lcm
 
-from derive.proof.ratio import NotExactError
+from derive.algebra.element import NotExactError
 
 from .counterexample import counterexample
 from .equation import Equation, Reading, UndecidedError, faithful

@@ -1,50 +1,48 @@
-"""Proofs: identities decided exactly, for every order n at once and, on a second road, at each order asked for.
+"""Proofs: identities decided exactly, for every order n at once and, independently, at each order asked for.
 
-====================== ==============================================================================
-marks                  the letters and marks of statements, SymPy expressions, and how they are printed
-statement              `Equation`, and `Premise`: what a theorem takes as given
-identity               `Proof`, and `decide`: every residue is zero, no multiplier is
-differential_ring      polynomials modulo relations, localized, with a derivation; n stays a symbol
-evaluation             what an expression is, once its letters have values
-setting                the values that premises give, in such a ring
-theorem                `Theorem`: what it claims, takes as given, and supposes with others that it rests on
-methods                to decide one: as an identity, or by a start and a law
-coefficients           series with binomial coefficients, decided for all n and j
-formulas               the coefficients of R, dcay and its inverse that the theorems speak of
-polynomial_theorems    theorems on p_n, q_n for all n
-map_theorems           theorems on tensor, quaternion and tangent operators for all n
-displacement_theorems  theorems on screws, poses, lines, shadows and composition
-calculus_theorems      theorems on derivatives of the tangent operators
-transport_theorems     theorems on rates where branches change, and on twists of products
-every_order            all of these, proved once per process
-at_order               the formulas of one order are the theorems' instances
-computations           and so is what `derive.maps` computes in other ways
-exact, element         the exact ring of vector components modulo v·v = x
-polynomial_backend     its polynomials, by python-flint or SymPy
-ratio                  rational functions as numbers, with roots of squares and sines of given angles
+====================== =========================================================================
+notation               symbols and operators of statements, as SymPy expressions, and their printers
+statement              `Equation` and `Premise`
+identity               `Proof`, `Claim` and `decide`: every residue must be 0 and no multiplier may be
+theorem                `Theorem`: claim, premises and method
+methods                decision as an identity, by induction on n, or by a differential equation
+coefficients           power series with binomial coefficients, decided for all n and j
+evaluation             values of expressions, given the values of their symbols
+setting                a differential ring in which the premises of a theorem hold
+differential_ring      rational functions with relations and a derivation; n stays a symbol
+formulas               coefficients of R, dcay and its inverse in the theorems
+polynomial_theorems    theorems for all n on p_n and q_n
+map_theorems           theorems for all n on tensor, quaternion and tangent operators
+displacement_theorems  theorems for all n on screws, poses, lines, shadows and composition
+calculus_theorems      theorems for all n on derivatives of the tangent operators
+transport_theorems     theorems for all n on rates at changes of branch, and on twists of products
+phi_theorems           theorems on every parameterization v = φ(α) u
+limit_theorems         theorems on the limit of growing order, and its rate
+every_order            all theorems for all n, proved once per process
+at_order               formulas of one order as instances of the theorems
+computations           other ways in which `derive.maps` computes them, as instances too
+phi_instances          formulas of a chart in α as instances of the theorems on every φ
+scalars                scalars of an algebraic chart, compared with its formulas and its φ
+vector_ring            `Ring`: components of vectors modulo v·v = x
 components             the componentwise road at one order, from the definition
 at_point               statements about one order, evaluated as printed
-scalars                the scalars of any algebraic chart are its formulas, and those of its φ
-any_phi                theorems on every parameterization v = φ(α) u
-limit_theorems         theorems on what maps tend to as the order grows, and how fast
-instances_of_phi       the formulas of a chart in α are their instances
-proved                 `Proved` and the way to it
-controls               every theorem and every check with one thing wrong, which must fail
-coverage               which theorem, or which validation, covers each kernel function
-page                   all of this as Markdown
-====================== ==============================================================================
+proved                 `Proved`, which only `prove` makes
+controls               altered theorems, formulas and definitions, which must fail
+coverage               theorems and validation behind each kernel function
+page                   docs/theorems.md
+====================== =========================================================================
 
-``python -m derive.proof`` proves everything and sees all controls fail.
+``python -m derive.proof`` proves everything and runs all controls.
 """
 
 from __future__ import annotations
 
-from .element import Element
+from ..algebra.element import Element
 from .every_order import citing, theorems
-from .exact import Ring
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, proofs, prove
 from .scalars import is_algebraic, root_of
+from .vector_ring import Ring
 
 __all__ = [
     "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "is_algebraic", "proofs", "prove",

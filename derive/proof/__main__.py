@@ -1,5 +1,7 @@
-"""``python -m derive.proof``: prove everything, and see every control fail. Exit code 1 if a proof fails or a control
-does not, or with ``--check`` if the page of theorems is stale."""
+"""``python -m derive.proof``: prove everything and run all controls.
+
+The exit code is 1 if a proof fails, if a control does not fail, or, with ``--check``, if the page of theorems is stale.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,6 @@ from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
-from .any_phi import ANY_PHI
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import decided, stated
@@ -19,18 +20,19 @@ from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
 from .limit_theorems import GROWING_ORDER
 from .page import page, title
+from .phi_theorems import ANY_PHI
 from .proved import proofs
 from .theorem import Theorem
 
 ORDERS = (1, 2, 3, 4, 5)
-"""Orders at which the componentwise road is controlled: without poles and with, even and odd."""
+"""Orders of the controls on the componentwise road: with and without poles, even and odd."""
 
 SHOWN = 3
-"""The one of them on the page."""
+"""The order shown on the page."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Print what failed and count what did not; write the page of theorems, or compare it."""
+    """Print failures and counts; write the page of theorems, or compare it."""
     options = _options(arguments)
     general = decided(claims())
     altered = [*controls(claims(), {proof.name: proof for proof in general})]
@@ -50,18 +52,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def claims() -> tuple[Theorem, ...]:
-    """What is proved once."""
+    """Return all theorems, which are proved once."""
     return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:
-    """What is decided again for an order."""
+    """Return the proofs that are repeated at each order."""
     once = {theorem.name for theorem in COMPOSITION_AT.values()}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 
 
 def controlled_at(n: int) -> tuple[Control, ...]:
-    """All controls of that."""
+    """Return all controls at an order."""
     return (*controls_at(Cayley(n)), *controls_of(Cayley(n)))
 
 

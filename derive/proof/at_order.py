@@ -1,4 +1,4 @@
-"""The formulas of one order are the theorem's: equal as functions of x."""
+"""Formulas of one order as instances of the theorems: equal as functions of x."""
 
 from __future__ import annotations
 
@@ -7,20 +7,18 @@ from functools import lru_cache, partial
 from typing import Any, Protocol
 
 import sympy
-from sympy.polys.fields import field
 
 from ..maps import polynomials
-from .element import Element
 from .evaluation import NoValueError
-from .exact import Ring
 from .formulas import Formulas
 from .identity import Check, Claim, Proof, decide
-from .marks import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
+from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
+from .vector_ring import Ring
 
-METHOD = "instance of the theorem for all n, residues in Q(x), of the quaternion with the root of 1 + x"
+METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Stated = Callable[[], Sequence[Any]]
-"""The coefficients that the code has."""
+"""Return the coefficients that the code computes."""
 
 
 class Coefficients(Protocol):
@@ -32,7 +30,7 @@ class Coefficients(Protocol):
 
 
 class CayleyFormulas(Protocol):
-    """What a proof needs of a Cayley map: its order and its formulas as SymPy expressions in x."""
+    """A Cayley map as proofs use it: its order and its formulas as SymPy expressions in x."""
 
     @property
     def order(self) -> int: ...
@@ -54,14 +52,14 @@ class CayleyFormulas(Protocol):
     def tangent_inv(self) -> Coefficients: ...
 
 
-LETTERS = {
+SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
-"""The letters of the theorems for what a Cayley map has, by name."""
+"""Symbols of the theorems by the name of a Cayley map's formula."""
 
 
 def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
-    """Prove that each formula of a Cayley map is that of the theorems at its order.
+    """Prove that the formulas of a Cayley map are those of the theorems at its order.
 
     Parameters
     ----------
@@ -81,61 +79,53 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
         return tuple(found.coefficients)
 
     def proof(*names: str) -> Proof:
-        named = {f"Cayley({cayley.order}).{name}": (LETTERS[name], partial(stated, name)) for name in names}
+        named = {f"Cayley({cayley.order}).{name}": (SYMBOLS[name], partial(stated, name)) for name in names}
         return same_as_theorem(at_order(cayley.order), named)
 
     return (proof("p", "q", "c", "d"), *map(proof, ("quaternion", "tensor", "tangent", "tangent_inv")))
 
 
 class AtOrder:
-    """The theorems' formulas at one order, elements of Q(x), of the quaternion with the root of 1 + x."""
+    """Formulas of the theorems at one order; for odd n the quaternion needs sqrt(1 + x)."""
 
     def __init__(self, order: int) -> None:
         self.order = order
-        self.functions, self.x = field("x", sympy.ZZ)
-        p_n, q_n = (self.functions.one * value for value in polynomials.pair(order, self.x))
+        self.ring = Ring(root=1)
+        self.x, root = self.ring.square("v"), self.ring.square_root() ** order
+        p_n, q_n = map(self.ring.element, polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
-        ring = Ring(root=True)  # of sqrt(1 + x), an odd power of which the quaternion has for odd n
-        self.square, root = ring.square("v"), ring.square_root() ** order
         tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}
         self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
             p: (p_n,),
             q: (q_n,),
             c: ((order * power / (1 + self.x) - p_n * q_n) / self.x,),
             d: (((1 + self.x) * q_n - order * p_n) / self.x,),
-            q_hat: tuple(value / root for value in polynomials.pair(order, self.square)),
-            **{letter: formula(order, self.x, p_n, q_n) for letter, formula in tensors.items()},
+            q_hat: (p_n / root, q_n / root),
+            **{symbol: formula(order, self.x, p_n, q_n) for symbol, formula in tensors.items()},
         }
 
     def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
-        """What is stated under a name, and what a letter of the theorems is at this order."""
-        letter, index, order = term.args
+        """Compare stated coefficients with those of a symbol of the theorems at this order."""
+        symbol, index, order = term.args
         if (index, order) != (n, self.order):
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
-        for place, (value, theorem) in enumerate(zip(stated, self.values[letter], strict=True), 1):
+        for place, (value, theorem) in enumerate(zip(stated, self.values[symbol], strict=True), 1):
             label = f", coefficient {place}" if len(stated) > 1 else ""
-            yield f"{name}{label}", self._difference(value, theorem)
-
-    def _difference(self, value: Any, theorem: Any) -> Any:
-        """In the ring of the theorem's."""
-        if not isinstance(value, sympy.Expr):
-            return value - theorem
-        if isinstance(theorem, Element):
-            return theorem.ring.lift(value, {x: self.square}) - theorem
-        return self.functions.from_expr(value) - theorem
+            found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
+            yield f"{name}{label}", found - theorem
 
 
 @lru_cache(maxsize=2)
 def at_order(order: int) -> AtOrder:
-    """The theorems' formulas at an order, kept for what is asked of it next."""
+    """Return the formulas of the theorems at an order, kept for the next call."""
     return AtOrder(order)
 
 
 def same_as_theorem(at: AtOrder, named: Mapping[str, tuple[sympy.Expr, Stated]]) -> Proof:
-    """Decide that what the code has under a name is what the theorems call by a letter."""
-    code = {name: sympy.Symbol(name, commutative=letter.is_commutative) for name, (letter, _) in named.items()}
+    """Decide that named formulas of the code are those of the theorems' symbols."""
+    code = {name: sympy.Symbol(name, commutative=symbol.is_commutative) for name, (symbol, _) in named.items()}
     claim = tuple(
-        Equation(code[name], Shifted(letter, n, sympy.Integer(at.order))) for name, (letter, _) in named.items()
+        Equation(code[name], Shifted(symbol, n, sympy.Integer(at.order))) for name, (symbol, _) in named.items()
     )
 
     def checks() -> Iterator[Check]:

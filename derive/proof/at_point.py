@@ -1,6 +1,6 @@
-"""Statements about one order, evaluated as they are printed at one rational point of a motion.
+"""Statements about one order, evaluated as printed at one rational point of a motion.
 
-No proof: it ties the words of a statement that is decided by components to what is decided.
+This is no proof. It ties the printed statement to the components that are decided.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import sympy
 
 from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, real_part
 from ..maps import polynomials
-from . import marks
+from . import notation as m
 from .evaluation import Evaluation, NoValueError, mapped
 from .formulas import Formulas
 from .identity import Check
@@ -25,7 +25,7 @@ PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
 
 
 def _root(square: Dual) -> Dual:
-    """The root of a dual number whose real part is the square of a whole number, or one over it."""
+    """Return the root of a dual number whose real part is a square of a rational number."""
     above, below = map(math.isqrt, real_part(square).as_integer_ratio())
     root = Fraction(above, below)
     if root * root != real_part(square):
@@ -34,7 +34,7 @@ def _root(square: Dual) -> Dual:
 
 
 class AtPoint(Evaluation):
-    """Values of the letters at order n, where v = (2, −4, 10) moves; the dual unit is an instant of time.
+    """Values of the symbols at order n, where v = (2, −4, 10) moves; dual parts are time derivatives.
 
     Parameters
     ----------
@@ -49,25 +49,25 @@ class AtPoint(Evaluation):
         p, q = (Dual(Fraction(1)) * value for value in polynomials.pair_by_squaring(n, x))
         root = _root(1 + x)
         formulas, rates = Formulas(), v.map(dual_part)
-        tensors = {marks.R: formulas.tensor, marks.dcay: formulas.tangent, marks.dcay_inv: formulas.tangent_inv}
-        values = {letter: Isotropic(*formula(n, x, p, q), x).tensor(v) for letter, formula in tensors.items()}
-        omega = values[marks.dcay].map(real_part) @ rates
+        tensors = {m.R: formulas.tensor, m.dcay: formulas.tangent, m.dcay_inv: formulas.tangent_inv}
+        values = {symbol: Isotropic(*formula(n, x, p, q), x).tensor(v) for symbol, formula in tensors.items()}
+        omega = values[m.dcay].map(real_part) @ rates
         z = Quaternion(p, v * q)
-        known = {marks.x: x, marks.p: p, marks.q: q, marks.v: v, marks.v_dot: rates, marks.omega: omega}
-        known |= {marks.point: Vector(*map(Fraction, OTHER)), marks.z: z, marks.q_hat: z * (1 / root**n)}
+        known = {m.x: x, m.p: p, m.q: q, m.v: v, m.v_dot: rates, m.omega: omega}
+        known |= {m.point: Vector(*map(Fraction, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 
     def number(self, value: Fraction) -> Fraction:
         return value
 
-    def differentiated(self, mark: Any, value: Any) -> Any:
+    def differentiated(self, operator: Any, value: Any) -> Any:
         return mapped(dual_part, value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         return _root(self.value(base)) ** int(2 * exponent)
 
     def checks(self, equation: Equation) -> Iterator[Check]:
-        """Left minus right at the point, component by component."""
-        at_order = equation.replaced({marks.n: sympy.Integer(self.n)})
+        """Yield left minus right at the point, component by component."""
+        at_order = equation.replaced({m.n: sympy.Integer(self.n)})
         for place, (left, right) in enumerate(self.sides(at_order), 1):
             yield f"{equation.text} at v = {PLACE}, component {place}", real_part(left) - real_part(right)

@@ -1,9 +1,9 @@
-r"""Theorems on derivatives of the tangent operator for every n; the papers have none of them.
+r"""Theorems for every n on derivatives of the tangent operator, which the papers do not have.
 
 With ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2`` and slopes ``f_y = 2 df/dx``, so that
 ``df/dt = f_y (v · v')``:
 
-* slopes and second slopes in closed form, no division by x left;
+* slopes and second slopes in closed form, without division by x;
 * the derivative of the twist ``T a`` by v, J(a), and that of the rate ``T⁻¹ a``, K(a), in both frames;
 * the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus in the body.
 """
@@ -16,47 +16,10 @@ import sympy
 
 from .formulas import Formulas
 from .map_theorems import MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE
-from .marks import (
-    I,
-    R,
-    a,
-    b,
-    body_jacobian,
-    body_rate_jacobian,
-    c,
-    cross,
-    d,
-    dcay,
-    dcay_inv,
-    dot,
-    dyad,
-    f,
-    f_i,
-    f_iy,
-    f_y,
-    g,
-    g_y,
-    h,
-    h_i,
-    h_iy,
-    h_y,
-    n,
-    p,
-    prime,
-    q,
-    rate,
-    rate_jacobian,
-    skew,
-    transpose,
-    twist_jacobian,
-    twist_jacobian_b,
-    v,
-    v_dot,
-    x,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .polynomial_theorems import SLOPES
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -66,16 +29,16 @@ GROWTH = 2 * n / (1 + x)
 
 BRACKETS = (definition(c, 2 * (p * prime(q) - q * prime(p))), definition(d, q - 2 * prime(q) - 2 * prime(p)))
 SLOPES_OF = {
-    slope: definition(slope, 2 * prime(letter))
-    for slope, letter in zip((f_y, g_y, h_y, f_iy, h_iy), (f, g, h, f_i, h_i), strict=True)
+    slope: definition(slope, 2 * prime(symbol))
+    for slope, symbol in zip((f_y, g_y, h_y, f_iy, h_iy), (f, g, h, f_i, h_i), strict=True)
 }
-OF_X = Letters((p, q, x, n), free=(x,))
+OF_X = Symbols((p, q, x, n), free=(x,))
 SPEED = dot(v, v_dot)
 FORWARD, BACKWARD = (g, h, f_y, g_y, h_y), (h_i, f_iy, h_iy)
 
 
 def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """What is claimed, for every n, of derivatives of the given formulas."""
+    """Return the theorems on derivatives of the given formulas."""
     operator = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
     tensor = formulas.defined(R, "tensor")
     coefficients = dict(_coefficients(formulas))
@@ -92,11 +55,11 @@ def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def _coefficients(formulas: Formulas) -> Iterator[tuple[sympy.Expr, Premise]]:
-    """Definitions of f, g, h, f_i, h_i."""
+    """Yield the definitions of f, g, h, f_i, h_i."""
     inverse, _, dyadic = formulas.tangent_inv(n, x, p, q)
     values = (*formulas.tangent(n, x, p, q), 2 * inverse, 2 * dyadic)
-    for letter, value in zip((f, g, h, f_i, h_i), values, strict=True):
-        yield letter, definition(letter, value)
+    for symbol, value in zip((f, g, h, f_i, h_i), values, strict=True):
+        yield symbol, definition(symbol, value)
 
 
 def _slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
@@ -115,7 +78,7 @@ def _slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
 
 
 def _second_slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
-    """The slopes of the first ones; all of them hold where x = 0 too."""
+    """Return the theorem on slopes of slopes, which holds at x = 0 too."""
     q_x, falling = prime(q), GROWTH**2 / n
     return Theorem(
         "second slopes of the tangent operators",
@@ -135,7 +98,7 @@ def _second_slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
 
 
 def _of_operators(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> Iterator[Theorem]:
-    """Derivatives along a motion."""
+    """Yield the theorems on derivatives along a motion."""
     turned = dyad(v, v_dot) + dyad(v_dot, v)
     yield Theorem(
         "rate of the tangent operator",
@@ -145,7 +108,7 @@ def _of_operators(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: P
                 SPEED * (f_y * I + g_y * skew(v) + h_y * dyad(v, v)) + g * skew(v_dot) + h * turned,
             ),
         ),
-        (*(known[letter] for letter in FORWARD), BRACKETS[0], tangent, *MOTION),
+        (*(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent, *MOTION),
         Identity(MOVING),
     )
     yield Theorem(
@@ -156,25 +119,25 @@ def _of_operators(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: P
             ),
             Equation(dcay * rate(dcay_inv), -rate(dcay) * dcay_inv),
         ),
-        (*(known[letter] for letter in BACKWARD), *BRACKETS, tangent, inverse, *MOTION, ORIGIN_Q),
+        (*(known[symbol] for symbol in BACKWARD), *BRACKETS, tangent, inverse, *MOTION, ORIGIN_Q),
         Identity(MOVING),
     )
 
 
 def _jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
-    """The derivative of ``T of`` by v in space, of ``Tᵀ of`` with hand -1."""
+    """Return the derivative by v of ``T of``; with hand −1 that of ``Tᵀ of``."""
     image = f_y * of + hand * g_y * cross(v, of) + h_y * dot(v, of) * v
     return dyad(image, v) - hand * g * skew(of) + h * (dyad(v, of) + dot(v, of) * I)
 
 
 def _rate_jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
-    """The same of the inverse."""
+    """Return the derivative by v of ``T⁻¹ of``; with hand −1 that of ``T⁻ᵀ of``."""
     return (dyad(f_iy * of + h_iy * dot(v, of) * v, v) + hand * skew(of) + h_i * (dyad(v, of) + dot(v, of) * I)) / 2
 
 
 def _of_images(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> Iterator[Theorem]:
-    """Derivatives of a twist and of a rate by v, a motor a being fixed."""
-    letters = Letters((p, q, x, n), (v, v_dot, a), (x,))
+    """Yield the theorems on derivatives by v of a twist and of a rate, with a fixed motor a."""
+    symbols = Symbols((p, q, x, n), (v, v_dot, a), (x,))
     yield Theorem(
         "Jacobian of the twist",
         (
@@ -184,9 +147,9 @@ def _of_images(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Prem
         (
             definition(twist_jacobian, _jacobian(a), wrong=_jacobian(a, -1)),
             definition(body_jacobian, _jacobian(a, -1), wrong=_jacobian(a)),
-            *(known[letter] for letter in FORWARD), BRACKETS[0], tangent, *MOTION,
+            *(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent, *MOTION,
         ),
-        Identity(letters),
+        Identity(symbols),
     )  # fmt: skip
     yield Theorem(
         "Jacobian of the rate",
@@ -197,14 +160,14 @@ def _of_images(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Prem
         (
             definition(rate_jacobian, _rate_jacobian(a), wrong=_rate_jacobian(a, -1)),
             definition(body_rate_jacobian, _rate_jacobian(a, -1), wrong=_rate_jacobian(a)),
-            *(known[letter] for letter in BACKWARD), *BRACKETS, inverse, *MOTION[:-1], ORIGIN_Q,
+            *(known[symbol] for symbol in BACKWARD), *BRACKETS, inverse, *MOTION[:-1], ORIGIN_Q,
         ),
-        Identity(letters),
+        Identity(symbols),
     )  # fmt: skip
 
 
 def _structure(known: dict[sympy.Expr, Premise], tangent: Premise) -> Theorem:
-    """The equation of Maurer and Cartan."""
+    """Return the theorem on the Maurer-Cartan equation."""
     images = cross(dcay * a, dcay * b)
     return Theorem(
         "structure equation",
@@ -212,14 +175,14 @@ def _structure(known: dict[sympy.Expr, Premise], tangent: Premise) -> Theorem:
         (
             definition(twist_jacobian, _jacobian(a)),
             definition(twist_jacobian_b, _jacobian(b)),
-            *(known[letter] for letter in (g, f_y, g_y)), tangent, SQUARE, SLOPES.premise(1), ORIGIN_P,
+            *(known[symbol] for symbol in (g, f_y, g_y)), tangent, SQUARE, SLOPES.premise(1), ORIGIN_P,
         ),
-        Identity(Letters((p, q, x, n, h, h_y), (v, a, b), (x,))),
+        Identity(Symbols((p, q, x, n, h, h_y), (v, a, b), (x,))),
     )  # fmt: skip
 
 
 def _body(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> Theorem:
-    """In the body the structure equation has a minus, and Jacobians are those of space with the arguments exchanged."""
+    """Return the theorem in the body: a minus sign, and Jacobians of space with the arguments exchanged."""
     of_b = body_jacobian.func("J_B(b)", commutative=False)
     images = cross(transpose(dcay) * a, transpose(dcay) * b)
     return Theorem(
@@ -232,7 +195,7 @@ def _body(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -
             definition(twist_jacobian, _jacobian(a)),
             definition(body_jacobian, _jacobian(a, -1)),
             definition(of_b, _jacobian(b, -1)),
-            *(known[letter] for letter in (g, h, f_y, g_y)), tangent, tensor, SQUARE, SLOPES.premise(1), ORIGIN_P,
+            *(known[symbol] for symbol in (g, h, f_y, g_y)), tangent, tensor, SQUARE, SLOPES.premise(1), ORIGIN_P,
         ),
-        Identity(Letters((p, q, x, n, h_y), (v, a, b), (x,))),
+        Identity(Symbols((p, q, x, n, h_y), (v, a, b), (x,))),
     )  # fmt: skip

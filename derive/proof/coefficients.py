@@ -1,16 +1,16 @@
 r"""Power series in x whose coefficients are sums of binomials, compared coefficient by coefficient for all n and j.
 
-A series is a polynomial and tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplying by x shifts the index, so that the
-recurrence of p_n and q_n runs on series as on numbers. Two series are equal if the difference of their general
-coefficients is zero, and each single coefficient at which not all tails have begun.
+A series is a polynomial plus tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplication by x shifts the index, so the
+recurrence of p_n and q_n runs on series as on numbers. Two series are equal if their general coefficients are equal,
+and so is each single coefficient below the start of a tail.
 
 A sum of binomials is decided with :math:`\binom{n}{k} = \frac{n!}{k!\,(n-k)!}` and 1/m! = 0 for m < 0. Terms whose
 factorials differ by integers only have a common factor
 
 .. math:: \frac{(n + a)!}{(k + b)!\,(n - k + c)!}
 
-with the least a and the greatest b, c that occur; what is left of each is a polynomial, at all integers n and k, at
-the borders of Pascal's triangle too. The sum of these polynomials must be zero in Q[n, j].
+with the least a and the greatest b, c that occur. The cofactor of each term is a polynomial for all integers n and k,
+also at the borders of Pascal's triangle. The sum of these polynomials must be zero in Q[n, j].
 """
 
 from __future__ import annotations
@@ -21,14 +21,15 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
-from sympy.polys.rings import ring
 
+from ..algebra.exact import RationalFunctions
 from .identity import Check, Multiplier
-from .marks import Shifted, j, n, text, x
+from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
 from .theorem import Task
 
-POLYNOMIALS, N, J = ring([n, j], sympy.QQ)
+POLYNOMIALS = RationalFunctions(("n", "j"))
+VALUES = {symbol: POLYNOMIALS.symbol(symbol.name) for symbol in (n, j)}
 
 upper, lower = sympy.symbols("N K", integer=True)
 BINOMIAL = definition(
@@ -36,11 +37,11 @@ BINOMIAL = definition(
     sympy.factorial(upper) / (sympy.factorial(lower) * sympy.factorial(upper - lower)),
     wrong=sympy.factorial(upper) / (sympy.factorial(lower) * sympy.factorial(upper - lower + 1)),
 )
-"""What a binomial coefficient is; 1/m! = 0 for m < 0."""
+"""Definition of the binomial coefficient, with 1/m! = 0 for m < 0."""
 
 
 class NotDecidedError(ArithmeticError):
-    """A coefficient that is no sum of binomials."""
+    """Error: a coefficient is no sum of binomials."""
 
 
 @dataclass(frozen=True)
@@ -77,17 +78,17 @@ class Series:
         return result
 
     def coefficient(self, power: int) -> sympy.Expr:
-        """The coefficient of ``x^power``."""
+        """Return the coefficient of ``x^power``."""
         begun = (e.xreplace({j: sympy.Integer(power)}) for start, e in self.tails if start <= power)
         return sum(begun, self.head.get(power, sympy.Integer(0)))
 
 
 @dataclass(frozen=True)
 class Coefficients:
-    """The claim says that what is on the left are the series on the right.
+    """Decision of a claim whose right sides are series.
 
-    By induction where the premises have recurrences of the left sides; otherwise by the equations among the premises,
-    each of which determines the one unknown series in it.
+    The left sides are determined by recurrences among the premises, by induction on n. Otherwise each is the one
+    unknown series in an equation among the premises.
     """
 
     start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
@@ -107,8 +108,8 @@ class Coefficients:
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
         first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
-        for equation in task.supposed:
-            yield f"supposed, {equation.text}", 1  # there is nothing here that would say so
+        for equation in task.required:
+            yield f"required, {equation.text}", 1  # nothing here could decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
         for equation in laws:
@@ -122,7 +123,7 @@ class Coefficients:
                 yield from _zero(at, reader.series(left - right), first)
 
     def _determined(self, term: sympy.Expr, laws: Sequence[Equation]) -> bool:
-        """Whether there are a start and a step of a sequence, or an equation with it."""
+        """Return whether premises have a start and a step of a sequence, or an equation with it."""
         if any(e.left.has(term) or e.right.has(term) for e in laws if not isinstance(e.left, Shifted)):
             return True
         places = {e.left.args[2] for e in laws if e.left.args[:2] == (term, n)}
@@ -131,7 +132,7 @@ class Coefficients:
 
 @dataclass(frozen=True)
 class _Reader:
-    """Expressions as series, by the series that are known and the products that are."""
+    """Conversion of expressions to series, by known series and known products of them."""
 
     known: Mapping[sympy.Expr, sympy.Expr]
     products: Iterable[Equation]
@@ -168,7 +169,7 @@ class _Reader:
 
 
 def _power_of_x(term: sympy.Expr) -> sympy.Expr:
-    """The exponent of x in a term of a sum."""
+    """Return the exponent of x in a term of a sum."""
     return next(factor.as_base_exp()[1] for factor in sympy.Mul.make_args(term) if factor.as_base_exp()[0] == x)
 
 
@@ -176,7 +177,7 @@ def _power_of_x(term: sympy.Expr) -> sympy.Expr:
 
 
 def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
-    """Every coefficient of a series, from x^0 on."""
+    """Yield the residue of every coefficient of a series."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
@@ -189,28 +190,28 @@ def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
 
 
 def _last_index(term: sympy.factorial) -> int:
-    """The last j at which a factorial of a linear form that decreases with j is that of a number >= 0."""
+    """Return the last j at which the argument of a factorial is >= 0, if it decreases with j."""
     slope = term.args[0].coeff(j)
     return int(term.args[0].xreplace({j: sympy.Integer(0)}) // -slope) if slope < 0 else 0
 
 
 def residue(e: sympy.Expr, first: int) -> Any:
-    """A sum of multiples of binomials as a polynomial: zero exactly if it is zero at all j and all n >= first."""
+    """Return a sum of binomials as a polynomial: zero exactly if the sum is 0 at all j and all n >= first."""
     groups: dict[Any, list[_Term]] = defaultdict(list)
     for product in sympy.Add.make_args(sympy.expand(e)):
         term = _term(product)
         groups[term.kind].append(term)
     sums = (_together(terms, first) for terms in groups.values())
-    return next((total for total in sums if total != 0), POLYNOMIALS.zero)
+    return next((total for total in sums if total != 0), POLYNOMIALS.constant(0))
 
 
-_Factorial = tuple[Any, int]
-"""What is under a factorial: a homogeneous polynomial in n and j, and an integer."""
+_Factorial = tuple[sympy.Expr, int]
+"""Argument of a factorial: a linear form in n and j, and an integer added to it."""
 
 
 @dataclass(frozen=True)
 class _Term:
-    """A polynomial in n and j, times ``(-1)^j`` or not, times factorials over factorials."""
+    """A polynomial in n and j, times ``(-1)^j`` if alternating, times a quotient of factorials."""
 
     number: Any
     alternating: bool
@@ -219,12 +220,12 @@ class _Term:
 
     @property
     def kind(self) -> Any:
-        """Terms of one kind differ by polynomials only."""
+        """Key of terms whose quotients are polynomials."""
         return self.alternating, *(tuple(h for h, _ in part) for part in (self.above, self.below))
 
 
 def _term(product: sympy.Expr) -> _Term:
-    number, alternating = POLYNOMIALS.one, False
+    number, alternating = POLYNOMIALS.constant(1), False
     above: list[_Factorial] = []
     below: list[_Factorial] = []
     for factor in sympy.Mul.make_args(product):
@@ -246,40 +247,39 @@ def _term(product: sympy.Expr) -> _Term:
 
 
 def _polynomial(factor: sympy.Expr) -> Any:
-    try:
-        return POLYNOMIALS.from_expr(factor)
-    except ValueError as error:
-        raise NotDecidedError(f"{text(factor)} is no polynomial in n and j") from error
+    if not factor.is_polynomial(n, j):
+        raise NotDecidedError(f"{text(factor)} is no polynomial in n and j")
+    return POLYNOMIALS.lift(factor, VALUES)
 
 
 def _written_out(e: sympy.Expr, rule: sympy.Expr) -> sympy.Expr:
-    """The expression with its binomials replaced by the rule."""
+    """Return an expression with its binomials written out by the rule."""
     binomials = e.atoms(sympy.binomial)
     return e.xreplace({b: rule.xreplace({upper: b.args[0], lower: b.args[1]}) for b in binomials})
 
 
 def _linear(form: sympy.Expr) -> _Factorial:
-    """A linear form in n and j in two parts."""
+    """Split a linear form in n and j into its homogeneous part and its constant."""
     constant = form.xreplace({n: sympy.Integer(0), j: sympy.Integer(0)})
-    return POLYNOMIALS.from_expr(form - constant), int(constant)
+    return form - constant, int(constant)
 
 
 def _between(form: Any, low: int, high: int) -> Any:
-    """``(h + high)!/(h + low)!``."""
-    product = POLYNOMIALS.one
+    """Return ``(h + high)!/(h + low)!``."""
+    product = POLYNOMIALS.constant(1)
     for t in range(low + 1, high + 1):
-        product *= form + t
+        product *= _polynomial(form + t)
     return product
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:
-    """The sum of terms of one kind, divided by their common factor."""
+    """Return the sum of terms of one kind, divided by their common factor."""
     least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
     greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
     for (form, _), a in zip(terms[0].above, least, strict=True):
-        if form.evaluate([(N, first), (J, 0)]) + a < 0 or form.diff(J) != 0:
+        if form.has(j) or form.xreplace({n: sympy.Integer(first)}) + a < 0:
             raise NotDecidedError(f"the factorial of {form} + {a} at n = {first}")
-    total = POLYNOMIALS.zero
+    total = POLYNOMIALS.constant(0)
     for term in terms:
         product = term.number
         for (form, a), low in zip(term.above, least, strict=True):

@@ -1,11 +1,11 @@
-r"""The second road: one order, by components, from the definition.
+r"""The componentwise road: one order, from the definition, independent of the theorems.
 
 :math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols; :math:`\hat q = z/|z|` (CP23 (46)),
 R is the sandwich ``q̂ r q̂*`` entry by entry (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'.
 The formulas under test enter as functions of x, expanded at the dual number :math:`x = v \cdot v` by
 :math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials, modulo v·v = x with x° = 2 v·v°; denominators
-and |z|² are multiplied out, which is right where their real part is not zero, and that is checked. Nothing is taken
-from the proofs for every order. Each statement is also evaluated as it is printed, at a rational point.
+and |z|² are multiplied out, which is valid where their real part is not zero; that is checked. No proof for every
+order is used. Each statement is also evaluated as printed, at a rational point.
 """
 
 from __future__ import annotations
@@ -17,12 +17,11 @@ from typing import Any
 
 import sympy
 
+from ..algebra.element import Element
 from .at_order import CayleyFormulas
 from .at_point import AtPoint
-from .element import Element
-from .exact import Ring
 from .identity import Check, Claim, Multiplier, Proof, decide
-from .marks import (
+from .notation import (
     I,
     R,
     below,
@@ -41,6 +40,7 @@ from .marks import (
     z,
 )  # fmt: skip
 from .statement import Equation, Premise, definition
+from .vector_ring import Ring
 
 NORM = norm2(z)
 UNIT = definition(q_hat, z / sympy.sqrt(NORM))
@@ -57,14 +57,14 @@ STATEMENTS: tuple[Statement, ...] = (
     ("twist at n", (Equation(vect(rate(R) * transpose(R)), dcay * rate(v)),), (POWER, UNIT, ROTATED)),
     ("inverse at n", (Equation(dcay * dcay_inv, I),), ()),
 )
-"""What is decided here."""
+"""Statements of the componentwise road."""
 
 METHOD = "componentwise from the definition, exact polynomials in v1 v2 v3 and their dual parts"
 CYCLIC = ((2, 1), (0, 2), (1, 0))  # vect(T) takes T_32 - T_23, T_13 - T_31, T_21 - T_12
 
 
 class _Dual:
-    """re + ε du over the exact ring; kept apart from :mod:`derive.algebra`, which the formulas are made with."""
+    """``re + ε du`` over the exact ring, independent of the dual numbers that formulas are made with."""
 
     __slots__ = ("du", "re")
 
@@ -84,7 +84,8 @@ class _Dual:
         return _Dual(self.re * other.re, self.re * other.du + self.du * other.re)
 
     def derivative(self, name: str) -> _Dual:
-        return _Dual(self.re.derivative(name), self.du.derivative(name))
+        derivative = self.re.ring.derivative
+        return _Dual(derivative(self.re, name), derivative(self.du, name))
 
 
 _Row = list[_Dual]
@@ -98,7 +99,7 @@ def _sum(terms: Iterator[_Dual] | Sequence[_Dual]) -> _Dual:
 
 
 def hamilton(a: Sequence[_Dual], b: Sequence[_Dual]) -> _Row:
-    """Hamilton's product: i j = k and cyclic."""
+    """Return Hamilton's product: i j = k and cyclic."""
     return [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -136,15 +137,15 @@ class Components:
         self.rotation = [list(row) for row in zip(*images, strict=True)]  # |z|² R
 
     def defined(self) -> _Row:
-        """(1 + v)ⁿ."""
+        """Return (1 + v)ⁿ."""
         return self.power([self.one, *self.v])
 
     def sandwich(self, r: _Row) -> _Row:
-        """z r z*."""
+        """Return z r z*."""
         return hamilton(hamilton(self.z, r), _conjugate(self.z))
 
     def power(self, base: _Row) -> _Row:
-        """The quaternion to the power n."""
+        """Return the quaternion to the power n."""
         result = [self.one, self.zero, self.zero, self.zero]
         for bit in f"{self.cayley.order:b}":
             result = hamilton(result, result)
@@ -153,17 +154,17 @@ class Components:
         return result
 
     def _at_dual(self, polynomial: Element) -> _Dual:
-        """f(x) + ε x° f'(x)."""
-        return _Dual(polynomial, self.x.du * polynomial.derivative("x"))
+        """Return f(x) + ε x° f'(x)."""
+        return _Dual(polynomial, self.x.du * self.ring.derivative(polynomial, "x"))
 
     def _expand(self, coefficients: Sequence[Any]) -> tuple[_Row, _Dual]:
-        """Coefficients at the dual x, over a common denominator: the numerators, and that denominator."""
+        """Return the numerators of coefficients at the dual x, and their common denominator."""
         lifted = [self.ring.lift(coefficient, {x: self.x.re}) for coefficient in coefficients]
         numerators, denominator = self.ring.cleared(lifted)
         return [self._at_dual(numerator) for numerator in numerators], self._at_dual(denominator)
 
     def _isotropic(self, coefficients: Sequence[Any]) -> tuple[list[_Row], _Dual]:
-        """Entries of a I + b skew(v) + c v⊗v, and their common denominator."""
+        """Return the entries of a I + b skew(v) + c v⊗v, and their common denominator."""
         (a, b, c), denominator = self._expand(coefficients)
         v1, v2, v3 = self.v
         skew = [[self.zero, -v3, v2], [v3, self.zero, -v1], [-v2, v1, self.zero]]
@@ -174,14 +175,14 @@ class Components:
         return matrix, denominator
 
     def definition(self) -> Iterator[Check | Multiplier]:
-        """(z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
+        """Decide (z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
         yield _multiplier(NORM, self.norm)
         product = hamilton(self.z, self.power(_conjugate([self.one, *self.v])))
         for k, value in enumerate(product):
             yield from _checks(f"z (1-v)^n - |z|^2, component {k}", value - self.norm if k == 0 else value)
 
     def quaternion(self) -> Iterator[Check | Multiplier]:
-        """q̂ ⊗ q̂ = z ⊗ z / |z|²: the quaternion up to its sign."""
+        """Decide q̂ ⊗ q̂ = z ⊗ z / |z|²: the quaternion up to its sign."""
         s, t = self.cayley.quaternion.coefficients
         (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
         yield _multiplier(NORM, self.norm)
@@ -194,7 +195,7 @@ class Components:
                 yield from _checks(f"q_{i} q_{j}", residue)
 
     def tensor(self) -> Iterator[Check | Multiplier]:
-        """R from the sandwich equals a I + b skew(v) + c v⊗v."""
+        """Decide that R from the sandwich equals a I + b skew(v) + c v⊗v."""
         formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
         yield _multiplier(NORM, self.norm)
         yield _multiplier(below(R), denominator)
@@ -204,7 +205,7 @@ class Components:
                 yield from _checks(f"R_{i + 1}{j + 1}", residue)
 
     def orthogonality(self) -> Iterator[Check | Multiplier]:
-        """R Rᵀ = I; six entries, since the product is symmetric."""
+        """Decide R Rᵀ = I; six entries, since the product is symmetric."""
         yield _multiplier(NORM, self.norm, 2)
         square = self.norm * self.norm
         for i in range(3):
@@ -213,7 +214,7 @@ class Components:
                 yield from _checks(f"(R R^T)_{i + 1}{j + 1}", product - square if i == j else product)
 
     def twist(self) -> Iterator[Check | Multiplier]:
-        """vect(R' Rᵀ) = dcay v' in the three dual basis directions.
+        """Decide vect(R' Rᵀ) = dcay v' in the three dual basis directions.
 
         With R = M/|z|², R' Rᵀ = M' Mᵀ/|z|⁴ + (scalar) R Rᵀ, and the second term is symmetric.
         """
@@ -233,7 +234,7 @@ class Components:
                 yield from _checks(f"rate {i} along eps e{direction + 1}", dual_rate - _Dual(self.zero.re, along.re))
 
     def inverse(self) -> Iterator[Check | Multiplier]:
-        """dcay dcay⁻¹ = I."""
+        """Decide dcay dcay⁻¹ = I."""
         tangent, below_tangent = self._isotropic(self.cayley.tangent.coefficients)
         inverse, below_inverse = self._isotropic(self.cayley.tangent_inv.coefficients)
         yield _multiplier(below(dcay), below_tangent)
@@ -245,12 +246,12 @@ class Components:
                 yield from _checks(f"(dcay dcay^-1)_{i + 1}{j + 1}", product - unit if i == j else product)
 
     def proofs(self, statements: Sequence[Statement] | None = None) -> Iterator[Proof]:
-        """Decide the statements one after another; a control gives other words for them."""
+        """Decide the statements in turn; a control passes altered ones."""
         point = AtPoint(self.cayley.order)
         checks = (self.definition, self.quaternion, self.tensor, self.orthogonality, self.twist, self.inverse)
         for (name, claim, premises), decision in zip(statements or STATEMENTS, checks, strict=True):
-            said = (*claim, *(premise.equation for premise in premises))
-            printed = (check for equation in said for check in point.checks(equation))
+            equations = (*claim, *(premise.equation for premise in premises))
+            printed = (check for equation in equations for check in point.checks(equation))
             claimed = Claim(name, claim, METHOD, premises)
             yield decide(claimed, partial(chain, printed, decision()), f"n = {self.cayley.order}")
 
@@ -261,7 +262,7 @@ def _checks(label: str, value: _Dual) -> Iterator[Check]:
 
 
 def _multiplier(term: sympy.Expr, value: _Dual, power: int = 1) -> Multiplier:
-    """A dual number that was multiplied by: no zero divisor, if its real part is not zero."""
+    """Return a dual number as a multiplier; it is no zero divisor if its real part is not zero."""
     return Multiplier(term, power, bool(value.re))
 
 

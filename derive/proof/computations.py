@@ -1,7 +1,7 @@
-"""What `derive.maps` computes at one order, each function in its own way, is what the theorems say.
+"""Functions of `derive.maps` at one order, compared with the theorems.
 
-Binomial sums, the addition law, the pair by squaring and its brackets, closed forms at any number, and the angles at
-which dcay loses rank.
+These are binomial sums, the addition law, pairs by squaring and their brackets, closed forms at any number, and the
+angles at which dcay loses rank.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Any
 import sympy
 
 from ..maps import closed_forms, polynomials
-from .at_order import LETTERS, METHOD, AtOrder, Stated, at_order, same_as_theorem
+from .at_order import METHOD, SYMBOLS, AtOrder, Stated, at_order, same_as_theorem
 from .identity import Check, Claim, Proof, decide
-from .marks import q
+from .notation import q
 from .statement import Equation
 
 Function = Callable[..., Any]
@@ -25,7 +25,7 @@ Function = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Computed:
-    """The functions in question; a control has another one in place of one of them."""
+    """Functions that are compared; a control replaces one of them."""
 
     p_binomial: Function = polynomials.p_binomial
     q_binomial: Function = polynomials.q_binomial
@@ -43,7 +43,7 @@ class Computed:
 
 
 def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
-    """Prove that what is computed at an order is what the theorems say.
+    """Prove that the functions agree with the theorems at an order.
 
     Parameters
     ----------
@@ -54,13 +54,12 @@ def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
     Returns
     -------
     tuple of Proof
-        The binomial sums; pairs and brackets; the closed forms, a proof each; the singular angles, at which sin α/2
-        and with it q_n vanishes, as many as q_n has zeros.
+        Binomial sums; pairs and brackets; each closed form; the singular angles, where sin α/2 and q_n vanish.
     """
     functions, at = of or Computed(), at_order(order)
 
-    def sums(letter: str) -> Stated:
-        return lambda: (getattr(functions, f"{letter}_binomial")(order),)
+    def sums(symbol: str) -> Stated:
+        return lambda: (getattr(functions, f"{symbol}_binomial")(order),)
 
     def multiplied() -> Any:
         halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
@@ -74,19 +73,19 @@ def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
         "pair_by_squaring": ("pq", lambda: functions.pair_by_squaring(order, at.x)),
         "brackets": ("cd", lambda: functions.brackets(order, at.x)),
     }
-    forms: dict[str, Stated] = {"quaternion": lambda: functions.quaternion(order, at.square)}
+    forms: dict[str, Stated] = {"quaternion": lambda: functions.quaternion(order, at.x)}
     forms |= {name: isotropic(name) for name in ("tensor", "tangent", "tangent_inv")}
     return (
-        same_as_theorem(at, {f"polynomials.{a}_binomial({order})": (LETTERS[a], sums(a)) for a in "pqcd"}),
+        same_as_theorem(at, {f"polynomials.{a}_binomial({order})": (SYMBOLS[a], sums(a)) for a in "pqcd"}),
         same_as_theorem(
             at,
             {
-                f"polynomials.{name}({order}).{letter}": (LETTERS[letter], partial(_part, pair, place))
-                for name, (letters, pair) in pairs.items()
-                for place, letter in enumerate(letters)
+                f"polynomials.{name}({order}).{symbol}": (SYMBOLS[symbol], partial(_part, pair, place))
+                for name, (symbols, pair) in pairs.items()
+                for place, symbol in enumerate(symbols)
             },
         ),
-        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (LETTERS[a], form)}) for a, form in forms.items()),
+        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], form)}) for a, form in forms.items()),
         _singular_angles(at, functions),
     )
 
@@ -96,7 +95,7 @@ def _part(pair: Callable[[], Any], place: int) -> tuple[Any]:
 
 
 def _singular_angles(at: AtOrder, functions: Computed) -> Proof:
-    """sin α/2 = 0 at all but the last, which is nπ; tan α/2n are the poles; there are no others."""
+    """Decide that sin α/2 = 0 at all singular angles but the last, nπ, and that tan α/2n are all poles."""
     names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
     turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
     claim = (
@@ -112,7 +111,7 @@ def _singular_angles(at: AtOrder, functions: Computed) -> Proof:
         places = [{turns: angle, poles: pole} for angle, pole in zip(full_turns, found, strict=False)]
         for equation, values in (*product(claim[:2], places), (claim[2], {last: end})):
             yield f"{equation.text} at {values}", (equation.left - equation.right).xreplace(values)
-        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numer.degree()
+        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numerator.degrees()[-1] // 2
         outside = [angle for angle in full_turns if not 0 < angle / sympy.pi < at.order]
         yield "how many are not between 0 and nπ", len(outside)
 

@@ -1,9 +1,8 @@
-"""Controls: every theorem once more with one thing wrong, which must make that theorem fail.
+"""Controls: every theorem with one error in it, which must make it fail.
 
-One for each equation of a claim and each of its integers, one for each premise, one for each letter that is free, one
-for each multiplier; at one order, one for each formula, each claim, each premise and each definition of the
-componentwise road. A control that is proved all the same shows a check that cannot fail, a premise that is not used, or
-a theorem that says too little.
+There is a control for each equation of a claim and each integer in it, each premise, each free symbol and each
+multiplier. At one order there is one for each formula, claim, premise and definition of the componentwise road. A
+control that is proved shows a check that cannot fail, an unused premise, or a theorem that claims too little.
 """
 
 from __future__ import annotations
@@ -29,16 +28,16 @@ from .theorem import Theorem
 
 @dataclass(frozen=True)
 class Control:
-    """A theorem with one thing wrong.
+    """A theorem with one error in it.
 
     Attributes
     ----------
     theorem : str
-        Its name.
+        Name of the theorem.
     alteration : str
-        What is wrong.
+        Description of the error.
     proof : Proof
-        The outcome.
+        Outcome of deciding the altered theorem.
     """
 
     theorem: str
@@ -47,7 +46,7 @@ class Control:
 
     @property
     def noticed(self) -> bool:
-        """Whether the theorem failed, as it must, for a reason: not for an expression without a value."""
+        """Whether the altered theorem failed, and not merely because an expression has no value."""
         return not self.proof.proved and all(residue.label != NO_VALUE for residue in self.proof.residues)
 
     def __str__(self) -> str:
@@ -55,7 +54,7 @@ class Control:
 
 
 def controls(claimed: Iterable[Theorem], known: Mapping[str, Proof]) -> Iterator[Control]:
-    """All controls of theorems.
+    """Yield all controls of theorems.
 
     Parameters
     ----------
@@ -92,7 +91,7 @@ def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Contr
 
 @dataclass(frozen=True)
 class _Wrong:
-    """A Cayley map, or another chart, with one formula replaced."""
+    """A Cayley map or another chart with one formula replaced."""
 
     right: Any
     name: str
@@ -108,7 +107,7 @@ class _Coefficients:
 
 
 class _Doubled(Components):
-    """z = (1 + 2v)ⁿ."""
+    """z = (1 + 2v)ⁿ"""
 
     def defined(self) -> Any:
         return self.power([self.one, *(c + c for c in self.v)])
@@ -129,31 +128,31 @@ class _Unconjugated(Components):
 
 
 DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST, INVERSE = range(6)
-"""Places of the statements of the componentwise road."""
+"""Indices of the statements of the componentwise road."""
 
 _FORMULAS: Mapping[str, tuple[int, ...]] = {
     "p": (), "q": (), "c": (), "d": (), "quaternion": (QUATERNION,), "tensor": (TENSOR,), "tangent": (TWIST, INVERSE),
     "tangent_inv": (INVERSE,),
 }  # fmt: skip
-"""Which statements must fail when a formula is wrong; its instance must too."""
+"""Statements that must fail when a formula is wrong; its instance must fail too."""
 
 _DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
     _Doubled: (DEFINITION, QUATERNION, TENSOR, TWIST),
     _Unconjugated: (TENSOR, ORTHOGONALITY, TWIST),
     _Zero: (DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST),
 }
-"""Which statements must fail when a definition is."""
+"""Statements that must fail when a definition is wrong."""
 
 LOWERED, RELATED, DERIVED, DERIVED_TWICE = range(4)
-"""Places of the statements about the scalars of a chart; the one about φ is the last."""
+"""Indices of the statements about the scalars of a chart; the one about φ is the last."""
 
 
 def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
-    """All controls of what is proved at the order of a Cayley map, formulas and definitions altered in turn."""
+    """Yield all controls at the order of a Cayley map; formulas and definitions are altered in turn."""
     for name, places in _FORMULAS.items():
         for alteration, wrong in _altered(cayley, name):
-            owned = f"Cayley({cayley.order}).{name}"
-            failing = next(proof for proof in instances(wrong) if owned in proof.name.split(", "))
+            name_in_code = f"Cayley({cayley.order}).{name}"
+            failing = next(proof for proof in instances(wrong) if name_in_code in proof.name.split(", "))
             yield Control(failing.name, alteration, failing)
             decided = tuple(Components(wrong).proofs()) if places else ()
             yield from (Control(decided[place].name, alteration, decided[place]) for place in places)
@@ -161,12 +160,12 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
         functions = replace(Computed(), **{field.name: _off(field.default)})
         failing = next(proof for proof in computations(cayley.order, functions) if f".{field.name}(" in proof.name)
         yield Control(failing.name, f"{field.name} off by one", failing)
-    words = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
-    for proof in Components(cayley).proofs(words):
+    altered_statements = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
+    for proof in Components(cayley).proofs(altered_statements):
         yield Control(proof.name, f"claim {proof.statement}", proof)
     for place in range(max(len(premises) for _, _, premises in STATEMENTS)):
-        words = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
-        for proof in Components(cayley).proofs(words):
+        altered_statements = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
+        for proof in Components(cayley).proofs(altered_statements):
             if place < len(proof.premises):
                 yield Control(proof.name, f"premise {proof.premises[place]}", proof)
     for altered, places in _DEFINITIONS.items():
@@ -175,7 +174,7 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
 
 
 def controls_of(chart: Chart) -> Iterator[Control]:
-    """All controls of what is proved of any chart: each scalar with x added to it, and another φ."""
+    """Yield all controls of a chart: x added to each scalar in turn, and another φ."""
     for name in (*VALUES, *SLOPES, *BENDS):
 
         def scalars(x: Any, m: Arithmetic, name: str = name) -> Any:
@@ -185,9 +184,9 @@ def controls_of(chart: Chart) -> Iterator[Control]:
         decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
         for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
-    start = sympy.Rational(3, 4)  # its cosine is rational
+    start = sympy.Rational(3, 4)  # tan of an angle with rational cosine
     altered = {"phi of twice the angle": chart.phi.xreplace({alpha: 2 * alpha})}
-    if chart.cayley:  # where the tangent of a sum obeys the same differential equation
+    if chart.cayley:  # the tangent of a sum obeys the same differential equation
         altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
     for alteration, other in altered.items():
         *_, failing = ScalarProofs(_Wrong(chart, "phi", other)).proofs()
@@ -199,20 +198,20 @@ def _with_altered(place: int, premises: tuple[Premise, ...]) -> tuple[Premise, .
 
 
 def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:
-    """The map with one of its coefficients increased by one, for each of them."""
+    """Yield the map with each of its coefficients increased by one in turn."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
         yield f"{name} + 1", _Wrong(cayley, name, value + 1)
         return
     for place, coefficient in enumerate(value.coefficients):
         changed = (*value.coefficients[:place], coefficient + 1, *value.coefficients[place + 1 :])
-        if name == "quaternion":  # squares of its coefficients are rational: so must be what is put for them
+        if name == "quaternion":  # doubled coefficients still have rational squares
             changed = tuple(c * (2 if k == place else 1) for k, c in enumerate(value.coefficients))
         yield f"coefficient {place + 1} of {name}", _Wrong(cayley, name, _Coefficients(changed))
 
 
 def _off(function: Any) -> Callable[..., Any]:
-    """The function with the first number of its result increased by one."""
+    """Return the function with the first number of its result increased by one."""
 
     def wrong(*arguments: Any) -> Any:
         result = function(*arguments)

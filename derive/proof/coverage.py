@@ -1,7 +1,7 @@
-"""Which theorems a kernel function rests on, and what is compared with them only: a table to be checked, not read.
+"""Table of the theorems and the validation behind each kernel function, for docs/theorems.md.
 
-A kernel is executed against its formula as text on disk (:mod:`derive.codegen.validation`), *exactly* on symbols or at
-seeded screws to 50 *digits*. What is proved is the formula; where nothing is proved of it, the validation is all.
+Theorems prove the formula. Validation executes the kernel's text on disk against its formula
+(:mod:`derive.codegen.validation`), exactly on symbols or to 50 digits at seeded screws.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ Validation = Literal["exact", "50 digits", "text"]
 
 @dataclass(frozen=True)
 class Coverage:
-    """What covers one kernel function.
+    """Theorems and validation of one kernel function.
 
     Attributes
     ----------
     validation : {"exact", "50 digits", "text"}
-        How the emitted function is compared with the formula; "text": it has no arguments and is read off.
+        Comparison of the emitted function with its formula; "text" for constants without arguments.
     theorems : tuple of str
-        Names of the theorems, for all n, that its formula rests on.
+        Names of the theorems for all n on which its formula rests.
     only_validated : str
-        What of the formula no theorem says; empty where all of it is proved.
+        Part of the formula that no theorem covers; empty where all of it is proved.
     """
 
     validation: Validation
@@ -32,7 +32,7 @@ class Coverage:
     only_validated: str = ""
 
     def lines(self) -> tuple[str, ...]:
-        """``theorem: …`` and ``validation: …``."""
+        """Return lines ``theorem: …`` and ``validation: …``."""
         unproved = f", alone: {self.only_validated}" if self.only_validated else ""
         return (*(f"theorem: {name}" for name in self.theorems), f"validation: {self.validation}{unproved}")
 
@@ -103,4 +103,4 @@ COVERAGE: Mapping[str, Coverage] = {
     "compose": Coverage("50 digits", ("composition", "quaternion"), "the principal v of the product quaternion"),
     "singular_angles": Coverage("text", ("determinant", "multiples of an angle")),
 }
-"""Every function of a kernel module."""
+"""Coverage by kernel function."""

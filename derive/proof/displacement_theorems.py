@@ -6,63 +6,10 @@ import sympy
 
 from .formulas import Formulas
 from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE
-from .marks import (
-    I,
-    Q,
-    R,
-    R_dual,
-    R_k,
-    Shifted,
-    V,
-    along,
-    alpha,
-    b,
-    b_1,
-    b_2,
-    beta,
-    cross,
-    dcay,
-    dot,
-    epsilon,
-    exponential,
-    first,
-    first_order,
-    n,
-    p,
-    p_dual,
-    p_k,
-    point,
-    prime,
-    q,
-    q_dual,
-    q_hat,
-    q_k,
-    r,
-    r_k,
-    rate,
-    real,
-    rho,
-    sandwich,
-    scalar,
-    scalar_1,
-    scalar_2,
-    second,
-    second_order,
-    sigma,
-    sigma_1,
-    sigma_2,
-    skew,
-    theta,
-    u,
-    v,
-    v_dual,
-    vector,
-    x,
-    x_dual,
-)  # fmt: skip
 from .methods import Determined, Identity
+from .notation import *
 from .polynomial_theorems import ANGLES, ONE, ORIGIN, SLOPES, pairs, turning
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -71,7 +18,7 @@ UNIT = definition(dot(u, u), 1)
 
 
 def circular(angle: sympy.Expr) -> tuple[Premise, ...]:
-    """Cosine and sine of a multiple of α, as the solution of their differential equation."""
+    """Return initial values and differential equations of cosine and sine of a multiple of α."""
     speed, cosine, sine = angle / alpha, sympy.cos(angle), sympy.sin(angle)
     return (
         definition(Shifted(cosine, alpha, 0), 1),
@@ -82,7 +29,7 @@ def circular(angle: sympy.Expr) -> tuple[Premise, ...]:
 
 
 def pythagoras(angle: sympy.Expr) -> Premise:
-    """``sin² + cos² = 1``."""
+    """Return the premise ``sin² + cos² = 1``."""
     return definition(sympy.sin(angle) ** 2 + sympy.cos(angle) ** 2, 1)
 
 
@@ -90,13 +37,13 @@ FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, al
 DOUBLE_ANGLE = Theorem(
     "double angle",
     (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
-    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # whatever cos(α/2) starts with
-    Determined(Letters(HALF), ZERO),
+    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the start of cos(α/2) is not needed
+    Determined(Symbols(HALF), ZERO),
 )
 
 
 def solution(term: sympy.Expr, start: sympy.Expr, slope: sympy.Expr) -> tuple[Premise, ...]:
-    """A function of α by its initial value and its differential equation."""
+    """Return the initial value and the differential equation of a function of α."""
     return definition(Shifted(term, alpha, 0), start), definition(rate(term), slope * term)
 
 
@@ -105,14 +52,14 @@ EXPONENTIAL = Theorem(
     "exponential",
     (Equation(ROTATION, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),),
     (*solution(ROTATION, I, skew(u)), *circular(alpha), UNIT),
-    Determined(Letters(FULL, (u,)), ZERO),
+    Determined(Symbols(FULL, (u,)), ZERO),
 )
 VERSOR = exponential(alpha / 2 * u)
 QUATERNION_EXPONENTIAL = Theorem(
     "exponential of a quaternion",
     (Equation(VERSOR, HALF[1] + u * HALF[0], (23,)),),
     (*solution(VERSOR, sympy.Integer(1), u / 2), *circular(alpha / 2), UNIT),
-    Determined(Letters(HALF, (u,)), ZERO),
+    Determined(Symbols(HALF, (u,)), ZERO),
 )
 TURNED_ROOT = sympy.cos(beta) - r * sympy.sin(beta)
 MOEBIUS = definition(r_k, (r * sympy.cos(beta) + sympy.sin(beta)) / TURNED_ROOT)
@@ -123,7 +70,7 @@ TURNED = Theorem(
         Equation(q_k, (p * sympy.sin(n * beta) + r * q * sympy.cos(n * beta)) / (r_k * TURNED_ROOT**n)),
     ),
     (*pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS),
-    Determined(Letters((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r),
+    Determined(Symbols((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r),
                        free=(r, sympy.sin(beta), sympy.cos(beta))), ONE),
 )  # fmt: skip
 COMPOSITION = Theorem(
@@ -135,7 +82,7 @@ COMPOSITION = Theorem(
         ),
     ),
     (definition(scalar**2 + dot(vector, vector), 1),),
-    Identity(Letters((scalar, scalar_1, scalar_2), (vector, first, second))),
+    Identity(Symbols((scalar, scalar_1, scalar_2), (vector, first, second))),
 )
 FIRST_ORDER = Theorem(
     "composition at n = 1",
@@ -144,7 +91,7 @@ FIRST_ORDER = Theorem(
         Equation((1 + b_2) * (1 + b_1), (1 - dot(b_1, b_2)) * (1 + b)),
     ),
     (definition(b, first_order(b_2, b_1)),),
-    Identity(Letters((), (b_1, b_2), (b_1,))),
+    Identity(Symbols((), (b_1, b_2), (b_1,))),
     "n = 1",
 )
 _DOT, _CROSS = dot(sigma_2, sigma_1), cross(sigma_2, sigma_1)
@@ -159,15 +106,15 @@ SECOND_ORDER = Theorem(
         ),
     ),
     (definition(sigma, second_order(sigma_2, sigma_1)),),
-    Identity(Letters((), (sigma_1, sigma_2), (sigma_1,))),
+    Identity(Symbols((), (sigma_1, sigma_2), (sigma_1,))),
     "n = 2",
 )
 COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
-"""Closed forms of the composition, by order."""
+"""Theorems on closed forms of the composition, by order."""
 
 
 def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """What is claimed, for every n, of displacements by the given formulas."""
+    """Return the theorems on displacements by the given formulas."""
     tensor = formulas.defined(R, "tensor")
     along_axis = definition(v, PART[0] / PART[1] * u)
     on_axis = ((theta, alpha / (2 * n)),)
@@ -182,7 +129,7 @@ def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
             ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(), pythagoras(alpha / 2),
             definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
         ),
-        Identity(Letters((*HALF, *PART), (u,), (PART[0],))),
+        Identity(Symbols((*HALF, *PART), (u,), (PART[0],))),
     )  # fmt: skip
     return (
         DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, screw, _pose(formulas), _line(tensor), TURNED,
@@ -191,7 +138,7 @@ def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def _pose(formulas: Formulas) -> Theorem:
-    """The dual part of R is the derivative along the dual part of v, a translation by dcay v°."""
+    """Return the theorem on poses: the dual part of R is a translation by dcay v°."""
     follow = 2 * epsilon * dot(v, v_dual)
     return Theorem(
         "pose",
@@ -209,12 +156,12 @@ def _pose(formulas: Formulas) -> Theorem:
             *SLOPES.given(),
             ORIGIN.premise(0),
         ),
-        Identity(Letters((p, q, x, n), (v, v_dual), (x,))),
+        Identity(Symbols((p, q, x, n), (v, v_dual), (x,))),
     )
 
 
 def _line(tensor: Premise) -> Theorem:
-    """A line through a point moves to the line through the moved point."""
+    """Return the theorem on lines: a line through a point moves to the line through the moved point."""
     return Theorem(
         "line",
         (
@@ -224,12 +171,12 @@ def _line(tensor: Premise) -> Theorem:
             ),
         ),
         (tensor, SQUARE, ORIGIN_P),
-        Identity(Letters((p, q, x, n), (v, point, along, rho), (x,))),
+        Identity(Symbols((p, q, x, n), (v, point, along, rho), (x,))),
     )
 
 
 def _shadow(formulas: Formulas, sign: int) -> Theorem:
-    """The step by an angle β with nβ = kπ keeps the tensor."""
+    """Return the theorem on shadows: the step by an angle β with nβ = kπ keeps the tensor."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return Theorem(
         f"shadow, {'even' if sign == 1 else 'odd'} branch",
@@ -243,5 +190,5 @@ def _shadow(formulas: Formulas, sign: int) -> Theorem:
             definition(sympy.sin(n * beta), 0),
             ORIGIN_P,
         ),
-        Identity(Letters((p, q, sine, cosine, r), (u,), (r, sine, cosine))),
+        Identity(Symbols((p, q, sine, cosine, r), (u,), (r, sine, cosine))),
     )

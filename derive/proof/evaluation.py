@@ -1,4 +1,4 @@
-"""What an expression of letters and marks is, once letters have values: sums, products, powers and marks of these."""
+"""Values of expressions, given the values of their symbols: sums, products, powers and operators of these."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ import sympy
 from ..algebra import Dual, Structure, Tensor, dual_part, mixed, real_part
 from ..maps.composition import compose_first_order, compose_second_order
 from ..maps.first_principles import tensor_by_sandwich
-from . import marks
+from . import notation
 from .statement import Equation
 
 
 class NoValueError(ArithmeticError):
-    """An expression that nothing gives a value."""
+    """Error: no premise gives an expression a value."""
 
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
-    marks.transpose: lambda a: a.transpose,
-    marks.conjugate: lambda a: mixed.quaternion(a).conjugate(),
-    marks.skew: Tensor.skew,
-    marks.vect: lambda a: a.vect(),
-    marks.cross: lambda a, b: a.cross(b),
-    marks.dyad: Tensor.dyad,
-    marks.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
-    marks.first_order: compose_first_order,
-    marks.second_order: compose_second_order,
-    marks.real: lambda a: a.map(real_part),
-    marks.dual: lambda a: a.map(dual_part),
-    marks.det: lambda a: a.det(),
-    marks.dot: lambda a, b: a.dot(b),
-    marks.norm2: lambda a: mixed.quaternion(a).norm2(),
+    notation.transpose: lambda a: a.transpose,
+    notation.conjugate: lambda a: mixed.quaternion(a).conjugate(),
+    notation.skew: Tensor.skew,
+    notation.vect: lambda a: a.vect(),
+    notation.cross: lambda a, b: a.cross(b),
+    notation.dyad: Tensor.dyad,
+    notation.sandwich: lambda a: tensor_by_sandwich(mixed.quaternion(a)),
+    notation.first_order: compose_first_order,
+    notation.second_order: compose_second_order,
+    notation.real: lambda a: a.map(real_part),
+    notation.dual: lambda a: a.map(dual_part),
+    notation.det: lambda a: a.det(),
+    notation.dot: lambda a, b: a.dot(b),
+    notation.norm2: lambda a: mixed.quaternion(a).norm2(),
 }
-"""What a mark does to values of the algebra."""
+"""Operators on values of the algebra."""
 
 
 class Evaluation(ABC):
@@ -45,38 +45,38 @@ class Evaluation(ABC):
     Parameters
     ----------
     values : mapping of Expr to value
-        Letters (or terms) and their values; the identity and ε are known.
+        Symbols (or terms) and their values; the identity and ε are known.
 
     Attributes
     ----------
     definitions : dict of Expr to Expr
-        Letters and terms that stand for other expressions.
+        Symbols and terms by the expressions that define them.
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
-        self.values: dict[sympy.Expr, Any] = {**values, marks.I: Tensor.identity(), marks.epsilon: Dual(0, 1)}
+        self.values: dict[sympy.Expr, Any] = {**values, notation.I: Tensor.identity(), notation.epsilon: Dual(0, 1)}
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}
 
     @abstractmethod
     def number(self, value: Fraction) -> Any:
-        """A rational number."""
+        """Return a rational number as a value."""
 
-    def differentiated(self, mark: Any, value: Any) -> Any:
-        """The derivative of a value that `rate` or `prime` stands for."""
-        raise NoValueError("nothing says how anything varies")
+    def differentiated(self, operator: Any, value: Any) -> Any:
+        """Return the derivative that an operator `rate` or `prime` denotes."""
+        raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        """A power whose exponent is no integer."""
-        raise NoValueError(f"nothing says what {marks.text(base**exponent)} is")
+        """Return a power with an exponent that is no integer."""
+        raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
-        """The value of an expression: a number, or a vector, quaternion or tensor of numbers."""
+        """Return the value of an expression: a number, vector, quaternion or tensor."""
         if expression not in self.values:
             self.values[expression] = self._evaluated(expression)
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Left and right, by components."""
+        """Return left and right sides by components."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
             left, right = mixed.quaternion(left), mixed.quaternion(right)
@@ -96,11 +96,11 @@ class Evaluation(ABC):
             return product if number is None else number if product is None else product * number
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
-        if e.func in (marks.rate, marks.prime):
+        if e.func in (notation.rate, notation.prime):
             return self.differentiated(e.func, self.value(e.args[0]))
         if e.func in MEANING:
             return MEANING[e.func](*map(self.value, e.args))
-        raise NoValueError(f"nothing says what {marks.text(e)} is")
+        raise NoValueError(f"no premise defines {notation.text(e)}")
 
     @staticmethod
     def _integer_power(value: Any, exponent: int) -> Any:
@@ -111,12 +111,12 @@ class Evaluation(ABC):
 
 
 def flat(value: Any) -> list[Any]:
-    """The numbers a value consists of."""
+    """Return the components of a value."""
     return [value] if not isinstance(value, Structure) else list(cast(Iterable[Any], value))
 
 
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
-    """The function of a number, or of every component."""
+    """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
 
 

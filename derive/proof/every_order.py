@@ -1,4 +1,4 @@
-"""All theorems for every order n ≥ 1, without bound: on polynomials, maps made with them, motion."""
+"""All theorems for every order n ≥ 1."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from .transport_theorems import transport_theorems
 
 
 def stated(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Everything that is claimed for every order of the given formulas, each after what it rests on."""
+    """Return all theorems on the given formulas, each after those it rests on."""
     of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
     return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
 
 
 def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
-    """Decide theorems one after the other, each given those before it."""
+    """Decide theorems in turn, each given those before it."""
     known: dict[str, Proof] = {}
     for theorem in claimed:
         known[theorem.name] = theorem.decide(known)
@@ -30,9 +30,7 @@ def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
-    """Prove the theorems that claim one of the equations of CP23 with these numbers, and nothing else but what they
-    rest on.
-    """
+    """Prove the theorems that claim CP23's equations of these numbers, and those they rest on."""
     claimed = stated(Formulas())
     wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
     needed = set(wanted)
@@ -44,11 +42,5 @@ def citing(numbers: Container[int]) -> tuple[Proof, ...]:
 
 @cache
 def theorems() -> tuple[Proof, ...]:
-    """Prove everything that is proved for every order.
-
-    Returns
-    -------
-    tuple of Proof
-        Of scope "all n", decided once per process.
-    """
+    """Return the proofs of scope "all n", decided once per process."""
     return decided(stated(Formulas()))

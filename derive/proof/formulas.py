@@ -1,4 +1,4 @@
-"""The formulas that the theorems for all n speak of: coefficients of I, skew(v), v⊗v as functions of n, x, p_n, q_n."""
+"""Formulas in the theorems for all n: coefficients of I, skew(v), v⊗v as functions of n, x, p_n, q_n."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..algebra import Coefficient
-from . import marks
+from . import notation
 from .statement import Premise, definition
 
 Triple = tuple[Coefficient, Coefficient, Coefficient]
@@ -15,27 +15,27 @@ CoefficientsOfOrder = Callable[[Any, Any, Any, Any], Triple]
 
 
 def tensor(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
-    """Coefficients of I, skew(v), v⊗v in R, CP23 (57) with skew(v)² = v⊗v − x I."""
+    """Return the coefficients of I, skew(v), v⊗v in R, CP23 (57) with skew(v)² = v⊗v − x I."""
     power = p * p + x * q * q
     return 1 - 2 * x * q * q / power, 2 * p * q / power, 2 * q * q / power
 
 
 def tangent(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
-    """Coefficients of I, skew(v), v⊗v in dcay, CP23 (88)."""
+    """Return the coefficients of I, skew(v), v⊗v in dcay, CP23 (88)."""
     power = p * p + x * q * q
     bracket = (n * power / (1 + x) - p * q) / x
     return 2 * p * q / power, 2 * q * q / power, 2 * bracket / power
 
 
 def tangent_inv(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
-    """Coefficients of I, skew(v), v⊗v in the inverse of dcay, CP23 (89)."""
+    """Return the coefficients of I, skew(v), v⊗v in the inverse of dcay, CP23 (89)."""
     bracket = ((1 + x) * q - n * p) / x
     return p / (2 * q), (x - x - 1) / 2, bracket / (2 * n * q)
 
 
 @dataclass(frozen=True)
 class Formulas:
-    """The formulas the theorems speak of, each a function of (n, x, p_n, q_n)."""
+    """Formulas in the theorems, each a function of (n, x, p_n, q_n); a test replaces one."""
 
     tensor: CoefficientsOfOrder = tensor
     tangent: CoefficientsOfOrder = tangent
@@ -43,13 +43,13 @@ class Formulas:
 
     def defined(
         self,
-        letter: Any,
+        symbol: Any,
         name: str,
-        at: Any = (marks.n, marks.x, marks.p, marks.q),
-        v: Any = marks.v,
+        at: Any = (notation.n, notation.x, notation.p, notation.q),
+        v: Any = notation.v,
         numbers: tuple[int, ...] = (),
     ) -> Premise:
-        """The definition of a letter as one of them, ``a I + b skew(v) + c v⊗v``."""
+        """Return the definition of a symbol by one of the formulas, ``a I + b skew(v) + c v⊗v``."""
         a, b, c = getattr(self, name)(*at)
-        rest = b * marks.skew(v) + c * marks.dyad(v, v)
-        return definition(letter, a * marks.I + rest, numbers, wrong=2 * a * marks.I + rest)
+        rest = b * notation.skew(v) + c * notation.dyad(v, v)
+        return definition(symbol, a * notation.I + rest, numbers, wrong=2 * a * notation.I + rest)

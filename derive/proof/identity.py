@@ -1,4 +1,4 @@
-"""The outcome of deciding a statement: every residue must be the zero of an exact ring, every multiplier must not."""
+"""Decision of a statement: every residue must be 0 in an exact ring, and no multiplier may be."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ from typing import Any, Literal
 
 import sympy
 
-from .marks import text
+from .notation import text
 from .statement import Equation, Premise
 
 ALL_ORDERS = "all n"
 NO_VALUE = "no value"
 Check = tuple[str, Any]
-"""What is checked, and left side minus right side."""
+"""Label of a check, and left side minus right side."""
 
 
 @dataclass(frozen=True)
 class Multiplier:
-    """What both sides were multiplied by before they were compared.
+    """Factor by which both sides were multiplied before the comparison.
 
     Attributes
     ----------
     expression : Expr
-        A polynomial.
+        Polynomial.
     power : int
-        Its exponent.
+        Exponent.
     nonzero : bool
-        Whether it is certified to be no zero divisor of the ring, at no order. Otherwise the comparison proves nothing.
+        Whether it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
     """
 
     expression: sympy.Expr
@@ -39,12 +39,12 @@ class Multiplier:
 
     @property
     def text(self) -> str:
-        """It as plain text."""
+        """The polynomial as plain text."""
         return text(self.expression)
 
     @property
     def vanishes(self) -> str:
-        """Where it is zero: there the equation follows by continuity, where both sides have a value."""
+        """Zero set of the factor; there the equation holds by continuity, if both sides have a value."""
         return f"{self.text} = 0"
 
     def __str__(self) -> str:
@@ -58,9 +58,9 @@ class Residue:
     Attributes
     ----------
     label : str
-        What the difference belongs to: "start", "step", "component (1, 2)" ...
+        Part of the statement: "start", "step", "component (1, 2)" ...
     value : polynomial, field or ring element
-        Left side minus right side. It is zero exactly when the checked equation holds.
+        Left side minus right side, zero exactly when the equation holds.
     """
 
     label: str
@@ -74,29 +74,29 @@ class Residue:
 
 @dataclass(frozen=True)
 class Proof:
-    """The outcome of deciding one statement.
+    """Outcome of deciding one statement.
 
     Attributes
     ----------
     name : str
-        What it is called where another rests on it.
+        Name by which other theorems cite it.
     claim : tuple of Equation
-        What is stated; `statement` and `latex` print it.
+        Equations that were decided; `statement` and `latex` print them.
     premises : tuple of Premise
-        Everything that was taken as given: definitions, and equations of other theorems.
+        Definitions, and equations of other theorems.
     conditions : tuple of Equation
-        What letters stand for in these theorems, where nothing is said of it here.
+        Definitions of those theorems that also apply here, because no premise contradicts or repeats them.
     scope : str
-        "all n", or the one order it was decided for, as in "n = 7".
+        "all n", or one order, as in "n = 7".
     status : {"proved", "failed"}
     method : str
-        How it was decided.
+        Method of the decision.
     seconds : float
-        Time the decision took.
+        Time of the decision.
     multipliers : tuple of Multiplier
-        What was divided by on the way.
+        Factors of all denominators.
     residues : tuple of Residue
-        Everything that was checked.
+        All checked differences.
     """
 
     name: str
@@ -122,7 +122,7 @@ class Proof:
 
     @property
     def equations(self) -> tuple[int, ...]:
-        """Numbers of the equations of CP23 among the claim."""
+        """Numbers of CP23's equations in the claim."""
         return tuple(sorted({number for equation in self.claim for number in equation.numbers}))
 
     @property
@@ -132,11 +132,11 @@ class Proof:
 
     @property
     def failures(self) -> tuple[Residue, ...]:
-        """The residues that do not vanish."""
+        """Residues that do not vanish."""
         return tuple(residue for residue in self.residues if not residue.vanishes)
 
     def cells(self) -> dict[str, str]:
-        """Its row in a table."""
+        """Return the row in a table of proofs."""
         return {
             "theorem": self.name,
             "scope": self.scope,
@@ -157,7 +157,7 @@ class Proof:
 
 @dataclass(frozen=True)
 class Claim:
-    """A statement before its decision: a :class:`Proof` without the outcome."""
+    """Statement before its decision: a :class:`Proof` without the outcome."""
 
     name: str
     equations: tuple[Equation, ...]
@@ -169,14 +169,14 @@ class Claim:
 def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], scope: str = ALL_ORDERS) -> Proof:
     """Decide a statement.
 
-    It is proved when there are residues, all of them are exactly zero, and all multipliers are certified. An
-    operation that has no result (a division by zero, a letter without a value) is a residue that is not zero.
+    It is proved if there are residues, all are exactly zero, and all multipliers are certified. An operation without a
+    result (a division by zero, a symbol without a value) counts as a residue that is not zero.
 
     Parameters
     ----------
     claim : Claim
     checks : callable
-        Yields (label, left side minus right side), elements of an exact ring or field, and what was multiplied by.
+        Yields multipliers and pairs (label, left side minus right side), elements of an exact ring.
     scope : str
         "all n" or "n = 7".
     """

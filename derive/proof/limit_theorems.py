@@ -1,4 +1,4 @@
-r"""Theorems on what Cayley maps tend to as their order grows, at a fixed 2n times their vector, and how fast.
+r"""Theorems on the limit of Cayley maps for growing order, at a fixed multiple 2n of their vector, and its rate.
 
 At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ(α) u`` with
 
@@ -6,11 +6,12 @@ At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ
     \varphi(\alpha) = \frac{\tan(\sqrt\varepsilon\,\alpha)}{\sqrt\varepsilon} \qquad
     \varphi' = 1 + \varepsilon\,\varphi^2
 
-so that α is the solution of ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, which begins at 0. Its right side is analytic in ε
-and r where ``|ε| r² < 1``, that is up to half the edge of the chart, α < nπ/2; so are then its solution and all maps,
-as functions of it. What stands here is their value at ε = 0 and their derivative by ε there, both found together as
-numbers over the dual unit, ``ε² = 0``. So the quaternion, the tensor and T are those of the exponential but for
-``1/(4 n²)`` times what is stated beside ε, and for terms of order ``1/n⁴``.
+so that α solves ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, with α = 0 at r = 0. The right side is analytic in ε and r where
+``|ε| r² < 1``, that is for α < nπ/2, half the edge of the chart. The solution and all maps are analytic there too.
+
+The theorems state their values at ε = 0 and their derivatives by ε there, as dual numbers with ``ε² = 0``. So
+quaternion, tensor and T differ from those of the exponential by ``1/(4 n²)`` times the term beside ε, plus terms of
+order ``1/n⁴``.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ from __future__ import annotations
 import sympy
 
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
-from .marks import I, R, Shifted, alpha, dyad, epsilon, exponential, q_hat, r, rate, skew, structure, u, v
 from .methods import Determined, Identity
-from .setting import Letters
+from .notation import *
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -29,18 +30,18 @@ SCOPE = "1/(2n)^2 = epsilon, to first order"
 HALF = sympy.cos(alpha / 2), sympy.sin(alpha / 2)
 OF_LENGTH = sympy.cos(r / 2), sympy.sin(r / 2)
 SPEED = 1 / (1 + epsilon * r**2)
-"""dα/dr, and what T does along the axis."""
+"""dα/dr, and the factor of T along the axis."""
 
-LETTERS = (OF_LENGTH[1], OF_LENGTH[0], r)
+SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 
 
 def _of_length(premise: Premise) -> Premise:
-    """A definition of functions of α as one of the same functions of r."""
+    """Return a premise on functions of α as one on the same functions of r."""
     return Premise(premise.equation.replaced({alpha: r}))
 
 
 def _solution(term: sympy.Expr, start: int, law: sympy.Expr) -> tuple[Premise, ...]:
-    """A function of r by its initial value and its differential equation."""
+    """Return the initial value and the differential equation of a function of r."""
     return definition(Shifted(term, r, 0), start), definition(rate(term), law)
 
 
@@ -58,7 +59,7 @@ ANGLE = Theorem(
         *map(_of_length, circular(alpha / 2)),
         definition(rate(r), 1),
     ),
-    Determined(Letters(LETTERS), Equation(r, sympy.Integer(0))),
+    Determined(Symbols(SYMBOLS), Equation(r, sympy.Integer(0))),
     SCOPE,
 )
 
@@ -93,7 +94,7 @@ MAPS = Theorem(
         pythagoras(r / 2),
         UNIT,
     ),
-    Identity(Letters(LETTERS, (u,), (r,))),
+    Identity(Symbols(SYMBOLS, (u,), (r,))),
     SCOPE,
 )
 

@@ -1,6 +1,6 @@
-"""Theorems on rotation and motion for every n: tensor, quaternion, tangent operators.
+"""Theorems for every n on rotation and motion: tensor, quaternion, tangent operators.
 
-Vectors are generic: v, its rate, and whatever is rotated have components of their own.
+Vectors are generic: v, its rate and rotated points have independent components.
 """
 
 from __future__ import annotations
@@ -8,34 +8,10 @@ from __future__ import annotations
 import sympy
 
 from .formulas import Formulas
-from .marks import (
-    I,
-    R,
-    conjugate,
-    dcay,
-    dcay_inv,
-    det,
-    dot,
-    dyad,
-    n,
-    omega,
-    omega_body,
-    p,
-    point,
-    prime,
-    q,
-    q_hat,
-    rate,
-    skew,
-    transpose,
-    v,
-    v_dot,
-    vect,
-    x,
-)  # fmt: skip
 from .methods import Identity
+from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
-from .setting import Letters
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
@@ -46,17 +22,17 @@ QUATERNION = definition(q_hat, (p + q * v) / ROOT, (50, 55), wrong=(p + 2 * q * 
 ROOT_SLOPE = definition(prime(ROOT), n * ROOT / (2 * (1 + x)))
 MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)), SQUARE, *SLOPES.given(), ORIGIN_P)
 SCALARS = (p, q, x, n)
-AT_V, MOVING = Letters(SCALARS, (v,), (x,)), Letters(SCALARS, (v, v_dot), (x,))
+AT_V, MOVING = Symbols(SCALARS, (v,), (x,)), Symbols(SCALARS, (v, v_dot), (x,))
 
 
 POWER = (1 + x) ** n
 F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
-"""The coefficients as CP23 prints them."""
+"""Coefficients as CP23 prints them."""
 BODY = definition(omega_body, transpose(R) * omega)
 
 
 def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """What is claimed, for every n, of the given formulas."""
+    """Return the theorems on the given formulas."""
     tensor, tangent = formulas.defined(R, "tensor"), formulas.defined(dcay, "tangent")
     inverse = formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
     return (*_of_tensor(tensor), *_of_tangent(tangent, inverse), *_of_motion(tensor, tangent, inverse))
@@ -84,7 +60,7 @@ def _of_tensor(tensor: Premise) -> tuple[Theorem, ...]:
                 Equation(q_hat * point * conjugate(q_hat), R * point),
             ),
             (QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P),
-            Identity(Letters(SCALARS, (v, point), (x,))),
+            Identity(Symbols(SCALARS, (v, point), (x,))),
         ),
     )
 

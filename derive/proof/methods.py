@@ -1,91 +1,89 @@
-"""The two ways to decide a claim in a ring, and what of a theorem's premises has to fit together for it.
+"""Two methods to decide a claim in a ring, and the consistency of premises that they need.
 
-An *identity* is evaluated. What is *determined* by a start and a law (a sequence by its first term and its recurrence,
-a function by its initial value and its differential equation) equals what has the same start and obeys the same law;
-which of the two it is, the premises say.
+An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with that start and that
+law. For a sequence these are first term and recurrence, for a function initial value and differential equation.
 """
 
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from itertools import combinations
 from typing import Any, TypeVar
 
 import sympy
 
-from . import marks
+from . import notation
 from .identity import Check, Multiplier
-from .setting import Letters, Setting
+from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Task
 
 
 @dataclass(frozen=True)
 class Identity:
-    """Both sides are evaluated in the ring of the given letters."""
+    """Evaluation of both sides in the ring of the given symbols."""
 
-    letters: Letters
+    symbols: Symbols
     sides = ("left", "right")
 
     @property
     def title(self) -> str:
-        return f"identity, residues in Q[{_names(self.letters)}] localized, modulo the relations given"
+        return f"identity, residues in Q[{_names(self.symbols)}] localized, modulo the relations given"
 
     def weaker(self) -> Iterator[tuple[str, Identity]]:
         return _less_free(self)
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.letters, task.premises, (*task.claim, *task.supposed), task.zeroed)
-        yield from _compatible(setting, task.premises)
+        setting = Setting(self.symbols, task.premises, (*task.claim, *task.required), task.zeroed)
+        yield from _check_consistency(setting, task.premises)
         for equation in task.claim:
             yield from differences(setting, equation.text, equation)
-        for equation in task.supposed:
-            yield from differences(setting, f"supposed, {equation.text}", equation)
+        for equation in task.required:
+            yield from differences(setting, f"required, {equation.text}", equation)
 
 
 @dataclass(frozen=True)
 class Determined:
-    """Both sides of each equation have the same start and obey the same law.
+    """Comparison of starts and laws of both sides of each equation.
 
     Attributes
     ----------
-    letters : Letters
+    symbols : Symbols
     start : Equation
-        The index or variable, and its value at the start.
+        Index or variable, and its value at the start.
     """
 
-    letters: Letters
+    symbols: Symbols
     start: Equation
     sides = ("right",)
 
     @property
     def by_steps(self) -> bool:
-        """Whether the law is a recurrence."""
+        """Whether laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property
     def title(self) -> str:
         way = "induction on" if self.by_steps else "initial value and differential equation in"
-        return f"{way} {self.start.left}, residues in Q[{_names(self.letters)}] localized"
+        return f"{way} {self.start.left}, residues in Q[{_names(self.symbols)}] localized"
 
     def weaker(self) -> Iterator[tuple[str, Determined]]:
         return _less_free(self)
 
-    def _moving(
+    def _check_laws(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Iterator[Check]:
-        """There is a law for every letter that goes with the index or variable, which goes by itself."""
+        """Check that every symbol that depends on the index or variable has a law."""
         index = self.start.left
-        for letter in self.letters.scalars:
-            goes = letter != index and index in marks.TERMS.get(letter, ("", letter))[1].free_symbols
-            known = (letter in starts and letter in steps) if self.by_steps else ring.has_rate(letter)
-            yield f"law of {marks.text(letter)}", 1 if goes and not known else 0
+        for symbol in self.symbols.scalars:
+            goes = symbol != index and index in notation.TERMS.get(symbol, ("", symbol))[1].free_symbols
+            known = (symbol in starts and symbol in steps) if self.by_steps else ring.has_rate(symbol)
+            yield f"law of {notation.text(symbol)}", 1 if goes and not known else 0
         if self.by_steps:
-            yield "what is said at one index only", sum(index in premise.equation.letters for premise in others)
-        elif index in self.letters.scalars:
-            yield f"rate of {index} less 1", ring.value(marks.rate(index)) - 1
+            yield "premises at one index only", sum(index in premise.equation.symbols for premise in others)
+        elif index in self.symbols.scalars:
+            yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         claim, premises = task.claim, task.premises
@@ -95,82 +93,80 @@ class Determined:
         others = [p for p in premises if not _is_law(p.equation, index, (first, index + 1))]
         unknown = {equation.left: equation.right for equation in claim}
         terms = [Equation(right, right) for right in unknown.values()]
-        ring = Setting(self.letters, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
-        yield from _compatible(ring, premises)
-        for equation in task.supposed:
-            yield from differences(ring, f"supposed, {equation.text}", equation)
-        yield from self._moving(ring, starts, steps, others)
+        ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
+        yield from _check_consistency(ring, premises)
+        for equation in task.required:
+            yield from differences(ring, f"required, {equation.text}", equation)
+        yield from self._check_laws(ring, starts, steps, others)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
         for left, right in unknown.items():
             begun = Equation(right.xreplace(at_start), starts[left])
-            yield from differences(ring, f"start, {marks.text(left)}", begun)
+            yield from differences(ring, f"start, {notation.text(left)}", begun)
             if self.by_steps:
                 onward = {index: index + 1} | {t: value for t, value in steps.items() if t not in unknown}
                 reached, law = right.xreplace(onward), steps[left]
             else:
-                reached, law = marks.rate(right), next(p.equation.right for p in premises if _rated(p) == left)
-            yield from differences(ring, f"law, {marks.text(left)}", Equation(reached, law.xreplace(unknown)))
+                reached, law = notation.rate(right), next(p.equation.right for p in premises if _rated(p) == left)
+            yield from differences(ring, f"law, {notation.text(left)}", Equation(reached, law.xreplace(unknown)))
 
 
 def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
-    """The residues of an equation, component by component, and what it was multiplied by."""
+    """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
-        yield f"{label}, component {place}" if len(found) > 1 else label, difference.residue
-        yield from setting.ring.multiplier(difference.powers)
+        yield f"{label}, component {place}" if len(found) > 1 else label, setting.ring.residue(difference)
+        yield from setting.ring.multipliers(difference.denominator)
 
 
-def _compatible(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
-    """Nothing is said twice. The relations leave no zero divisors and do not contradict each other, nothing uncertified
-    was multiplied by to have them, and the derivation keeps them."""
-    ring, said = setting.ring, [premise.equation.left for premise in premises]
-    yield "what is said more than once", len(said) - len(set(said))
-    leading = [relation.leading_expv() for relation in ring.relations]
+def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
+    """Check that premises are consistent.
+
+    No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
+    certified, and the derivation respects them.
+    """
+    ring, lefts = setting.ring, [premise.equation.left for premise in premises]
+    yield "left sides that occur twice", len(lefts) - len(set(lefts))
+    leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
-    yield "relations that reduce the same letter", shared  # without, they are a Groebner basis, and 1 is not in it
-    for relation, powers in zip(ring.relations, ring.cleared, strict=True):
-        yield f"the relation {relation} is irreducible", _factors(relation) - 1
-        yield from ring.multiplier(powers)
+    yield "relations that reduce the same symbol", shared  # if 0, they are a Groebner basis without 1
+    for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
+        factors = sum(power for _, power in ring.library.factors(relation))
+        yield f"the relation {ring.text(relation)} is irreducible", factors - 1
+        yield from ring.multipliers(denominator)
     for difference in setting.relation_rates():
-        yield "the rate of a relation", difference.residue
-        yield from setting.ring.multiplier(difference.powers)
-
-
-@cache
-def _factors(relation: Any) -> int:
-    """How many factors a polynomial has."""
-    return sum(power for _, power in relation.factor_list()[1])
+        yield "the rate of a relation", ring.residue(difference)
+        yield from ring.multipliers(difference.denominator)
 
 
 def _rated(premise: Premise) -> sympy.Expr | None:
     left = premise.equation.left
-    return left.args[0] if isinstance(left, marks.rate) else None
+    return left.args[0] if isinstance(left, notation.rate) else None
 
 
 def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr]) -> bool:
     left = equation.left
-    return isinstance(left, marks.Shifted) and left.args[1] == index and left.args[2] in values
+    return isinstance(left, notation.Shifted) and left.args[1] == index and left.args[2] in values
 
 
 def _laws(
     premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
 ) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Terms and what they are at that value of the index."""
+    """Yield terms and their values at a value of the index."""
     for premise in premises:
         if _is_law(premise.equation, index, (value,)):
             yield premise.equation.left.args[0], premise.equation.right
 
 
-def _names(letters: Letters) -> str:
-    names = ", ".join(str(letter) for letter in (*letters.scalars, *letters.vectors))
-    return f"{names}; {', '.join(map(str, letters.free))} free" if letters.free else names
+def _names(symbols: Symbols) -> str:
+    names = ", ".join(str(symbol) for symbol in (*symbols.scalars, *symbols.vectors))
+    return f"{names}; {', '.join(map(str, symbols.free))} free" if symbols.free else names
 
 
-_InLetters = TypeVar("_InLetters", Identity, Determined)
+_InSymbols = TypeVar("_InSymbols", Identity, Determined)
 
 
-def _less_free(method: _InLetters) -> Iterator[tuple[str, _InLetters]]:
-    """A method that knows of one letter less that it varies independently."""
-    for letter in method.letters.free:
-        rest = tuple(other for other in method.letters.free if other != letter)
-        yield f"{letter} that depends on others", replace(method, letters=replace(method.letters, free=rest))
+def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
+    """Yield the method with each free symbol in turn no longer free."""
+    for symbol in method.symbols.free:
+        rest = tuple(other for other in method.symbols.free if other != symbol)
+        yield f"{symbol} not free", replace(method, symbols=replace(method.symbols, free=rest))

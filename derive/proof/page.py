@@ -1,4 +1,4 @@
-"""The page of theorems: what is proved, from what, multiplied by what, and how many controls each statement has."""
+"""The page of theorems: claims, premises, multipliers, methods and numbers of controls."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ from .coverage import COVERAGE, Coverage
 from .identity import ALL_ORDERS, Proof
 
 Counts = Mapping[str, int]
-"""How many controls statements have, by their titles."""
+"""Numbers of controls by title of the statement."""
 
 HEAD = """# Theorems
 
-Written by `make proofs`: change that, not this page.
+Written by `make proofs`; do not edit.
 
-Everything that is decided, from what is given and nothing else; numbers are those of the equations in CP23. A control
-is the statement, a premise or a multiplier with one thing wrong: every one was seen to fail.
+Each theorem lists its claim, its premises, the factors by which differences were multiplied, and its method. Numbers
+are those of equations in CP23. A control is the theorem with one error in its claim, a premise or a multiplier. Every
+control was decided, and failed as it must.
 """
 
 AT_ORDER = """## At one order
 
-What is decided again for each order, shown for {scope}: that the formulas are instances of the theorems, and, on a road
-of its own, by components.
+Two further kinds of statements are decided at each order, here shown for {scope}. The formulas of that order are
+instances of the theorems. Independently, they follow from the definition, component by component.
 """
 
 COVERED = """## Kernel functions
@@ -33,16 +34,16 @@ COVERED = """## Kernel functions
 
 
 def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Counts) -> str:
-    """All of it as Markdown.
+    """Return the page as Markdown.
 
     Parameters
     ----------
     general : iterable of Proof
-        What is proved once.
+        Proofs of theorems for all orders.
     at_order : iterable of Proof
-        What is decided for one order.
+        Proofs at one order.
     controls : mapping of str to int
-        By `title`.
+        Numbers of controls by `title`.
     """
     again = tuple(at_order)
     parts = [HEAD, "## For every order\n", *(_section(proof, controls) for proof in general)]
@@ -51,12 +52,12 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Counts) 
 
 
 def title(proof: Proof) -> str:
-    """Name and scope."""
+    """Return name and scope of a proof."""
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 
 def counts(text: str) -> dict[str, int]:
-    """The numbers of controls that a page gives, by title."""
+    """Read the numbers of controls from a page, by title."""
     return {name: int(count) for name, count in re.findall(r"^### (.+)\n\n(?:.+\n)*?- controls: (\d+)$", text, re.M)}
 
 
@@ -73,6 +74,6 @@ def _lines(proof: Proof) -> Iterator[str]:
         numbers = ", ".join(f"({number})" for number in equation.numbers)
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
     yield from (f"- given `{premise}`" for premise in proof.premises)
-    yield from (f"- where `{condition}`, as theorems given suppose" for condition in proof.conditions)
+    yield from (f"- where `{condition}`, by the theorems cited" for condition in proof.conditions)
     yield from (f"- multiplied by `{factor}`, zero where `{factor.vanishes}`" for factor in proof.multipliers)
     yield f"- by {proof.method}; residues: {len(proof.residues)}"

@@ -1,6 +1,6 @@
-"""Theorems on the polynomials p_n and q_n for every n: powers, addition, derivatives, brackets, binomial sums.
+"""Theorems for every n on p_n and q_n: powers, addition, derivatives, brackets, binomial sums.
 
-The definition is the recurrence, taken from the functions of :mod:`derive.maps.polynomials` by running them on symbols.
+The definition is the recurrence of :mod:`derive.maps.polynomials`, run on symbols.
 """
 
 from __future__ import annotations
@@ -9,42 +9,20 @@ import sympy
 
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
-from .marks import (
-    Shifted,
-    X,
-    c,
-    d,
-    dot,
-    i,
-    j,
-    m,
-    n,
-    p,
-    p_double,
-    p_m,
-    p_sum,
-    prime,
-    q,
-    q_double,
-    q_m,
-    q_sum,
-    theta,
-    v,
-    x,
-)  # fmt: skip
 from .methods import Determined, Identity
-from .setting import Letters
+from .notation import *
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 ONE = Equation(n, sympy.Integer(1))
-"""Where sequences start."""
+"""Start of sequences."""
 
 
 def recurring(
     index: sympy.Expr, *sequences: tuple[sympy.Expr, sympy.Expr | int, sympy.Expr], first: int = 1
 ) -> tuple[Premise, ...]:
-    """Definitions of sequences: each term with its first value and with the next."""
+    """Return definitions of sequences by first term and recurrence."""
     return tuple(
         definition(Shifted(term, index, place), value)
         for term, start, following in sequences
@@ -53,13 +31,13 @@ def recurring(
 
 
 def pairs(index: sympy.Expr, p_n: sympy.Expr, q_n: sympy.Expr, at: sympy.Expr) -> tuple[Premise, ...]:
-    """The recurrence of p and q at some x, CP23 (56)."""
+    """Return the recurrence of p and q at some x, CP23 (56)."""
     following = polynomials.following((p_n, q_n), at)
     return recurring(index, *zip((p_n, q_n), polynomials.FIRST, following, strict=True))
 
 
 def power(base: sympy.Expr) -> tuple[Premise, ...]:
-    """The recurrence of ``base^n``."""
+    """Return the recurrence of ``base^n``."""
     return recurring(n, (base**n, base, base * base**n))
 
 
@@ -71,38 +49,38 @@ POWERS = Theorem(
     "powers of 1 + iX",
     (Equation((1 + i * X) ** n, p + i * X * q),),
     (*RECURRENCE, SQUARE, UNIT, *power(1 + i * X)),
-    Determined(Letters((i, p, q, X)), ONE),
+    Determined(Symbols((i, p, q, X)), ONE),
 )
 VECTOR_POWERS = Theorem(
     "powers of 1 + v",
     (Equation((1 + v) ** n, p + q * v),),
     (*RECURRENCE, definition(x, dot(v, v)), *power(1 + v)),
-    Determined(Letters((p, q), (v,)), ONE),
+    Determined(Symbols((p, q), (v,)), ONE),
 )
 NORM = Theorem(
     "norm",
     (Equation((1 + x) ** n, p**2 + x * q**2),),
     (*RECURRENCE, *power(1 + x)),
-    Determined(Letters((p, q, x)), ONE),
+    Determined(Symbols((p, q, x)), ONE),
 )
 NEXT_SUM = zip((p_sum, q_sum), polynomials.following((p, q), x), polynomials.following((p_sum, q_sum), x), strict=True)
 ADDITION = Theorem(
     "addition",
     tuple(map(Equation, (p_sum, q_sum), polynomials.multiply((p_m, q_m), (p, q), x))),
     (*pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM)),
-    Determined(Letters((p_m, q_m, p, q, x)), Equation(m, sympy.Integer(1))),
+    Determined(Symbols((p_m, q_m, p, q, x)), Equation(m, sympy.Integer(1))),
 )
 TWICE = ((m, n), (p_m, p), (q_m, q), (p_sum, p_double), (q_sum, q_double))
 DOUBLING = Theorem(
     "doubling",
     tuple(map(Equation, (p_double, q_double), polynomials.double((p, q), x))),
     tuple(ADDITION.premise(place, *TWICE) for place in (0, 1)),
-    Identity(Letters((p, q, x))),
+    Identity(Symbols((p, q, x))),
 )
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
-    """The derivative by x of an expression in x, p_n(x) and q_n(x), by the rules of calculus."""
+    """Return the derivative by x of an expression in x, p_n(x) and q_n(x)."""
     return e.diff(x) + e.diff(p) * prime(p) + e.diff(q) * prime(q)
 
 
@@ -114,7 +92,7 @@ SLOPES = Theorem(
         Equation(prime(q), (n * (p + x * q) / (1 + x) - q) / (2 * x)),
     ),
     (*RECURRENCE, *recurring(n, *_SLOPES)),
-    Determined(Letters((p, q, x, n), free=(x,)), ONE),
+    Determined(Symbols((p, q, x, n), free=(x,)), ONE),
 )
 AT_ZERO = tuple(Shifted(term, x, 0) for term in (p, q, prime(p), prime(q)))
 _NEXT_AT_ZERO = (e.xreplace({x: sympy.Integer(0)} | dict(zip((p, q, prime(p), prime(q)), AT_ZERO, strict=True)))
@@ -128,13 +106,13 @@ ORIGIN = Theorem(
         Equation(AT_ZERO[3], -n * (n - 1) * (n - 2) / 6),
     ),
     recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
-    Determined(Letters((n,)), ONE),
+    Determined(Symbols((n,)), ONE),
 )
 BRACKETS_AT_ZERO = Theorem(
     "brackets at x = 0",
     tuple(map(Equation, polynomials.brackets_of(*AT_ZERO), (2 * n * (n**2 - 1) / 3, n * (n**2 + 2) / 3))),
     ORIGIN.given(),
-    Identity(Letters((n,))),
+    Identity(Symbols((n,))),
 )
 BRACKETS = Theorem(
     "brackets",
@@ -144,7 +122,7 @@ BRACKETS = Theorem(
         *SLOPES.given(),
         *NORM.given(),
     ),
-    Identity(Letters((p, q, x, n), free=(x,))),
+    Identity(Symbols((p, q, x, n), free=(x,))),
 )
 
 
@@ -193,7 +171,7 @@ TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 
 
 def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
-    """Cosine and sine of multiples of an angle."""
+    """Return the recurrences of cosine and sine of nθ."""
     cosine, sine, turn, rise = sympy.cos(n * angle), sympy.sin(n * angle), sympy.cos(angle), sympy.sin(angle)
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 
@@ -202,11 +180,11 @@ ANGLES = Theorem(
     "multiples of an angle",
     (Equation(p, COSINE / TURN**n), Equation(q, SINE * TURN / (RISE * TURN**n))),
     (*RECURRENCE, definition(x, (RISE / TURN) ** 2), *turning(theta)),
-    Determined(Letters((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE),
+    Determined(Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE),
 )
 
 POLYNOMIAL_THEOREMS = (
     POWERS, VECTOR_POWERS, NORM, ADDITION, DOUBLING, SLOPES, ORIGIN, BRACKETS_AT_ZERO, BRACKETS, SUMS,
     BINOMIAL_THEOREM, BRACKET_SUMS, ANGLES,
 )  # fmt: skip
-"""In the order in which they rest on each other."""
+"""Theorems in an order in which each stands after those it rests on."""

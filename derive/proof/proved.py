@@ -1,4 +1,4 @@
-"""From a formula to a proved formula: the only way to one leads through here."""
+"""Proof of a chart: `prove` is the only maker of a `Proved`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .computations import computations
 from .displacement_theorems import COMPOSITION_AT
 from .every_order import theorems
 from .identity import Proof
-from .instances_of_phi import instance
+from .phi_instances import instance
 from .scalars import ScalarProofs, is_algebraic
 
 Progress = Callable[[str], None]
@@ -20,12 +20,12 @@ _MADE_HERE = object()
 
 
 class ProofFailed(Exception):
-    """A statement about a formula is not true.
+    """Error: a statement about a formula is not proved.
 
     Attributes
     ----------
     failed : tuple of Proof
-        The statements that failed; ``failures`` of each has the residues.
+        Statements that failed; ``failures`` of each has the residues.
     """
 
     def __init__(self, failed: tuple[Proof, ...]) -> None:
@@ -36,15 +36,15 @@ class ProofFailed(Exception):
 
 @dataclass(frozen=True)
 class Proved:
-    """Formulas and the proofs that they hold. Made by :func:`prove` only.
+    """A chart with the proofs of its formulas, made by :func:`prove` only.
 
     Attributes
     ----------
     formulas : Chart
-        What was proved.
+        The chart.
     proofs : tuple of Proof
-        Of a Cayley map theorems for all n, their instances at this order, the componentwise road at this order; of any
-        algebraic chart that what is lowered are its formulas and those of its φ; of any other that its formulas, in α,
+        For a Cayley map, theorems for all n, their instances at its order, and the componentwise road. For every
+        algebraic chart, that its scalars agree with its formulas and its φ. For any other chart, that its formulas in α
         are instances of the theorems on every φ.
     """
 
@@ -61,7 +61,7 @@ class Proved:
 
 
 def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
-    """Decide every statement about a chart, failed ones included.
+    """Decide every statement about a chart, and return failed ones too.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def proofs(chart: Chart, progress: Progress | None = None, backend: str | None =
 
 
 def prove(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> Proved:
-    """Prove a chart, on both roads where it is a Cayley map.
+    """Prove a chart, on both roads if it is a Cayley map.
 
     Parameters are those of :func:`proofs`.
 
@@ -95,7 +95,7 @@ def prove(chart: Chart, progress: Progress | None = None, backend: str | None = 
 def _decided(chart: Chart, progress: Progress, backend: str | None) -> Iterator[Proof]:
     if chart.cayley:
         yield from _cayley(chart.cayley, progress, backend)
-    progress(f"{chart.name}: what is lowered")
+    progress(f"{chart.name}: scalars and formulas")
     yield from ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)
 
 

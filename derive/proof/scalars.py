@@ -1,12 +1,12 @@
-r"""The scalars a chart is lowered with are its formulas, and those of φ: decided exactly, for any algebraic chart.
+r"""Proof that the scalars of an algebraic chart agree with its formulas and with its φ.
 
-What a chart computes at x runs on the element x of the exact ring, Q(x) with the root sqrt(1 + x/k) where formulas
+The functions of the chart run on the element x of the exact ring: Q(x), with the root sqrt(1 + x/k) where formulas
 have it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
-so that f, g and h of T = f I + g skew(v) + h v⊗v are these. Along v it is ``(f + x h) v̇``, and α̇ = φ̇/φ′ there:
-``(f + x h) φ′ = 1`` at ``x = φ²``, q̂ = 1 at v = 0 and φ = 0 at α = 0 say that ``q̂ = cos(α/2) + u sin(α/2)`` for
+which gives f, g and h of T = f I + g skew(v) + h v⊗v. Along v the twist is ``(f + x h) v̇``, and α̇ = φ̇/φ′ there. So
+``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ = 0 at α = 0, means ``q̂ = cos(α/2) + u sin(α/2)`` for
 ``v = φ(α) u``.
 """
 
@@ -21,23 +21,22 @@ from typing import Any
 import sympy
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
+from ..algebra.element import Element
+from ..algebra.polynomial_backend import Polynomial
+from ..maps.any_phi.elementary import evaluate
 from ..maps.chart import Chart
-from ..maps.elementary import evaluate
 from ..maps.families import alpha
 from ..maps.polynomials import x
-from .element import Element
 from .evaluation import Evaluation
-from .exact import Ring
 from .identity import Check, Claim, Proof, decide
-from .marks import Shifted, prime
-from .polynomial_backend import Polynomial
-from .ratio import Ratio, RationalFunctions
+from .notation import Shifted, prime
 from .statement import Equation
+from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
-TRIGONOMETRY = SimpleNamespace(sin=Ratio.sin, cos=Ratio.cos, sqrt=Ratio.sqrt)
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
 BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
@@ -52,7 +51,7 @@ FORMULAS = {
     "tangent": (f, g, h),
     "tangent_inv": (fi / 2, -sympy.Rational(1, 2), hi / 2),
 }
-"""The coefficients of each map in the scalars."""
+"""Coefficients of each map in terms of the scalars."""
 
 RELATIONS = (
     Equation(s**2 + x * w**2, sympy.Integer(1)),
@@ -63,7 +62,7 @@ RELATIONS = (
     Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
     Equation(a * w, b * s),
 )
-"""q̂ has norm 1 and R is its tensor, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v is a multiple of q̂."""
+"""Norm 1 of q̂, R as its tensor, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v as a multiple of q̂."""
 
 DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
@@ -80,24 +79,24 @@ ANGLE = (
 
 
 class _AtAngle(Evaluation):
-    """Values at an angle, rational functions of a tangent."""
+    """Values at a symbolic angle: rational functions of a tangent."""
 
     def number(self, value: Fraction) -> Fraction:
         return value
 
 
 def is_algebraic(chart: Chart) -> bool:
-    """Whether the formulas of a chart are functions of x: then the exact ring decides what is computed."""
+    """Return whether the formulas of a chart are functions of x, which the exact ring can hold."""
     return all(c.free_symbols <= {x} for name in FORMULAS for c in getattr(chart, name).coefficients)
 
 
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
-    """The integer k of the root sqrt(1 + x/k) that expressions in x hold; 0 where they hold none.
+    """Return the integer k of the root sqrt(1 + x/k) in expressions in x; 0 if there is none.
 
     Raises
     ------
     ValueError
-        If they hold another root, or several.
+        If there is another root, or several.
     """
     powers = {power for expression in expressions for power in expression.atoms(sympy.Pow)}
     roots = {power for power in powers if not power.exp.is_Integer}
@@ -111,7 +110,7 @@ def root_of(expressions: Iterable[sympy.Expr]) -> int:
 
 
 def _divisor(root: sympy.Pow) -> sympy.Integer | None:
-    """The k for which it is a power of sqrt(a² + a² x/k), a rational; None where there is none."""
+    """Return k if a root is a power of sqrt(a² + a² x/k) with rational a; else None."""
     start, step = root.base.coeff(x, 0), root.base.coeff(x, 1)
     right = (2 * root.exp).is_Integer and step != 0 and root.base == start + step * x
     if not (right and sympy.sqrt(start).is_Rational and (start / step).is_Integer):
@@ -120,7 +119,7 @@ def _divisor(root: sympy.Pow) -> sympy.Integer | None:
 
 
 class ScalarProofs:
-    """What is decided about the scalars of a chart.
+    """Proofs about the scalars of a chart.
 
     Parameters
     ----------
@@ -137,17 +136,17 @@ class ScalarProofs:
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """What the letters stand for: scalars as the chart computes them, and their derivatives."""
+        """Values of the symbols: scalars as the chart computes them, and their derivatives."""
         at_x = self.ring.square("v")
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
-        values |= {prime(sympy.Symbol(name)): found[name].derivative("x") for name in (*VALUES, *SLOPES)}
+        values |= {prime(sympy.Symbol(name)): self.ring.derivative(found[name], "x") for name in (*VALUES, *SLOPES)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
-        """Decide the statements one after another."""
+        """Decide the statements in turn."""
         formulas = tuple(
             Equation(value, sympy.Symbol(f"{name}[{i}]"))
             for name, values in FORMULAS.items()
@@ -171,37 +170,37 @@ class ScalarProofs:
     def _residues(
         self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
     ) -> Iterator[Check]:
-        """Left side minus right side, by the values of the letters."""
+        """Yield left side minus right side."""
         values = {**self.values, **(further or {})}
         for equation in claim:
             yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
 
     def _angle(self) -> Iterator[Check]:
-        """Both sides at ``x = φ²``; of starts, at x = 0 and α = 0."""
-        angle = RationalFunctions((), {alpha.name: _steps(self.chart.phi)}).symbol(alpha.name)
-        size, rate = (evaluate(e, alpha, angle, TRIGONOMETRY) for e in (self.chart.phi, self.chart.phi.diff(alpha)))
-        values = {letter: self._at(self.values[letter], size * size) for letter in (f, h, x)}
+        """Yield the differences at ``x = φ²``, and of initial values at x = 0 and α = 0."""
+        field = AngleField((), {alpha.name: _steps(self.chart.phi)})
+        functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
+        angle, phi = field.symbol(alpha.name), self.chart.phi
+        size, rate = (evaluate(e, alpha, angle, functions) for e in (phi, phi.diff(alpha)))
+        values = {symbol: self._at(self.values[symbol], size * size) for symbol in (f, h, x)}
         starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
         at = _AtAngle(values | {slope: rate})
         for equation in ANGLE:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
-    def _at(self, element: Element, square: Ratio) -> Ratio:
-        """A function of x at this x, in lowest terms first."""
-        library = self.ring.polynomials
-        above, below = element.terms.get(0, library.zero), element.denominator
-        common = library.gcd(above, below)
+    def _at(self, element: Element, square: Element) -> Element:
+        """Return a function of x at ``x = square``."""
+        element = self.ring.fraction(element.numerator, element.denominator)
         generator = (1 + square / self.ring.root).sqrt() if self.ring.root else square
 
         def value(polynomial: Polynomial) -> Any:
-            return sum(c * generator**power for (power,), c in library.coefficients(polynomial).items())
+            return sum(c * generator ** powers[-1] for powers, c in self.ring.library.terms(polynomial).items())
 
-        quotient: Ratio = value(library.quotient(above, common)) / value(library.quotient(below, common))
+        quotient: Element = value(element.numerator) / value(element.denominator)
         return quotient
 
 
 def _steps(phi: sympy.Expr) -> int:
-    """The least M such that φ is made of sines and cosines of multiples of α/M."""
+    """Return the least M such that φ is made of sines and cosines of multiples of α/M."""
     arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
     return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))

@@ -1,12 +1,12 @@
-"""Values for the letters of a statement: a ring in which what the premises say is true, and nothing else is known.
+"""Values for the symbols of a statement: a ring in which exactly its premises hold.
 
-By the form of its left side a premise is
+A premise is used by the form of its left side:
 
-* a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x): they make the derivation of the ring;
-* the value ``Shifted(p, x, 0) = 1`` at the origin, by which units are certified;
-* the power ``(1 + x)^n = …``: where half of it occurs, a generator whose square it is;
-* a relation ``v . v = x``, ``i^2 = -1``: reduced by;
-* otherwise the definition of a letter or a term: replaced by its right side.
+* a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x) defines the derivation of the ring;
+* a value ``Shifted(p, x, 0) = 1`` at the origin certifies multipliers;
+* a power ``(1 + x)^n = …`` is replaced; where half of it occurs, a new generator stands for that root;
+* a relation ``v . v = x``, ``i^2 = -1`` reduces polynomials;
+* any other equation defines a symbol or a term, which is replaced by its right side.
 """
 
 from __future__ import annotations
@@ -20,24 +20,25 @@ from typing import Any
 import sympy
 
 from ..algebra import Dual, Vector, dual_part, mixed, real_part
-from . import marks
-from .differential_ring import DifferentialRing, Quotient
+from ..algebra.element import Element
+from . import notation
+from .differential_ring import DifferentialRing
 from .evaluation import MEANING, Evaluation, NoValueError, flat, mapped
 from .statement import Equation, Premise
 
 
 @dataclass(frozen=True)
-class Letters:
-    """The letters of a theorem that have no definition.
+class Symbols:
+    """Symbols of a theorem without a definition.
 
     Attributes
     ----------
     scalars : tuple of Symbol
-        A letter that a relation eliminates stands before the others in it.
+        In order: the symbol that a relation eliminates stands before the others in it.
     vectors : tuple of Symbol
-        Each with three components of its own.
+        Vectors, each with three independent components.
     free : tuple of Symbol
-        The scalars and vectors that vary independently and may be 0 (all others depend on them, or are parameters).
+        Scalars and vectors that vary independently and may be 0. All others depend on them or are parameters.
     """
 
     scalars: tuple[sympy.Symbol, ...]
@@ -46,21 +47,21 @@ class Letters:
 
 
 class Setting(Evaluation):
-    """Values of expressions in a ring, as the premises say.
+    """Values of expressions in a ring where the premises hold.
 
     Parameters
     ----------
-    letters : Letters
+    symbols : Symbols
     premises : iterable of Premise
     claim : iterable of Equation, optional
-        What will be evaluated; it says which powers with exponent n occur.
+        Equations to be evaluated, in which further powers with exponent n may occur.
     zeroed : Expr, optional
         See `DifferentialRing`.
     """
 
     def __init__(
         self,
-        letters: Letters,
+        symbols: Symbols,
         premises: Iterable[Premise],
         claim: Iterable[Equation] = (),
         zeroed: sympy.Expr | None = None,
@@ -68,29 +69,29 @@ class Setting(Evaluation):
         given = [premise.equation for premise in premises]
         self._roots = _roots([*given, *claim], [e.left for e in given if _is_power(e.left)])
         roots = tuple(symbol for symbol, _ in self._roots.values())
-        components = {v: [sympy.Symbol(f"{v}_{axis}") for axis in (3, 2, 1)] for v in letters.vectors}
-        self._components = {c for v in letters.vectors for c in components[v]}
-        generators = [c for v in letters.vectors for c in components[v]] + [*roots, *letters.scalars]
-        free = [g for letter in letters.free for g in components.get(letter, [letter])]
+        components = {v: [sympy.Symbol(f"{v}_{axis}") for axis in (3, 2, 1)] for v in symbols.vectors}
+        self._components = {c for v in symbols.vectors for c in components[v]}
+        generators = [c for v in symbols.vectors for c in components[v]] + [*roots, *symbols.scalars]
+        free = [g for symbol in symbols.free for g in components.get(symbol, [symbol])]
         self.ring = DifferentialRing(generators, free, zeroed)
-        values: dict[sympy.Expr, Any] = {g: self.ring.generator(g) for g in (*roots, *letters.scalars)}
+        values: dict[sympy.Expr, Any] = {g: self.ring.generator(g) for g in (*roots, *symbols.scalars)}
         super().__init__(values | {v: Vector(*map(self.ring.generator, reversed(c))) for v, c in components.items()})
         self._powers: dict[sympy.Expr, Equation] = {}
         self._rates: dict[Any, Any] = {}
         self._slopes: dict[Any, Any] = {}
         for equation in given:
-            self._take(equation)
+            self._assume(equation)
         for base, (symbol, _) in self._roots.items():
-            self.ring.grows(symbol, self.value(base))
+            self.ring.set_power(symbol, self.value(base))
 
-    def _take(self, equation: Equation) -> None:
-        """Make a premise true."""
+    def _assume(self, equation: Equation) -> None:
+        """Make a premise hold."""
         left, right = equation.left, equation.right
-        if isinstance(left, marks.Shifted):
+        if isinstance(left, notation.Shifted):
             self._start(left, right)
-        elif isinstance(left, marks.rate):
+        elif isinstance(left, notation.rate):
             self._derive(self._rates, left.args[0], right)
-        elif isinstance(left, marks.prime):
+        elif isinstance(left, notation.prime):
             self._derive(self._slopes, left.args[0], right)
         elif _is_power(left):
             self._powers[left.base] = equation
@@ -104,104 +105,101 @@ class Setting(Evaluation):
     def _start(self, shifted: sympy.Expr, value: sympy.Expr) -> None:
         self.definitions[shifted] = value
         term, variable, place = shifted.args
-        if term in self.ring.letters and place == 0 and not variable.is_integer:
-            self.ring.origin[self.ring.letters[term]] = _polynomial(self.value(value), value)
+        if term in self.ring.symbols and place == 0 and not variable.is_integer:
+            self.ring.origin[term] = self.value(value)
 
-    def _derive(self, derivation: dict[Any, Quotient], term: sympy.Expr, value: sympy.Expr) -> None:
-        letter = self._roots[term.base][0] if term.is_Pow else term
-        pairs = zip(flat(self.value(letter)), flat(self.value(value)), strict=True)
-        derivation.update((_polynomial(generator, term), rate) for generator, rate in pairs)
-        if not derivation.keys() <= set(self.ring.letters.values()):
-            raise NoValueError(f"{marks.text(term)} is no letter, whose rate or slope may be given")
+    def _derive(self, derivation: dict[Any, Element], term: sympy.Expr, value: sympy.Expr) -> None:
+        symbol = self._roots[term.base][0] if term.is_Pow else term
+        pairs = zip(flat(self.value(symbol)), flat(self.value(value)), strict=True)
+        derivation.update((self.ring.place(generator), rate) for generator, rate in pairs)
+        if None in derivation:
+            raise NoValueError(f"{notation.text(term)} is no symbol, whose rate or slope may be given")
 
-    def has_rate(self, letter: sympy.Expr) -> bool:
-        """Whether something says how a letter varies."""
-        return self.ring.letters.get(letter) in self.rates
+    def has_rate(self, symbol: sympy.Expr) -> bool:
+        """Return whether a premise gives the rate of a symbol."""
+        return self.ring.symbols.get(symbol) in self.rates
 
     # --- values ---------------------------------------------------------------------------------------------------
 
-    def number(self, value: Fraction) -> Quotient:
+    def number(self, value: Fraction) -> Element:
         return self.ring.constant(value)
 
-    def differentiated(self, mark: Any, value: Any) -> Any:
-        rates = self.rates if mark is marks.rate else self._slopes | {self.ring.letters[marks.x]: 1}
-        derive = partial(_derivative, rates)
-        return mapped(derive, value)
+    def differentiated(self, operator: Any, value: Any) -> Any:
+        return mapped(partial(_derivative, self.rates if operator is notation.rate else self.slopes), value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        multiple = exponent.coeff(marks.n)
-        rest = sympy.expand(exponent - multiple * marks.n)
+        multiple = exponent.coeff(notation.n)
+        rest = sympy.expand(exponent - multiple * notation.n)
         if base in self._roots:
             symbol, step = self._roots[base]
             growing = self.value(symbol) ** int(multiple / step)
         else:
             if base not in self._powers:
-                raise NoValueError(f"nothing says what the power {marks.text(base)}^n is")
+                raise NoValueError(f"no premise defines the power {notation.text(base)}^n")
             known = self._powers[base]
-            growing = self.value(known.right ** (multiple / known.left.exp.coeff(marks.n)))
+            growing = self.value(known.right ** (multiple / known.left.exp.coeff(notation.n)))
         return growing if rest == 0 else mixed.multiply(growing, self.value(base**rest))
 
     @property
     def rates(self) -> dict[Any, Any]:
-        """The derivation by time: what follows x has the rate of x times its slope."""
-        if self.ring.letters.get(marks.x) not in self._rates:
+        """The derivation by time; a symbol with a slope by x has the rate slope times rate of x."""
+        if self.ring.symbols.get(notation.x) not in self._rates:
             return self._rates
-        speed = self._rates[self.ring.letters[marks.x]]
+        speed = self._rates[self.ring.symbols[notation.x]]
         return {generator: slope * speed for generator, slope in self._slopes.items()} | self._rates
 
-    def relation_rates(self) -> list[Quotient]:
-        """Rates and slopes of what the relations say is 0, and of letters with both, the rate less slope times speed.
+    @property
+    def slopes(self) -> dict[Any, Any]:
+        """The derivation by x."""
+        return self._slopes | {self.ring.symbols[notation.x]: self.ring.constant(1)}
 
-        Vectors have no slope: what is said of their components is not asked for one.
+    def relation_rates(self) -> list[Element]:
+        """Return the differences that must be 0 for the derivations to respect the premises.
+
+        These are rates and slopes of the relations, and rate minus slope times rate of x where a symbol has both.
+        Relations between components have no slope.
         """
-        zeros = [Quotient(self.ring, relation, ()) for relation in self.ring.relations]
+        zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
         if self._slopes:
-            slopes = {**self._slopes, self.ring.letters[marks.x]: self.ring.constant(1)}
-            found += [zero.derivative(slopes) for zero in zeros if not self.ring.letters_of(zero) & self._components]
-        speed = self._rates.get(self.ring.letters.get(marks.x))
+            scalar = (zero for zero in zeros if not self.ring.occurring(zero.numerator) & self._components)
+            found += [zero.derivative(self.slopes) for zero in scalar]
+        speed = self._rates.get(self.ring.symbols.get(notation.x))
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
-        return found + [self._rates[letter] - self._slopes[letter] * speed for letter in both]
+        return found + [self._rates[symbol] - self._slopes[symbol] * speed for symbol in both]
 
-    def differences(self, equation: Equation) -> list[Quotient]:
-        """Left minus right, by components, real parts before dual parts."""
+    def differences(self, equation: Equation) -> list[Element]:
+        """Return left minus right by components, real parts before dual parts."""
         pairs = self.sides(equation)
         found = [real_part(a) - real_part(b) for a, b in pairs]
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
             found += [dual_part(a) - dual_part(b) for a, b in pairs]
-        return [part if isinstance(part, Quotient) else self.ring.constant(part) for part in found]
-
-
-def _polynomial(value: Quotient, expression: sympy.Expr) -> Any:
-    """A value that is a polynomial."""
-    if any(value.powers):
-        raise NoValueError(f"{marks.text(expression)} is no polynomial")
-    return value.numerator
+        return [part if isinstance(part, Element) else self.ring.constant(part) for part in found]
 
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:
     if isinstance(value, Dual):
         return Dual(_derivative(rates, value.re), _derivative(rates, value.du))
-    return value.derivative(rates) if isinstance(value, Quotient) else 0
+    return value.derivative(rates) if isinstance(value, Element) else 0
 
 
 def _is_power(term: sympy.Expr) -> bool:
-    """Whether it is a power whose exponent varies."""
+    """Return whether a term is a power with a symbolic exponent."""
     return bool(term.is_Pow and not term.exp.is_Integer)
 
 
 def _roots(
     equations: Iterable[Equation], known: Iterable[sympy.Expr]
 ) -> dict[sympy.Expr, tuple[sympy.Symbol, sympy.Rational]]:
-    """For each base of a power with exponent a n + b that no premise knows: a letter, and its exponent divided by n."""
+    """Return, for each base of powers with exponent a n + b without a premise, a symbol and its exponent over n."""
     steps: dict[sympy.Expr, sympy.Rational] = {}
     for equation in equations:
         for power in equation.left.atoms(sympy.Pow) | equation.right.atoms(sympy.Pow):
-            if multiple := power.exp.coeff(marks.n):
+            if multiple := power.exp.coeff(notation.n):
                 steps[power.base] = min(steps.get(power.base, sympy.Integer(1)), sympy.Rational(1, multiple.q))
-    given = {power.base: power.exp.coeff(marks.n) for power in known}
+    given = {power.base: power.exp.coeff(notation.n) for power in known}
     return {
-        base: (sympy.Symbol(f"({marks.text(base)})^({marks.text(step * marks.n)})"), step)
+        base: (sympy.Symbol(f"({notation.text(base)})^({notation.text(step * notation.n)})"), step)
         for base, step in steps.items()
         if not (step / given.get(base, 0)).is_integer
     }

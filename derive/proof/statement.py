@@ -1,6 +1,6 @@
-"""Statements as values: equations between SymPy expressions, and what a theorem takes as given.
+"""Equations between SymPy expressions, and premises of theorems.
 
-What is printed is what is decided: text and LaTeX of an equation come from its two sides, and so do its values.
+The printed equation is the decided one: text, LaTeX and values all come from its two sides.
 """
 
 from __future__ import annotations
@@ -11,21 +11,21 @@ from functools import cached_property
 
 import sympy
 
-from .marks import Shifted, latex, text
+from .notation import Shifted, latex, text
 
 
 @dataclass(frozen=True)
 class Equation:
-    """left = right.
+    """The equation ``left = right``.
 
     Attributes
     ----------
     left, right : Expr
-        In the letters and marks of :mod:`~derive.proof.marks`.
+        Expressions in the symbols and operators of :mod:`~derive.proof.notation`.
     numbers : tuple of int
-        Its numbers in CP23, where it is one of that paper's equations as it stands (or as corrected).
+        Its numbers in CP23, if it is one of that paper's equations as printed or as corrected.
     wrong : Expr, optional
-        A right side that matters to whatever rests on the equation, for controls; by default the double.
+        A false right side for controls, by default the double. Theorems that use the equation must fail with it.
     """
 
     left: sympy.Expr
@@ -34,35 +34,35 @@ class Equation:
     wrong: sympy.Expr | None = field(default=None, compare=False)
 
     @cached_property
-    def letters(self) -> frozenset[sympy.Symbol]:
-        """The letters on both sides."""
+    def symbols(self) -> frozenset[sympy.Symbol]:
+        """Symbols on both sides."""
         return frozenset(self.left.free_symbols | self.right.free_symbols)
 
     @cached_property
     def text(self) -> str:
-        """As plain text."""
+        """The equation as plain text."""
         return f"{text(self.left)} = {text(self.right)}"
 
     @cached_property
     def latex(self) -> str:
-        """As LaTeX, without delimiters."""
+        """The equation as LaTeX, without delimiters."""
         return f"{latex(self.left)} = {latex(self.right)}"
 
     def __str__(self) -> str:
         return self.text
 
     def replaced(self, changes: Mapping[sympy.Expr, sympy.Expr]) -> Equation:
-        """The equation with letters (or terms) replaced on both sides, all at once."""
+        """Return the equation with symbols or terms replaced on both sides, all at once."""
         wrong = None if self.wrong is None else self.wrong.xreplace(changes)
         return Equation(self.left.xreplace(changes), self.right.xreplace(changes), wrong=wrong)
 
     def altered(self) -> Equation:
-        """Another equation: the right side doubled, or 1 where it is 0, or what is kept for this."""
+        """Return a false equation: with `wrong`, or the right side doubled, or 1 instead of 0."""
         other = 2 * self.right if self.right != 0 else sympy.Integer(1)
         return replace(self, right=other if self.wrong is None else self.wrong, numbers=())
 
     def variants(self, sides: Iterable[str] = ("left", "right")) -> Iterator[Equation]:
-        """`altered`, and every integer of these sides increased by one."""
+        """Yield `altered`, and the equation with each integer of these sides increased by one."""
         yield self.altered()
         for side in sides:
             expression = getattr(self, side)
@@ -73,15 +73,15 @@ class Equation:
 
 @dataclass(frozen=True)
 class Premise:
-    """What a theorem takes as given.
+    """Equation that a theorem assumes.
 
     Attributes
     ----------
     equation : Equation
     theorem : str
-        The name of the theorem that proves it; empty for a definition.
+        Name of the theorem that proves it; empty for a definition.
     instance : tuple of (Expr, Expr)
-        What was put for the letters of that theorem's equation.
+        Replacements of symbols in that theorem's equation.
     """
 
     equation: Equation
@@ -90,7 +90,7 @@ class Premise:
 
     @property
     def source(self) -> str:
-        """Why it may be used."""
+        """Reason why the premise may be used."""
         at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)
         return f"theorem {self.theorem!r}{f' at {at}' if at else ''}" if self.theorem else "definition"
 
@@ -98,22 +98,22 @@ class Premise:
         return f"{self.equation.text} ({self.source})"
 
     def altered(self) -> Premise:
-        """The premise with another equation in its place."""
+        """Return the premise with a false equation."""
         return replace(self, equation=self.equation.altered())
 
 
 def definition(
     left: sympy.Expr, right: sympy.Expr | int, numbers: tuple[int, ...] = (), wrong: sympy.Expr | None = None
 ) -> Premise:
-    """What a letter or a mark stands for."""
+    """Return the definition of a symbol or a term."""
     return Premise(Equation(left, sympy.Integer(right) if isinstance(right, int) else right, numbers, wrong))
 
 
 def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:
-    """The expression with one of its integers increased by one, for each of them."""
+    """Yield the expression with each of its integers increased by one in turn."""
     if expression.is_Integer:
-        yield expression + (1 if expression != -1 else 2)  # no power of 0
-    if isinstance(expression, Shifted):  # a name for a value
+        yield expression + (1 if expression != -1 else 2)  # an exponent of 0 would leave 1
+    if isinstance(expression, Shifted):  # it names a value
         return
     for place, argument in enumerate(expression.args):
         named = expression.is_Pow and not expression.exp.is_Integer and not argument.is_commutative  # (1 + v)^n

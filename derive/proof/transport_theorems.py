@@ -1,8 +1,8 @@
-r"""Theorems on what becomes of rates and twists where branches change and displacements follow each other, for every n.
+r"""Theorems for every n on rates at changes of branch and on twists of products, which the papers do not have.
 
-A step between branches keeps the twist: with ``v = r u`` and ``v_k = r_k u`` it takes rates by ``v_k' = S_k v'``,
-``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``, and momenta by the transpose of the inverse. From the twist of a product
-of displacements come the Jacobians of composition. The papers have none of these.
+A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u`` rates become ``v_k' = S_k v'``,
+``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``; momenta transform by the inverse transpose. The twist of a product of
+displacements gives the Jacobians of composition.
 """
 
 from __future__ import annotations
@@ -12,47 +12,20 @@ import sympy
 from .displacement_theorems import MOEBIUS, TURNED, TURNED_ROOT, UNIT, pythagoras
 from .formulas import Formulas
 from .map_theorems import ORIGIN_P
-from .marks import (
-    I,
-    beta,
-    cross,
-    dcay,
-    dcay_k,
-    dot,
-    dyad,
-    first,
-    gamma,
-    n,
-    omega_1,
-    omega_2,
-    p,
-    p_k,
-    q,
-    q_k,
-    r,
-    r_jk,
-    r_k,
-    rate,
-    sandwich,
-    scalar_1,
-    scalar_2,
-    second,
-    transport,
-    u,
-)  # fmt: skip
 from .methods import Identity
-from .setting import Letters
+from .notation import *
+from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 
 def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """What is claimed, for every n, of branches and products of displacements by the given formulas."""
+    """Return the theorems on branches and products of displacements by the given formulas."""
     return (STEP, TWICE, *(_transport(formulas, sign) for sign in (1, -1)), PRODUCT)
 
 
 def _transport(formulas: Formulas, sign: int) -> Theorem:
-    """A step between branches keeps the twist: so it says what becomes of rates and, transposed, of momenta."""
+    """Return the theorem that a step between branches keeps the twist; it gives rates and, transposed, momenta."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return Theorem(
         f"transport, {'even' if sign == 1 else 'odd'} branch",
@@ -68,7 +41,7 @@ def _transport(formulas: Formulas, sign: int) -> Theorem:
             definition(sympy.sin(n * beta), 0),
             ORIGIN_P,
         ),
-        Identity(Letters((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine))),
+        Identity(Symbols((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine))),
     )
 
 
@@ -79,7 +52,7 @@ STEP = Theorem(
         Equation(rate(r_k), 1 / TURNED_ROOT**2),
     ),
     (MOEBIUS, definition(rate(r), sympy.Integer(1)), pythagoras(beta)),
-    Identity(Letters((sympy.sin(beta), sympy.cos(beta), r), free=(r, sympy.sin(beta), sympy.cos(beta)))),
+    Identity(Symbols((sympy.sin(beta), sympy.cos(beta), r), free=(r, sympy.sin(beta), sympy.cos(beta)))),
 )
 _SIDES = tuple(side(angle) for angle in (beta, gamma) for side in (sympy.sin, sympy.cos))
 BOTH, FURTHER = beta + gamma, sympy.cos(gamma) - r_k * sympy.sin(gamma)
@@ -87,7 +60,7 @@ BOTH_ROOT = sympy.cos(BOTH) - r * sympy.sin(BOTH)
 
 
 def _transported(there: sympy.Expr, here: sympy.Expr, root: sympy.Expr) -> sympy.Expr:
-    """S of a step from ``here u`` to ``there u``."""
+    """Return S of a step from ``here u`` to ``there u``."""
     return there / here * (I - dyad(u, u)) + dyad(u, u) / root**2
 
 
@@ -106,13 +79,13 @@ TWICE = Theorem(
         definition(sympy.sin(BOTH), sympy.sin(beta) * sympy.cos(gamma) + sympy.cos(beta) * sympy.sin(gamma)),
         UNIT,
     ),
-    Identity(Letters((r, *_SIDES), (u,), (r, *_SIDES))),
+    Identity(Symbols((r, *_SIDES), (u,), (r, *_SIDES))),
 )
 _TWO, _ONE = scalar_2 + second, scalar_1 + first
 
 
 def _moving(scalar: sympy.Expr, vector: sympy.Expr, twist: sympy.Expr) -> tuple[Premise, ...]:
-    """``q' = ω q/2``, CP23 (75), by parts."""
+    """Return ``q' = ω q/2``, CP23 (75), by scalar and vector part."""
     return (
         definition(rate(scalar), -dot(twist, vector) / 2),
         definition(rate(vector), (scalar * twist + cross(twist, vector)) / 2),
@@ -127,6 +100,6 @@ PRODUCT = Theorem(
         *_moving(scalar_2, second, omega_2),
         definition(scalar_2**2 + dot(second, second), 1),
     ),
-    Identity(Letters((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
+    Identity(Symbols((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
 )
-"""So ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""
+"""Consequence: ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

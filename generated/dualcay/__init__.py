@@ -4,9 +4,9 @@
 # Version 0.1.0.
 """dualcay: kernels for rigid motion by Rodrigues dual vectors v = tan(α/2n) u, on NumPy arrays.
 
-Each module holds the maps of one parameterization (``cayley3`` is the Cayley map of order 3), all with one interface.
-Conventions: dual quantities store the real part first; quaternions are scalar first in each half; twists are [ω, v]
-in the space frame unless a name says ``body``; leading axes broadcast.
+Each module holds the maps of one chart (``cayley3`` is the Cayley map of order 3); all have one interface. Dual
+quantities store the real part first. Quaternions are scalar first in each half. Twists are [ω, v] in the space frame
+unless a name says ``body``. Leading axes broadcast.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __version__ = "0.1.0"
 
 
 PACKAGES = ("rotation",)
-"""Those within: modules of the same names for rotations alone."""
+"""Packages within: modules of the same names for rotations alone."""
 
 
 def _modules() -> list[str]:
@@ -47,14 +47,14 @@ if not TYPE_CHECKING:  # which finds the modules in the folder, and no other nam
 
 
 def backend() -> dict[str, str]:
-    """What runs each function of a kernel module, by its name.
+    """Return what runs each function of a kernel module, by its name.
 
     Returns
     -------
     dict
-        From the names of functions to ``"numpy"``, or to ``"native"`` where the compiled ones of ``dualcay-native``
-        run in every module, ``"native in cayley2, cayley3"`` where in some. Numbers that these do not take (complex ones,
-        objects) go to NumPy in any case. ``DUALCAY_NATIVE=0`` in the environment switches them off.
+        ``"numpy"``, or ``"native"`` where the compiled functions of ``dualcay-native`` run in every module.
+        ``"native in cayley2, cayley3"`` where they run in some. Complex numbers and objects always run on NumPy.
+        ``DUALCAY_NATIVE=0`` in the environment switches the compiled functions off.
 
     Examples
     --------

@@ -6,30 +6,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
+from math import prod
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from ._kernel import Kernel, Result, constants
+from ._kernel import Kernel, Result
 from ._native import Compiled
 from ._native import functions as native_functions
-from ._selection import Selection
+from ._program import Program
+from ._recorder import record
 
 Table: TypeAlias = tuple[tuple[str, ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Function:
-    """A scalar program in both forms; ``blocks`` needs ``registers`` rows of scratch and ``masks`` of truth values."""
-
-    plain: Callable[..., Result]
-    blocks: Callable[..., Result]
-    registers: int
-    masks: int
-    numbers: tuple[int, ...]
 
 
 class Chart:
@@ -38,19 +28,19 @@ class Chart:
     Parameters
     ----------
     module : str
-        Name of the module it stands in.
+        Name of the chart's module.
     branches : int
-        How many vectors a pose has.
+        Number of vectors of a pose.
     singular_angles : tuple of float
-        Where it or its operators are singular, the edge last.
+        Angles where the chart or its operators are singular, the edge last.
     turns : tuple of pairs
         By branch, the numbers of the turn that leads there, as decimals.
     returns : tuple
         By turns back, the v·v beyond which one more is due and its numbers.
     functions : mapping
-        The scalar programs.
+        The scalar programs by name.
     kernels : mapping
-        Those that all charts share, or with less where they know the chart.
+        The geometry programs that all charts share.
     programs : str
         A digest of all of them, by which compiled ones are known to be the same.
     """
@@ -62,7 +52,7 @@ class Chart:
         singular_angles: tuple[float, ...],
         turns: Table,
         returns: tuple[str, ...],
-        functions: Mapping[str, Function],
+        functions: Mapping[str, Callable[..., Result]],
         kernels: Mapping[str, Kernel],
         programs: str,
     ) -> None:
@@ -74,28 +64,24 @@ class Chart:
         self.functions = functions
         self.kernels = kernels
         self.programs = programs
-        self.plain = SimpleNamespace(**{name: function.plain for name, function in functions.items()})
-        self._bound: dict[np.dtype[Any], SimpleNamespace] = {}
-        self._scratch: dict[Kernel, tuple[int, int]] = {}
+        self.plain = SimpleNamespace(**functions)
+        self._recorded: dict[tuple[str, np.dtype[Any], int], Program] = {}
 
     @cached_property
     def native(self) -> Mapping[str, Compiled]:
-        """The compiled functions that run instead of kernels, by name."""
+        """Compiled functions that run instead of kernels, by name."""
         return native_functions(self.module, self.programs)
 
-    def in_place(self, selection: Selection, dtype: np.dtype[Any]) -> SimpleNamespace:
-        """The in-place forms of the scalar programs, for a type."""
-        if dtype not in self._bound:
-            functions = self.functions.items()
-            bound = {name: partial(f.blocks, selection, constants(f.numbers, dtype)) for name, f in functions}
-            self._bound[dtype] = SimpleNamespace(**bound)
-        return self._bound[dtype]
+    def recorded(self, name: str, dtype: np.dtype[Any], table: int) -> Program:
+        """Return the recorded program of a kernel for a dtype and a table of so many numbers; the first call records it."""
+        key = name, dtype, table
+        if key not in self._recorded:
+            kernel = self.kernels[name]
+            sizes = [*(prod(part) for _, part in kernel.arguments), *([table] if table else ())]
+            self._recorded[key] = record(lambda m, *arguments: kernel.plain(m, self.plain, *arguments), sizes, dtype)
+        return self._recorded[key]
 
-    def scratch(self, kernel: Kernel) -> tuple[int, int]:
-        """Registers and masks of a kernel, with those its scalar programs need beyond what they are lent."""
-        if kernel not in self._scratch:
-            asked = [(self.functions[name], registers, masks) for name, registers, masks in kernel.lent]
-            registers = max((function.registers - lent for function, lent, _ in asked), default=0)
-            masks = max((function.masks - lent for function, _, lent in asked), default=0)
-            self._scratch[kernel] = kernel.registers + max(registers, 0), kernel.masks + max(masks, 0)
-        return self._scratch[kernel]
+
+def by_name(*programs: Callable[..., Result]) -> dict[str, Callable[..., Result]]:
+    """Return scalar programs by their names without the leading underscore."""
+    return {program.__name__[1:]: program for program in programs}

@@ -23,14 +23,14 @@ _warned: list[str] = []
 
 
 class Compiled(NamedTuple):
-    """A compiled function: for any arrays, and ``directly`` for float64 as it mostly comes, None where it does not."""
+    """A compiled function for any arrays; ``directly`` takes plain float64 arrays and returns None for others."""
 
     function: np.ufunc
     directly: Callable[..., Any]
 
 
 def functions(module: str, programs: str) -> Mapping[str, Compiled]:
-    """Those of a kernel module, by the names of its programs, whose digest is given; none where nothing is installed."""
+    """Return the compiled functions of a kernel module by name; none if no build of the same ``programs`` is installed."""
     if os.environ.get("DUALCAY_NATIVE") == "0":
         return {}
     name = PACKAGE + module.removeprefix(__package__)

@@ -1,4 +1,4 @@
-"""The accuracy suite's own parts: kept inputs are the same numbers, the file only grows, missed gates are named."""
+"""Parts of the accuracy suite: kept inputs are the same numbers, the worst are kept, missed gates are named."""
 
 from __future__ import annotations
 
@@ -60,15 +60,13 @@ def case(fraction: float, regime: str = "uniform", argument: str = "0x1p+0") -> 
     return Case("pose", 2, "float64", regime, ((argument,),), fraction)
 
 
-def test_only_clearly_worse_cases_are_added_and_none_is_dropped() -> None:
-    kept = [case(0.5)]
-    assert cases.added(kept, [case(0.52, argument="0x1p+1")]) == kept
-    worse = case(0.6, argument="0x1p+1")
-    assert cases.added(kept, [case(0.58, argument="0x1p+2"), worse]) == [*kept, worse]
-    assert cases.added(kept, [case(0.9)]) == kept  # the same input measured in another batch
+def test_worst_inputs_of_each_function_are_kept() -> None:
+    first, second, third = (case(fraction, argument=f"0x1p+{place}") for place, fraction in enumerate((0.5, 0.7, 0.6)))
+    assert cases.worst([first, second, third]) == [second, third]
+    again = replace(second, fraction=0.4)  # the same input, measured in another batch
+    assert cases.worst([again, first, second]) == [second, first]
     outside = case(0.3, regime="shadow")
-    assert cases.added(kept, [outside]) == [*kept, outside]
-    assert cases.added([], [case(0.2)]) == []  # far below its gate
+    assert cases.worst([first, second, outside]) == [second, first, outside]
 
 
 def measurements(scale: float) -> list[measure.Measurement]:

@@ -61,7 +61,7 @@ def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     page = tmp_path / "docs" / "speed.md"
-    texts = {"kernels": "## One\n\nfirst", "native": "## Two\n\nsecond", "former": "## Three"}
+    texts = {"kernels": "## One\n\nfirst", "native": "## Two\n\nsecond", "libraries": "## Three"}
 
     def measure(*names: str) -> str:
         sections = {name: lambda text=text: f"{text}\n" for name, text in texts.items()}  # type: ignore[misc]
@@ -72,7 +72,7 @@ def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
 
     whole = measure()
     assert whole.startswith("# Speed\n")
-    assert texts["former"] in capsys.readouterr().out
+    assert texts["libraries"] in capsys.readouterr().out
     assert [whole.index(text) for text in texts.values()] == sorted(whole.index(text) for text in texts.values())
     texts["native"] = "## Two\n\nanew"
     assert measure("native") == whole.replace("second", "anew")

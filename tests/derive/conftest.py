@@ -1,4 +1,4 @@
-"""Roads that lead to the same texts sooner."""
+"""Fixtures for tests of the toolkit."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ from tests.support.packages import unvalidated
 
 @pytest.fixture
 def without_validation(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Kernels are written as they are printed: to look at them takes seconds a module."""
+    """Write kernels as printed: validation takes seconds a module."""
     found = {name: unvalidated(target) for name, target in TARGETS.items()}
-    monkeypatch.setattr("derive.codegen.compiler.TARGETS", found)
+    monkeypatch.setattr("derive.codegen.publish.TARGETS", found)

@@ -1,4 +1,4 @@
-"""`import derive`: where it is installed, and where another distribution's files lie in its folder."""
+"""``import derive``: installed, and with another distribution's files in its folder."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support.imports import ROOT, sources
 
 
 def installed(folder: Path) -> Path:
-    """The toolkit's folder as a wheel installs it, without its rooms' modules."""
+    """Return the toolkit's folder as a wheel installs it, without modules of its packages."""
     place = folder / "derive"
     for name in derive._OWN:
         if name.endswith(".py"):
@@ -33,7 +33,7 @@ def imported(folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-c", "import derive"], cwd=folder, capture_output=True, text=True)
 
 
-def test_its_own_folder_is_known_in_whole() -> None:
+def test_own_modules_are_listed() -> None:
     rooms = {name[0] for name, _ in sources("derive") if len(name) > 1}
     files = {f"{name[0] if name else '__init__'}.py" for name, _ in sources("derive") if len(name) <= 1}
     files -= {f"{room}.py" for room in rooms}
@@ -43,7 +43,7 @@ def test_its_own_folder_is_known_in_whole() -> None:
 
 
 @pytest.mark.parametrize("foreign", ["config.py", "trace/__init__.py"])
-def test_files_of_another_distribution_are_named_in_one_sentence(tmp_path: Path, foreign: str) -> None:
+def test_files_of_another_distribution_are_named(tmp_path: Path, foreign: str) -> None:
     place = installed(tmp_path)
     assert imported(tmp_path).returncode == 0, imported(tmp_path).stderr
     (place / foreign).parent.mkdir(exist_ok=True)

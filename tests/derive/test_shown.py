@@ -1,4 +1,4 @@
-"""How results look at a prompt and in a notebook."""
+"""Results at a prompt and in a notebook."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONGEST = 120
 
 @pytest.fixture
 def package(without_validation: None) -> Package:
-    """What the example of `generate` makes."""
+    """Return the package of the example of `generate`."""
     names: dict[str, Package] = {}
     assert examples.failures(inspect.getdoc(derive.generate), "generate", names) == ""
     return names["package"]
@@ -37,7 +37,7 @@ def test_results_are_short_at_a_prompt(package: Package) -> None:
     assert repr(module.proved) == f"<Proved cayley1: {len(module.proved.proofs)} proofs>"
 
 
-def test_a_list_has_a_line_for_each() -> None:
+def test_list_has_a_line_for_each_result() -> None:
     proofs = derive.Cayley(2).prove()
     lines = repr(proofs).splitlines()
     assert len(lines) == len(proofs)
@@ -45,7 +45,7 @@ def test_a_list_has_a_line_for_each() -> None:
     assert repr(Listing[Proof]()) == "[]"
 
 
-def test_a_proof_is_a_formula_in_a_notebook() -> None:
+def test_proof_is_a_formula_in_a_notebook() -> None:
     norm = theorems()[2]
     assert norm._repr_latex_() == rf"$\displaystyle \text{{proved [all n]:}}\quad {norm.latex}$"
 
@@ -54,7 +54,7 @@ FOUND = (derive.Cayley(1).prove, derive.family("lambert").prove, lambda: derive.
 
 
 @pytest.mark.parametrize("found", FOUND)
-def test_a_list_is_a_table_in_a_notebook(found) -> None:
+def test_list_is_a_table_in_a_notebook(found) -> None:
     items = found()
     table = items._repr_html_()
     assert table.count("<tr>") == len(items) + 1
@@ -65,7 +65,7 @@ def test_a_list_is_a_table_in_a_notebook(found) -> None:
     assert Listing[Proof]()._repr_html_() == "<table>\n</table>"
 
 
-def test_what_is_less_than_something_is_no_tag() -> None:
+def test_less_than_sign_is_escaped() -> None:
     table = derive.verify("karakilic-2010", ["14"])._repr_html_()
     assert "0 &lt; f" in table
     assert set(re.findall(r"</?(\w+)", table)) == {"table", "tr", "th", "td"}

@@ -1,4 +1,4 @@
-"""Processes that execute charts: they change nothing but the time it takes, and none is left."""
+"""Worker processes change nothing but the time a build takes, and none is left."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, generate_charts
-from derive.codegen.compiler import HEAVY, LIGHT, build_charts
+from derive.codegen.build import GEOMETRY, build
 from derive.maps import Cayley
 from tests.support.command import ROOT
 from tests.support.counting import Counting, Dying
@@ -21,31 +21,29 @@ from tests.support.counting import Counting, Dying
 CHARTS = [Cayley(n) for n in (1, 2)]
 
 
-def test_results_are_those_of_one_process():
-    alone, lines = build_charts(CHARTS, Counting()), list[str]()
-    beside = build_charts(CHARTS, Counting(), lines.append, processes=2)
+def test_result_does_not_depend_on_the_number_of_processes():
+    alone, lines = build(CHARTS, Counting()), list[str]()
+    beside = build(CHARTS, Counting(), lines.append, processes=2)
     assert beside.texts == alone.texts
-    counts = [[(m.name, m.validated, m.replayed, m.tested) for m in package.modules] for package in (alone, beside)]
-    assert counts[0] == counts[1]
-    assert [replayed for _, _, replayed, _ in counts[0]] == [2, 1]
-    assert len(lines) == len(set(lines)) == 4 * len(CHARTS)
+    assert [m.counts for m in beside.modules] == [m.counts for m in alone.modules]
+    assert len(lines) == len(set(lines)) == 4 * (len(CHARTS) + 1)
 
 
 @pytest.mark.parametrize("processes", [1, 2])
-def test_the_geometry_of_high_orders_is_shown_in_a_low_one_that_is_not_published(processes):
-    high, higher = Cayley(HEAVY + 1), Cayley(HEAVY + 2)
-    alone = build_charts([high, higher], Counting(), processes=processes)
-    beside = build_charts([LIGHT, high, higher], Counting())
-    assert [m.validated for m in alone.modules] == [m.validated for m in beside.modules[1:]]
-    assert [m.replayed for m in alone.modules] == [2, 1]
-    assert beside.texts.keys() - alone.texts.keys() == {f"{LIGHT.name}.py", f"rotation/{LIGHT.name}.py"}
-    with pytest.raises(ValidationFailed, match=LIGHT.name):
-        build_charts([Cayley(HEAVY + 1)], Counting((LIGHT.name,)), processes=processes)
+def test_geometry_is_checked_once_in_a_chart_that_is_published_only_if_asked_for(processes):
+    charts = [Cayley(9), Cayley(10)]
+    alone = build(charts, Counting(), processes=processes)
+    beside = build([GEOMETRY, *charts], Counting())
+    assert [m.counts for m in alone.modules] == [m.counts for m in beside.modules[1:]]
+    assert [m.counts.replayed for m in beside.modules] == [2, 1, 1]
+    assert beside.texts.keys() - alone.texts.keys() == {f"{GEOMETRY.name}.py", f"rotation/{GEOMETRY.name}.py"}
+    with pytest.raises(ValidationFailed, match=GEOMETRY.name):
+        build(charts[:1], Counting((GEOMETRY.name,)), processes=processes)
 
 
 @pytest.mark.parametrize("processes", [1, 2])
-def test_the_first_failure_is_told_in_the_order_of_charts_and_nothing_written(tmp_path: Path, monkeypatch, processes):
-    monkeypatch.setattr("derive.codegen.compiler.TARGETS", {"numpy": Counting(("cayley1", "cayley2"))})
+def test_first_failure_is_reported_in_the_order_of_charts_and_nothing_written(tmp_path: Path, monkeypatch, processes):
+    monkeypatch.setattr("derive.codegen.publish.TARGETS", {"numpy": Counting(("cayley1", "cayley2"))})
     with pytest.raises(ValidationFailed, match=r"^cayley1\.pose, component 0: 1 is not 2$"):
         generate_charts(CHARTS, "numpy", tmp_path / "k", processes=processes)
     assert not (tmp_path / "k").exists()
@@ -53,15 +51,15 @@ def test_the_first_failure_is_told_in_the_order_of_charts_and_nothing_written(tm
 
 
 @pytest.mark.smoke
-def test_a_process_that_dies_is_told():
+def test_death_of_a_worker_is_reported():
     with pytest.raises(ChildProcessError, match="a worker process died"):
-        build_charts(CHARTS, Dying(), processes=2)
+        build(CHARTS, Dying(), processes=2)
     assert multiprocessing.active_children() == []
 
 
-def test_a_number_of_processes_is_positive():
+def test_number_of_processes_is_positive():
     with pytest.raises(ValueError, match="processes must be an integer >= 1, got 0"):
-        build_charts(CHARTS, Counting(), processes=0)
+        build(CHARTS, Counting(), processes=0)
 
 
 BUSY = """
@@ -83,8 +81,8 @@ if __name__ == "__main__":
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGKILL"])
-def test_none_is_left_when_the_first_is_interrupted_or_killed(tmp_path: Path, name: str):
-    """A terminal sends an interrupt to all of them, here to the first last."""
+def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_path: Path, name: str):
+    """Interrupt the workers before the main process, as a terminal interrupts all."""
     ending = signal.Signals[name]  # Windows has one of them only
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-c", BUSY, str(tmp_path)]

@@ -13,13 +13,12 @@ from tests.support.oracle import oracle_of
 
 CASES = [(n, regime) for n in ORDERS for regime in sampling.REGIMES if sampling.has_regime(n, regime)]
 CASE = pytest.mark.parametrize(("order", "regime"), CASES, ids=[f"n={n}, {regime}" for n, regime in CASES])
-FUNCTION = pytest.mark.parametrize("name", FUNCTIONS)
 
 
 @CASE
-@FUNCTION
-def test_double_precision(name: str, order: int, regime: str) -> None:
-    Trial(load(order), order, regime).check(name)
+def test_double_precision(order: int, regime: str) -> None:
+    for name in FUNCTIONS:
+        Trial(load(order), order, regime).check(name)
 
 
 # The other types run the same programs: the orders and regimes in which they have once been different elsewhere.
@@ -28,10 +27,10 @@ OTHER_CASE = pytest.mark.parametrize(("order", "regime"), OTHER, ids=[f"n={n}, {
 
 
 @OTHER_CASE
-@FUNCTION
 @pytest.mark.parametrize("dtype", [np.float32, np.longdouble])
-def test_other_float_types(name: str, order: int, regime: str, dtype: type) -> None:
-    Trial(load(order), order, regime, dtype).check(name)
+def test_other_float_types(order: int, regime: str, dtype: type) -> None:
+    for name in FUNCTIONS:
+        Trial(load(order), order, regime, dtype).check(name)
 
 
 COMPLEX_MAPS = ("quaternion", "tensor", "tangent", "tangent_inv", "twist", "rate", "body_twist", "body_rate")

@@ -36,6 +36,12 @@ def test_functions_are_imported_by_name_and_are_those_of_the_module() -> None:
     assert rate != load(2).rate
 
 
+def test_dexp_is_the_tangent_operator_of_the_exponential() -> None:
+    for module in (dualcay.exponential, dualcay.rotation.exponential):
+        assert (module.dexp, module.dexp_inv) == (module.tangent, module.tangent_inv)
+        assert {"dexp", "dexp_inv"} <= set(module.__all__)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_every_function_has_its_documentation_and_signature(name: str) -> None:
     function = getattr(load(3), name)

@@ -1,4 +1,4 @@
-"""Every input that once was the worst of its function, again."""
+"""The worst inputs of every function stay within their gates."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("order", ORDERS, ids=lambda n: f"n={n}")
-def test_no_case_is_worse_than_its_gate(order: int, folder: Path) -> None:
+def test_worst_cases_stay_within_their_gates(order: int, folder: Path) -> None:
     kernels.write([order], folder)
     for case in KEPT:
         if case.order == order:

@@ -1,67 +1,104 @@
-"""What a mutant is, what became of it, and how a sample is drawn."""
+"""A mutant, its verdict, how a sample is drawn, and how mutants are tried in processes of their own."""
 
 from __future__ import annotations
 
 import hashlib
-import heapq
-from collections.abc import Iterable
+import multiprocessing
+import os
+import signal
+import traceback
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
+from time import monotonic
 
-KILLED, TIMEOUT, SURVIVED, EQUIVALENT, PROSE, MEANINGLESS = (
-    "killed", "timeout", "survived", "equivalent", "prose", "meaningless",
-)  # fmt: skip
+KILLED, SURVIVED, EQUIVALENT = "killed", "survived", "equivalent"
+
+TRIAL_SECONDS = 900.0
+"""Wall-clock limit of one trial; a mutant that exceeds it is killed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Fate of a mutant: killed, survived or equivalent; ``by`` begins with the stage that killed it."""
+
+    kind: str
+    by: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """One change.
-
-    Attributes
-    ----------
-    place : str
-        File or program.
-    line : int
-        In the file; 0 where there is none.
-    operator, change : str
-        Of the listed operators, and the change in words.
-    site : Any
-        What the room needs to make it; one of a kind among mutants of the same place, operator and change.
-    """
+    """One change at a place, its operator, and the function that tries it."""
 
     place: str
-    line: int
     operator: str
     change: str
-    site: Any
+    trial: Callable[[], Verdict]
 
-    @property
-    def where(self) -> str:
-        """The place as it is clicked on."""
-        return f"{self.place}:{self.line}" if self.line else self.place
+    def __str__(self) -> str:
+        return f"{self.place}: {self.operator}: {self.change}"
 
 
-@dataclass(frozen=True, slots=True)
-class Fate:
-    """What became of a mutant: the stage that killed it and the check that failed, or what showed it equivalent."""
-
-    kind: str
-    stage: str = ""
-    by: str = ""
+Room = Callable[[], Iterable[Mutant]]
+"""Yields the unchanged tree, whose trial must survive, then every mutant."""
 
 
-def keyed(mutants: Iterable[Mutant]) -> dict[str, Mutant]:
-    """Mutants by a name that stays the same when lines move: place, operator, change, and a count among equals."""
-    found: dict[str, Mutant] = {}
-    seen: dict[str, int] = {}
-    for mutant in mutants:
-        text = f"{mutant.place}|{mutant.operator}|{mutant.change}"
-        seen[text] = seen.get(text, 0) + 1
-        found[hashlib.sha256(f"{text}|{seen[text]}".encode()).hexdigest()[:16]] = mutant
-    return found
+def sampled(mutants: Iterable[Mutant], count: int, seed: int) -> list[Mutant]:
+    """Draw mutants by a hash of their text, so that an added mutant leaves the others in the sample."""
+
+    def rank(mutant: Mutant) -> bytes:
+        return hashlib.sha256(f"{seed}|{mutant}".encode()).digest()
+
+    return sorted(mutants, key=rank)[:count]
 
 
-def sample(mutants: dict[str, Mutant], seed: int, count: int) -> dict[str, Mutant]:
-    """So many of them, drawn by their names: another mutant more or less leaves the others in the sample."""
-    chosen = heapq.nsmallest(count, mutants, key=lambda key: hashlib.sha256(f"{seed}|{key}".encode()).hexdigest())
-    return {key: mutants[key] for key in chosen}
+def tried(mutants: Sequence[Mutant], jobs: int, limit: float = TRIAL_SECONDS) -> Iterator[Verdict]:
+    """Yield the verdicts in order; each trial runs in a forked process."""
+    waiting, verdicts = deque(enumerate(mutants)), dict[int, Verdict]()
+    running: dict[Connection, tuple[int, BaseProcess, float]] = {}
+    for place in range(len(mutants)):
+        while place not in verdicts:
+            while waiting and len(running) < jobs:
+                index, mutant = waiting.popleft()
+                receiver, process = _started(mutant)
+                running[receiver] = index, process, monotonic() + limit
+            ready = wait(list(running), timeout=1.0)
+            for receiver in list(running):
+                index, process, deadline = running[receiver]
+                if receiver in ready or monotonic() > deadline:
+                    del running[receiver]
+                    verdicts[index] = _ended(receiver, process, receiver in ready)
+        yield verdicts[place]
+
+
+def _started(mutant: Mutant) -> tuple[Connection, BaseProcess]:
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_run, args=(mutant, sender))
+    process.start()
+    sender.close()
+    return receiver, process
+
+
+def _run(mutant: Mutant, sender: Connection) -> None:
+    os.setpgid(0, 0)
+    try:
+        verdict = mutant.trial()
+    except BaseException:
+        verdict = Verdict(KILLED, f"exception {traceback.format_exc().splitlines()[-1]}")
+    sender.send(verdict)
+
+
+def _ended(receiver: Connection, process: BaseProcess, answered: bool) -> Verdict:
+    """Return the verdict of a process, and end all that it started."""
+    try:
+        verdict = receiver.recv() if answered else Verdict(KILLED, "time limit")
+    except EOFError:
+        verdict = Verdict(KILLED, "crash")
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid or 0, signal.SIGKILL)
+    process.join()
+    return verdict  # type: ignore[no-any-return]

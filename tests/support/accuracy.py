@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partialmethod
 from typing import Any
 
 import numpy as np
@@ -25,9 +26,11 @@ class Trial(ForwardTrial):
 
     # ---- inverse maps ------------------------------------------------------------------------------------------
 
-    def _inverse(self, name: str, given: Any, entries: Any, gate: float) -> Iterator[Result]:
-        """`given(v)`: the input as rounded numbers; `entries(v)`: (directions, entries) of `errors.branch_scale`."""
-        inputs = np.stack([given(v) for v in self.v])
+    def _inverse(self, name: str) -> Iterator[Result]:
+        """Yield a map back from a rounded quaternion, tensor or pose; entries are those of `errors.branch_scale`."""
+        forward = getattr(self.oracle, name.removeprefix("from_"))
+        entries = self.quaternion_entries if name == "from_quaternion" else self.tensor_entries
+        inputs = np.stack([rounded(forward(v), self.dtype) for v in self.v])
         sides, entered = [self.sides(v) for v in self.v], [entries(v) for v in self.v]
         for branch in self.branches():
             found = getattr(self.module, name)(inputs, branch)
@@ -37,7 +40,11 @@ class Trial(ForwardTrial):
                     result = self.oracle.on_branch(half, axis, branch)
                     exact.append(pack(result))
                     scales.append(self.inverse_scale(result, half, axis, branch, *entry))
-                yield Result(got, exact, scales, (gate, gate), (v,), f"branch {branch}, input {x!r}")
+                yield Result(got, exact, scales, self.gates("general"), (v,), f"branch {branch}, input {x!r}")
+
+    from_quaternion = partialmethod(_inverse, "from_quaternion")
+    from_tensor = partialmethod(_inverse, "from_tensor")
+    from_pose = partialmethod(_inverse, "from_pose")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:
         """Half the principal angle and the axis; both signs of q̂ where the angle is π to within rounding."""
@@ -73,18 +80,6 @@ class Trial(ForwardTrial):
         rotation = self.oracle.rotation(self.oracle.unpack(v))
         return errors.entry_twists(rotation), np.array(pack(rotation), dtype=float).reshape(2, 9)
 
-    def from_quaternion(self) -> Iterator[Result]:
-        given = lambda v: rounded(self.oracle.quaternion(v), self.dtype)  # noqa: E731
-        return self._inverse("from_quaternion", given, self.quaternion_entries, errors.GENERAL)
-
-    def from_tensor(self) -> Iterator[Result]:
-        given = lambda v: rounded(self.oracle.tensor(v), self.dtype)  # noqa: E731
-        return self._inverse("from_tensor", given, self.tensor_entries, errors.GENERAL)
-
-    def from_pose(self) -> Iterator[Result]:
-        given = lambda v: rounded(self.oracle.pose(v), self.dtype)  # noqa: E731
-        return self._inverse("from_pose", given, self.tensor_entries, errors.GENERAL)
-
     def round_trip(self) -> Iterator[Result]:
         """v -> pose -> v, against v's own principal shadow: 8 eps for n ≥ 2 by the measured figures, 20 for n = 1."""
         gate = errors.ROUND_TRIP if self.order > 1 else errors.GENERAL
@@ -112,13 +107,13 @@ class Trial(ForwardTrial):
             exact = self.oracle.from_screw(a, u)
             (alpha,), direction = self.oracle.unpack(a), self.oracle.unpack(u)
             scale = errors.angle_scale(self.order, alpha, direction) + errors.size(exact)
-            yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (v,), f"angle = {a!r}, axis = {u!r}")
+            yield Result(got, [exact], [scale], self.gates("general"), (v,), f"angle = {a!r}, axis = {u!r}")
 
     def to_screw(self) -> Iterator[Result]:
         if self.regime == "identity":
             return
         angles, axes = self.module.to_screw(self.v)
-        gates = (errors.GENERAL, errors.GENERAL)
+        gates = self.gates("general")
         for v, angle, axis in zip(self.v, angles, axes, strict=True):
             alpha, u = self.oracle.reduced(self.oracle.unpack(v))
             other = [(2 * self.oracle.field.pi - alpha, tuple(-c for c in u))] if self.tie else []
@@ -160,7 +155,7 @@ class Trial(ForwardTrial):
             for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
                 exact = self.oracle.compose(a, b)
                 scale = self.compose_scale(a, b, exact)
-                yield Result(got, [exact], [scale], (errors.GENERAL,) * 2, (a, b))
+                yield Result(got, [exact], [scale], self.gates("general"), (a, b))
 
     def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
         """The exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
@@ -173,36 +168,9 @@ class Trial(ForwardTrial):
 
 
 FUNCTIONS = (
-    "quaternion",
-    "tensor",
-    "pose",
-    "tangent",
-    "tangent_inv",
-    "body_tangent",
-    "body_tangent_inv",
-    "inverse",
-    "twist",
-    "rate",
-    "body_twist",
-    "body_rate",
-    "tangent_dot",
-    "twist_dot",
-    "body_twist_dot",
-    "rate_dot",
-    "body_rate_dot",
-    "twist_jacobian",
-    "cotangent_jacobian",
-    "rate_jacobian",
-    "body_rate_jacobian",
-    "from_quaternion",
-    "from_tensor",
-    "from_pose",
-    "round_trip",
-    "from_screw",
-    "to_screw",
-    "shadow",
-    "principal",
-    "compose",
-    "transform_point",
+    "quaternion", "tensor", "pose", "tangent", "tangent_inv", "body_tangent", "body_tangent_inv", "inverse", "twist",
+    "rate", "body_twist", "body_rate", "tangent_dot", "twist_dot", "body_twist_dot", "rate_dot", "body_rate_dot",
+    "twist_jacobian", "cotangent_jacobian", "rate_jacobian", "body_rate_jacobian", "from_quaternion", "from_tensor",
+    "from_pose", "round_trip", "from_screw", "to_screw", "shadow", "principal", "compose", "transform_point",
     "transform_line",
-)
+)  # fmt: skip

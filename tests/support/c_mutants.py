@@ -1,7 +1,7 @@
 """Single changes of C text, of the kinds a printer or a template could make by mistake.
 
-They are made in preprocessed text, function by function; a mutant comes as an excerpt with the functions needed to call
-the kernel it is in, which is read in milliseconds.
+They are made in preprocessed text, function by function. A mutant is an excerpt with the functions that its kernel
+calls, which is read in milliseconds.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _DEFINITION = re.compile(r"^static inline [\w ]*?\b(\w+)\([^{;]*\)\s*\{[\s\S]*?^
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """An excerpt that differs in one place, which is in ``function``."""
+    """An excerpt with one change, which is in ``function``."""
 
     kind: str
     function: str
@@ -61,7 +61,7 @@ class Excerpts:
         self.rest = _DEFINITION.sub("", text)
 
     def needed(self, name: str) -> set[str]:
-        """A function and those it calls, directly or not."""
+        """Return a function and those it calls, directly or not."""
         found, new = set(), {name}
         while new:
             found |= new
@@ -70,18 +70,12 @@ class Excerpts:
         return found
 
     def text(self, roots: Collection[str], changed: Mapping[str, str]) -> str:
-        """The text of some functions and what they need, some of it changed."""
+        """Return the text of some functions and those they call, some of it changed."""
         needed = set().union(*map(self.needed, roots))
         return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
 
-    def replaced(self, name: str, roots: Collection[str], old: str, new: str) -> str:
-        """The excerpt with one place of a function changed, which must be there once."""
-        original = self.functions[name]
-        assert original.count(old) == 1, (name, old, original.count(old))
-        return self.text(roots, {name: original.replace(old, new)})
-
     def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
-        """Every mutant of a function, in the excerpt for the functions through which it is called."""
+        """Yield every mutant of a function, in the excerpt for the functions through which it is called."""
         original = self.functions[name]
         body = original.index("{")
         for kind, (pattern, replacement) in KINDS.items():
@@ -104,7 +98,7 @@ def _next(found: re.Match[str]) -> str:
 
 
 def sample(mutants: Collection[Mutant], each: int, seed: int) -> list[Mutant]:
-    """Some mutants of each kind."""
+    """Return some mutants of each kind."""
     draw = random.Random(seed)
     by_kind: dict[str, list[Mutant]] = {}
     for mutant in mutants:

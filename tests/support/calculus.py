@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partialmethod
 from typing import Any
 
 import numpy as np
 
 from tests.support import errors, ranges, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
-from tests.support.errors import THREE, through
+from tests.support.errors import through
 from tests.support.first_principles import E, pack
+from tests.support.forward_accuracy import ForwardTrial
 from tests.support.nilpotent import Nil, conjugate, hamilton, inverse, matmul, matvec, transpose
 from tests.support.trial import Result, rounded
 
@@ -50,30 +52,16 @@ class CalculusTrial(Trial):
 
     @property
     def _gates(self) -> tuple[float, float]:
-        """Inside the principal range 8 eps of the condition; outside as tangent operators, whose products they are."""
-        return self.gates(errors.CONDITIONED, max(THREE, errors.tangent_shadow_gate(self.order)))
+        return self.gates("conditioned")
 
     # ---- one operator, or its derivative -----------------------------------------------------------------------
 
-    def adjoint(self) -> Iterator[Result]:
-        outside = errors.shadow_gate(self.order)
-        gates = (errors.ROTATION, errors.GENERAL) if self.inside else (outside, max(errors.GENERAL, outside))
-        return self._forward("adjoint", "tensor", gates)
-
-    def cotangent(self) -> Iterator[Result]:
-        return self._applied("cotangent", "tangent", self._gates)
-
-    def body_cotangent(self) -> Iterator[Result]:
-        return self._applied("body_cotangent", "tangent", self._gates)
-
-    def body_tangent_dot(self) -> Iterator[Result]:
-        return self._derived("body_tangent_dot", lambda slope, _, w: slope * w, self._derived_gates, 1)
-
-    def body_twist_jacobian(self) -> Iterator[Result]:
-        return self._jacobian("body_twist_jacobian")
-
-    def body_cotangent_jacobian(self) -> Iterator[Result]:
-        return self._jacobian("body_cotangent_jacobian")
+    adjoint = partialmethod(ForwardTrial._forward, "adjoint", "tensor", "rotation", "moment")
+    cotangent = partialmethod(ForwardTrial._applied, "cotangent", "tangent", "conditioned")
+    body_cotangent = partialmethod(ForwardTrial._applied, "body_cotangent", "tangent", "conditioned")
+    body_tangent_dot = partialmethod(ForwardTrial._jacobian, "body_tangent_dot")
+    body_twist_jacobian = partialmethod(ForwardTrial._jacobian, "body_twist_jacobian")
+    body_cotangent_jacobian = partialmethod(ForwardTrial._jacobian, "body_cotangent_jacobian")
 
     def transform_point_jacobians(self) -> Iterator[Result]:
         """∂(Q r + ρ): by v° it is T, by v that of Q r and that of ρ = T v°; by r it is Q."""
@@ -223,11 +211,8 @@ class CalculusTrial(Trial):
             by_v, by_delta = self._retract_by(v, delta, exact, name.startswith("body"))
             yield Result(got, [exact], [self._moved(exact, (by_v, v), (by_delta, delta))], self._gates, (v, delta))
 
-    def retract(self) -> Iterator[Result]:
-        return self._retract("retract")
-
-    def body_retract(self) -> Iterator[Result]:
-        return self._retract("body_retract")
+    retract = partialmethod(_retract, "retract")
+    body_retract = partialmethod(_retract, "body_retract")
 
     def _retract_jacobians(self, name: str) -> Iterator[Result]:
         steps = self.second(sampling.dual_vectors, name)
@@ -245,11 +230,8 @@ class CalculusTrial(Trial):
                 sizes = back * errors.majorant(turned) * own, back * dexp
             yield from self._both(got, exact, sizes, (v, delta))
 
-    def retract_jacobians(self) -> Iterator[Result]:
-        return self._retract_jacobians("retract")
-
-    def body_retract_jacobians(self) -> Iterator[Result]:
-        return self._retract_jacobians("body_retract")
+    retract_jacobians = partialmethod(_retract_jacobians, "retract")
+    body_retract_jacobians = partialmethod(_retract_jacobians, "body_retract")
 
     def interpolate(self) -> Iterator[Result]:
         """ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
@@ -280,29 +262,11 @@ class CalculusTrial(Trial):
 
 
 CALCULUS = (
-    "adjoint",
-    "cotangent",
-    "body_cotangent",
-    "body_tangent_dot",
-    "body_twist_jacobian",
-    "body_cotangent_jacobian",
-    "angle",
-    "to_exponential",
-    "from_exponential",
-    "between",
-    "local",
-    "body_local",
-    "retract",
-    "body_retract",
-    "interpolate",
-    "compose_jacobians",
-    "between_jacobians",
-    "shadow_jacobian",
-    "retract_jacobians",
-    "body_retract_jacobians",
-    "transform_point_jacobians",
-    "transform_line_jacobians",
-)
+    "adjoint", "cotangent", "body_cotangent", "body_tangent_dot", "body_twist_jacobian", "body_cotangent_jacobian",
+    "angle", "to_exponential", "from_exponential", "between", "local", "body_local", "retract", "body_retract",
+    "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
+    "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians",
+)  # fmt: skip
 """The functions that `Trial` has not."""
 
 EVERY = (*FUNCTIONS, *CALCULUS)

@@ -1,7 +1,7 @@
-"""Inputs on which a kernel function once had its largest error, kept in a file that only grows.
+"""Inputs with the largest error of each kernel function, kept in benchmarks/worst_cases.json.
 
-A case names the function, the order, the type, the regime (which decides what is allowed there) and the arguments in
-hexadecimal, so that it is the same number everywhere. All branches of the function are tried on it.
+A case names the function, the order, the type, the regime (which decides the gate) and the arguments in hexadecimal,
+so that it is the same number everywhere. All branches of the function are tried on it.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from tests.support.rotations import RotationTrial
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
-WORSE = 1.1  # a case is kept if it is this much worse than those kept before
-ENOUGH = 0.25  # and its error more than this part of what is allowed: what stays far below guards nothing
+KEPT = 2
+"""Cases kept of each function, inside and outside the principal range."""
 
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
 """By the table of the functions that are tried."""
 
-Key = tuple[str, str, int, str, bool]
+Key = tuple[str, str, bool]
 
 
 def name_of(dtype: Any) -> str:
@@ -77,8 +77,8 @@ class Case:
 
     @property
     def key(self) -> Key:
-        """Cases of one key compete: inside and outside the principal range different errors are allowed."""
-        return self.table, self.function, self.order, self.dtype, self.regime in sampling.PRINCIPAL
+        """Cases of one key compete: the principal range has gates of its own."""
+        return self.table, self.function, self.regime in sampling.PRINCIPAL
 
     def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:
         dtype = DTYPES[self.dtype]
@@ -107,16 +107,10 @@ def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
     path.write_text(text, encoding="utf-8")
 
 
-def added(kept: list[Case], found: Iterable[Case]) -> list[Case]:
-    """Those kept, and of those found the worst of each key if it is clearly worse."""
-    record: dict[Key, float] = {}
-    for case in kept:
-        record[case.key] = max(case.fraction, record.get(case.key, 0.0))
-    known = {(case.key, case.arguments) for case in kept}
-    best: dict[Key, Case] = {}
-    for case in found:
-        worse = case.fraction > max(ENOUGH, WORSE * record.get(case.key, 0.0))
-        if worse and (case.key, case.arguments) not in known:
-            old = best.get(case.key)
-            best[case.key] = case if old is None or case.fraction > old.fraction else old
-    return [*kept, *best.values()]
+def worst(cases: Iterable[Case], count: int = KEPT) -> list[Case]:
+    """Return the cases nearest to their gates, so many of each key, one of an input."""
+    inputs = {(case.key, case.arguments): case for case in sorted(cases, key=lambda case: case.fraction)}
+    found: dict[Key, list[Case]] = {}
+    for case in sorted(inputs.values(), key=lambda case: -case.fraction):
+        found.setdefault(case.key, []).append(case)
+    return [case for of_key in found.values() for case in of_key[:count]]

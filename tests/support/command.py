@@ -32,7 +32,7 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", ["dualcay", *arguments])
         patch.setenv("NO_COLOR", "1")
-        patch.setattr("derive.cli.display.SPARSE", 3600.0)  # lines which say how far a long run is, on a slow machine
+        patch.setattr("derive.cli.display.FIRST_PAUSE", 3600.0)  # no lines of progress
         patch.chdir(cwd)
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             code = main()

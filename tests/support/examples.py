@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import doctest
 import inspect
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 
@@ -28,6 +28,6 @@ def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
     return "".join(said)
 
 
-def of_docstrings(functions: Iterable[Any]) -> str:
-    """The failures of the docstrings of functions, each run by itself."""
-    return "".join(failures(inspect.getdoc(one) or "", one.__qualname__) for one in functions)
+def of_docstrings(functions: Iterable[Any], names: Mapping[str, Any] | None = None) -> str:
+    """Return the failures of the docstrings of functions, each run by itself with the names that examples assume."""
+    return "".join(failures(inspect.getdoc(one) or "", one.__qualname__, dict(names or {})) for one in functions)

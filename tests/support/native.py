@@ -18,9 +18,8 @@ import numpy as np
 
 import dualcay
 from derive.codegen import catalogue
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps.chart import Chart
 from derive.output import files
@@ -40,7 +39,7 @@ def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -
     for chart in charts:
         proved = prove(chart)
         facts = Facts(proved, lower(proved))
-        texts |= {module_name(chart, native): module_text(facts, native)} | companion_texts(facts, without_test)
+        texts |= module_texts(facts, without_test)
     modules = (name for name in texts if name.endswith(".c"))
     for name in [name for name in modules if only and not name.startswith(f"{only}/")]:
         del texts[name]

@@ -31,11 +31,11 @@ def unvalidated(target: Any) -> Any:
 
 def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
     """The files of a package, by name: proved and printed, and not validated."""
-    from derive.codegen.compiler import print_charts  # which kernels are tested without
+    from derive.codegen.build import print_package  # which kernels are tested without
     from derive.codegen.targets import TARGETS
     from derive.maps import Cayley
 
-    return print_charts([Cayley(n) for n in orders], TARGETS[target]).texts
+    return print_package([Cayley(n) for n in orders], TARGETS[target]).texts
 
 
 def write(orders: Iterable[int], target: str, folder: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import ModuleType
 from typing import Any, NamedTuple
 
@@ -69,6 +70,12 @@ def components_first(array: Any, rank: int) -> np.ndarray:
     """The structure-of-arrays form: the last `rank` axes to the front."""
     array = np.asarray(array)
     return np.array(np.moveaxis(array, range(-rank, 0), range(rank)), order="C")
+
+
+def rows_of(name: str, arguments: Sequence[Any]) -> list[np.ndarray]:
+    """Return the arguments of a function with components first."""
+    kinds = SIGNATURES[name].arguments
+    return [components_first(a, len(SHAPES[kind])) for a, kind in zip(arguments, kinds, strict=True)]
 
 
 def components_last(array: Any, rank: int) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +13,7 @@ import sympy
 
 from derive.algebra import Coefficient, Quaternion
 from derive.algebra.arithmetic import Arithmetic
-from derive.maps import IsotropicMap, QuaternionMap, turns, x
+from derive.maps import IsotropicMap, QuaternionMap, branches, x
 from derive.maps.families import alpha
 
 HALF = sympy.Rational(1, 2)
@@ -153,6 +154,7 @@ class Sine:
     remainder = 0.0
     singular_angles = (2 * sympy.pi, 3 * sympy.pi)
     cayley = None
+    base, factor = None, Fraction(1)
     letters = ()
     s, w = (1 - 4 * x) * COSINE, 3 - 4 * x
     scalars = SineScalars
@@ -229,18 +231,19 @@ class Sine:
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 6 * m.atan2(r, self.scalars(x, m).c)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))
         further = m.name("further", c * cosine - r * sine)
         sign = m.name("side", m.where(m.less(further, 0), -1, 1))
-        return m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+        rk, slope = m.name("rk", sign * (r * cosine + c * sine)), m.name("slope", sign * further / c)
+        return rk, slope, m.name("bend", (slope * r - rk) / (c * c))
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
-        return turns.beyond(x, table, m)
+        return branches.beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        return turns.turn(3, branch)
+        return branches.turn(3, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return ((mpmath.mpf(1) / 4, *self.turn(-1)),)

@@ -67,10 +67,6 @@ class Measured:
             return [self.given[1]]
         return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
 
-    def gates(self, inside: float, outside: float) -> tuple[float, float]:
-        gate = inside if self.inside else outside
-        return gate, gate
-
     def branches(self) -> list[int]:
         """Some branches, those left out where the angle α + 2kπ is the end nπ of the chart."""
         n = self.order

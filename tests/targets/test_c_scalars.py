@@ -21,14 +21,13 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.codegen.cases.exact import ALGEBRAIC, Formulas, evaluated
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower, lower_chart
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix
+from derive.codegen.validation.formulas import ALGEBRAIC, Formulas, evaluated
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
@@ -58,7 +57,7 @@ def headers(shared) -> Path:
         for chart in CHARTS:
             proved = prove(chart)
             facts = Facts(proved, lower(proved))
-            texts |= companion_texts(facts, target) | {module_name(chart, target): module_text(facts, target)}
+            texts |= module_texts(facts, target)
         files.write(place, texts)
 
     return shared("c_scalars", write)

@@ -7,9 +7,8 @@ import importlib
 import numpy as np
 import pytest
 
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
@@ -33,9 +32,8 @@ def test_a_module_is_made_and_validated(name, tmp_path):
 def require_validated(name, folder):
     target, chart, proved = TARGETS[name], Cayley(3), prove(Cayley(3))
     facts = Facts(proved, lower(proved))
-    module = {module_name(chart, target): module_text(facts, target)}
-    files.write(folder, {**shared_texts(target), **companion_texts(facts, target), **module})
-    assert target.validate(folder, chart) > 100
+    files.write(folder, shared_texts(target) | module_texts(facts, target))
+    assert target.validate(folder, chart, geometry=True) > 100
 
 
 @pytest.mark.parametrize(("target", "out"), [("numba", (None,)), ("array-api", ())])

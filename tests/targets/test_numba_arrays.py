@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.codegen.module import shared_texts
+from derive.codegen.package import shared_texts
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.loading import loaded
 from derive.output import files

@@ -7,45 +7,36 @@ dual tensor and is returned as the real matrix that acts on dual vectors as it d
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from fractions import Fraction
 
 from ...algebra import Dual, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .forward import start
-from .inputs import dual_vector
-from .point import Geometry
+from .kinematics import assembled
+from .point import NINE, Geometry
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 def tangent_dot(trace: Geometry) -> Program:
     """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
-    point, w = start(trace), _argument(trace, "v_dot", "w")
+    point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     s = trace.dual_vector("s", (trace.dual("gt", gy * along) * v + trace.dual_vector("gw", g * w)) * side)
     c = trace.dual_vector("b", trace.dual("ht", hy * along * HALF) * v + trace.dual_vector("hw", h * w))
-    tensor = _assembled(trace, trace.dual("ft", fy * along), s, v, c)
+    (v1, v2, v3), (c1, c2, c3) = v, c
+    diagonal = Vector(2 * (v1 * c1), 2 * (v2 * c2), 2 * (v3 * c3))
+    off = (v1 * c2 + c1 * v2, v1 * c3 + c1 * v3, v2 * c3 + c2 * v3)
+    tensor = assembled(trace, trace.dual("ft", fy * along), s, diagonal, off)
     return trace.program("tangent_dot", (*tensor.re, *tensor.du))
-
-
-def _assembled(trace: Geometry, a: Dual, s: Vector, v: Vector, c: Vector) -> Tensor:
-    """``a I + skew(s) + v⊗c + c⊗v``."""
-    (v1, v2, v3), (c1, c2, c3), (s1, s2, s3) = v, c, s
-    d12, d13, d23 = (
-        trace.dual(name, p * d + b * q)
-        for name, p, d, b, q in (("d12", v1, c2, c1, v2), ("d13", v1, c3, c1, v3), ("d23", v2, c3, c2, v3))
-    )
-    d11, d22, d33 = (a + 2 * (p * b) for p, b in ((v1, c1), (v2, c2), (v3, c3)))
-    return Tensor(((d11, d12 - s3, d13 + s2), (d12 + s3, d22, d23 - s1), (d13 - s2, d23 + s1, d33)))
 
 
 def twist_dot(trace: Geometry) -> Program:
     """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
-    point, w, z = start(trace), _argument(trace, "v_dot", "w"), _argument(trace, "v_ddot", "z")
+    point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
     side = _side(trace)
     f, g, h, fy, gy, hy = point.lifted("tangent_dot", ("f", "g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
@@ -63,7 +54,7 @@ def rate_dot(trace: Geometry) -> Program:
     ``fi ω̇ + side (ω̇ + s ω) × v + (fiy b + a + s fi)/2 ω + (hi (2 v·ω̇ + 2 a s + fi ω²) + hiy a b − ω²)/2 v``,
     where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
     """
-    point, w, z = start(trace), _argument(trace, "omega", "w"), _argument(trace, "omega_dot", "z")
+    point, w, z = trace.point(), trace.argument("omega", "w"), trace.argument("omega_dot", "z")
     side = _side(trace)
     fi, hi, fiy, hiy = point.lifted("tangent_inv_dot", ("fi", "hi", "fiy", "hiy"))
     v, along, length = point.v, trace.dual("vw", point.v.dot(w)), trace.dual("ww", _square(w))
@@ -74,13 +65,13 @@ def rate_dot(trace: Geometry) -> Program:
     bend = trace.dual("ht", hiy * change)
     scale = trace.dual("cvv", (hi * pull + bend * along - length) * QUARTER)
     turned = trace.dual_vector("s", z + spread * w).cross(v) * half
-    found = trace.dual("fih", fi * HALF) * z + drift * w + turned + scale * v
+    found = fi * trace.dual_vector("zh", z * HALF) + drift * w + turned + scale * v
     return trace.program("rate_dot", (*found.re, *found.du))
 
 
 def twist_jacobian(trace: Geometry) -> Program:
     """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
-    point, w = start(trace), _argument(trace, "v_dot", "w")
+    point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
@@ -96,40 +87,40 @@ def rate_jacobian(trace: Geometry) -> Program:
 
     That leaves one dyad, v⊗b, which is 0 where fiy = −hi, as for n = 2.
     """
-    point, w = start(trace), _argument(trace, "omega", "w")
+    point, w = trace.point(), trace.argument("omega", "w")
     side = trace.name("hs", _side(trace) * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot", ("hi", "fiy", "hiy"))
-    v, along = point.v, trace.dual("vw", point.v.dot(w))
-    pull, turn = trace.dual("fh", (hi + fiy) * HALF), trace.dual("gt", fiy * HALF)
-    image = trace.dual_vector("b", pull * w + trace.dual("ht", hiy * along * HALF) * v)
-    s = trace.dual_vector("s", side * w - turn * trace.dual_vector("t", w.cross(v)))
-    a = trace.dual("ha", trace.dual("hih", hi * HALF) * along)
+    # halves are taken of w: scalars of some charts are integers
+    v, half = point.v, trace.dual_vector("wh", w * HALF)
+    along = trace.dual("vwh", v.dot(half))
+    image = trace.dual_vector("b", trace.dual("fh", hi + fiy) * half + trace.dual("ht", hiy * along) * v)
+    s = trace.dual_vector("s", side * w - fiy * trace.dual_vector("t", half.cross(v)))
+    a = trace.dual("ha", hi * along)
     return _jacobian(trace, "rate_jacobian", Tensor.dyad(v, image), a, s)
 
 
 def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) -> Program:
     """A dyad with ``a I + skew(s)``."""
     spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
-    return trace.program(name, matrix6(trace, dyad + spread))
+    return trace.program(name, entries6(trace, dyad + spread))
 
 
-def matrix6(trace: Geometry, tensor: Tensor, letter: str = "J") -> Iterator[Number]:
-    """The real matrix that acts on dual vectors as the tensor does, whose real part stands in it twice."""
-    places = [f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
-    re = _rows([trace.name(place, entry) for place, entry in zip(places, tensor.re, strict=True)])
-    for row in re:
-        yield from (*row, 0, 0, 0)
-    for below, row in zip(_rows(list(tensor.du)), re, strict=True):
-        yield from (*below, *row)
+def matrix6(trace: Geometry) -> Program:
+    """The real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D: it acts on dual vectors as D does."""
+    entries = trace.components("D", "D", 18)
+    return trace.program("matrix6", entries6(trace, Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))))
 
 
-def _rows(entries: Sequence[Number]) -> tuple[Sequence[Number], ...]:
-    return entries[:3], entries[3:6], entries[6:]
-
-
-def _argument(trace: Geometry, argument: str, letter: str) -> Vector:
-    components = dual_vector(trace, argument, letter)
-    return Vector.dual(components[:3], components[3:])
+def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
+    """Return the entries of that matrix."""
+    re = list(tensor.re)
+    if not trace.real:  # each stands there twice
+        re = [trace.name(f"J{place}", entry) for place, entry in zip(NINE, re, strict=True)]
+    du = list(tensor.du)
+    for i in (0, 3, 6):
+        yield from (*re[i : i + 3], 0, 0, 0)
+    for i in (0, 3, 6):
+        yield from (*du[i : i + 3], *re[i : i + 3])
 
 
 def _square(w: Vector) -> Dual:

@@ -2,119 +2,136 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...algebra import Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .inputs import dual_vector, flat, vector
 from .point import Geometry, Point
 
 Rows = tuple[Vector, Vector, Vector]
 
 
-def rotate(point: Point, f: Number, g: Number, r: Vector, letter: str) -> Vector:
-    """Q r = r + f v × r + v × (g v × r); the products are named after the letter of r."""
-    turned = named(point.trace, f"v_{letter}", point.re.cross(r))
-    twice = named(point.trace, f"gv_{letter}", g * turned)
-    moved: Vector = r + (f * turned + point.re.cross(twice))
-    return moved
+def flat(rows: Iterable[Iterable[Number]]) -> Iterator[Number]:
+    """Return the entries of a matrix in C order."""
+    for row in rows:
+        yield from row
+
+
+def rows_of(entries: Sequence[Number]) -> Rows:
+    """Return the rows of a matrix of nine entries."""
+    return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:9])
+
+
+def rotation(point: Point, f: Number, g: Number) -> Rows:
+    """Return Q = I + f skew(v) + g skew(v)², whose diagonal is 1 − g (x − v_i²)."""
+    trace = point.trace
+    first, second, third = point.squares
+    squares = (("x23", second + third), ("x13", first + third), ("x12", first + second))
+    x23, x13, x12 = (trace.name(name, value) for name, value in squares)
+    _, v2, v3 = point.re
+    f1, f2, f3 = trace.vector("fv", f * point.re)
+    g1, g2, _ = trace.vector("gv", g * point.re)
+    g12, g13, g23 = trace.vector("gvv", Vector(g1 * v2, g1 * v3, g2 * v3))
+    return (
+        Vector(1 - g * x23, g12 - f3, g13 + f2),
+        Vector(g12 + f3, 1 - g * x13, g23 - f1),
+        Vector(g13 - f2, g23 + f1, 1 - g * x12),
+    )
 
 
 def translation(point: Point, f: Number, g: Number, h: Number) -> Vector:
-    """rho = Re(T) v°: the dual part of R is rho × Q."""
+    """Return ρ = Re(T) v° = f v° + g v × v° + h (v·v°) v: the dual part of R is skew(ρ) Q."""
     v, vo = point.re, point.du
-    gv = named(point.trace, "gv" + point.mark, g * v)
+    gv = point.trace.vector("gv" + point.mark, g * v)
     along = point.name("along", h * point.y)
     rho: Vector = f * vo + gv.cross(vo) + along * v
     return rho
 
 
-def rotation_rows(point: Point, f: Number, g: Number) -> Rows:
-    """Q = I + f skew(v) + g skew(v)², whose diagonal is 1 - g (x - v_i²)."""
-    first, second, third = point.squares
-    name, mark = point.name, point.mark
-    across = (name("x23", second + third), name("x13", first + third), name("x12", first + second))
-    _, v2, v3 = point.re
-    f1, f2, f3 = named(point.trace, "fv" + mark, f * point.re)
-    g1, g2, _ = named(point.trace, "gv" + mark, g * point.re)
-    g12, g13, g23 = named(point.trace, "gvv" + mark, Vector(g1 * v2, g1 * v3, g2 * v3))
-    return (
-        Vector(1 - g * across[0], g12 - f3, g13 + f2),
-        Vector(g12 + f3, 1 - g * across[1], g23 - f1),
-        Vector(g13 - f2, g23 + f1, 1 - g * across[2]),
-    )
+def rotated(trace: Geometry, v: Vector, f: Number, g: Number, r: Vector) -> Vector:
+    """Return Q r = r + f v × r + v × (g v × r)."""
+    turned = trace.vector("vr", v.cross(r))
+    twice = trace.vector("gvr", g * turned)
+    moved: Vector = r + (f * turned + v.cross(twice))
+    return moved
 
 
-def named(trace: Geometry, letter: str, value: Vector) -> Vector:
-    """Name the three components of a vector."""
-    return Vector(*(trace.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
+def crossed(a: Vector, rows: Rows) -> Iterator[Number]:
+    """Return the entries of skew(a) B, of the rows of B."""
+    a1, a2, a3 = a
+    first, second, third = rows
+    return flat((a2 * third - a3 * second, a3 * first - a1 * third, a1 * second - a2 * first))
 
 
-def named_rows(trace: Geometry, letter: str, rows: Rows) -> Rows:
-    first, second, third = (named(trace, f"{letter}{i}", row) for i, row in enumerate(rows, 1))
-    return first, second, third
+# --- programs that others call --------------------------------------------------------------------------------
+
+
+def rotate_at(trace: Geometry) -> Program:
+    """Q r = r + f v × r + v × (g v × r), at the real part of v."""
+    f, g = trace.numbers("f", "g")
+    return trace.program("rotate_at", rotated(trace, trace.point().re, f, g, trace.real_vector("r")))
+
+
+def tensor_at(trace: Geometry) -> Program:
+    """R = Q of f and g, CP23 (57).
+
+    Its dual part is skew(ρ) Q, ρ of f, g and h.
+    """
+    f, g, h = trace.numbers("f", "g", "h")
+    point = trace.point()
+    first, second, third = rotation(point, f, g)
+    Q = trace.vector("Q1", first), trace.vector("Q2", second), trace.vector("Q3", third)
+    rho = trace.vector("rho", translation(point, f, g, h))
+    return trace.program("tensor_at", (*flat(Q), *crossed(rho, Q)))
+
+
+# --- functions ------------------------------------------------------------------------------------------------
 
 
 def quaternion(trace: Geometry) -> Program:
-    point = start(trace)
+    """q̂ = s + w v, CP23 (50)."""
+    point = trace.point()
     s, w, sy, wy = point.scalars("quaternion")
-    turned = point.name("wo", wy * point.y)
+    turned = trace.name("wo", wy * point.y)
     return trace.program("quaternion", (s, *(w * point.re), sy * point.y, *(w * point.du + turned * point.re)))
 
 
 def tensor(trace: Geometry) -> Program:
-    point = start(trace)
-    f, g, h = point.scalars("pose")
-    rows = named_rows(point.trace, "Q", rotation_rows(point, f, g))
-    rho = named(point.trace, "rho", translation(point, f, g, h))
-    return trace.program("tensor", (*flat(rows), *flat(cross_rows(rho, rows))))
-
-
-def cross_rows(rho: Vector, rows: Rows) -> Rows:
-    """skew(rho) Q by rows."""
-    first, second, third = rows
-    r1, r2, r3 = rho
-    return r2 * third - r3 * second, r3 * first - r1 * third, r1 * second - r2 * first
+    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    point = trace.point()
+    return trace.program("tensor", trace.apply(tensor_at, "R{}", *point.scalars("pose"), point.components))
 
 
 def pose(trace: Geometry) -> Program:
-    point = start(trace)
+    """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
+    point = trace.point()
     f, g, h = point.scalars("pose")
-    last: Iterable[Number] = (0, 0, 0, 1)
-    rows, rho = rotation_rows(point, f, g), translation(point, f, g, h)
-    return trace.program("pose", (*_beside(rows, rho), *last))
-
-
-def _beside(rows: Rows, column: Vector) -> Iterator[Number]:
-    for row, entry in zip(rows, column, strict=True):
-        yield from (*row, entry)
+    pairs = zip(rotation(point, f, g), translation(point, f, g, h), strict=True)
+    beside = (entry for row, last in pairs for entry in (*row, last))
+    return trace.program("pose", (*beside, 0, 0, 0, 1))
 
 
 def transform_point(trace: Geometry) -> Program:
-    point = start(trace)
-    r = vector(trace, "r", "r")
+    """Q r of a point r.
+
+    It moves by ρ besides.
+    """
+    point, r = trace.point(), trace.real_vector("r")
     f, g, h = point.scalars("pose")
-    return trace.program("transform_point", rotate(point, f, g, r, "r") + translation(point, f, g, h))
+    return trace.program("transform_point", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
 
 
 def transform_line(trace: Geometry) -> Program:
-    """R l = Q l + eps (Q m + rho × Q l) for a line of direction l and moment m."""
-    point = start(trace)
-    parts = trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
+    """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
+    point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
     f, g, h = point.scalars("pose")
-    direction = named(trace, "Ql", rotate(point, f, g, Vector(*parts[:3]), "l"))
-    moment = rotate(point, f, g, Vector(*parts[3:]), "m")
-    rho = named(trace, "rho", translation(point, f, g, h))
+    direction = Vector(*trace.apply(rotate_at, "Ql{}", f, g, point.components, parts[:3]))
+    moment = Vector(*trace.apply(rotate_at, "Qm{}", f, g, point.components, parts[3:]))
+    rho = trace.vector("rho", translation(point, f, g, h))
     return trace.program("transform_line", (*direction, *(moment + rho.cross(direction))))
 
 
 def inverse(trace: Geometry) -> Program:
-    """R(−v) = R(v)ᵀ."""
-    point = start(trace)
-    return trace.program("inverse", [-component for component in (*point.re, *point.du)])
-
-
-def start(trace: Geometry) -> Point:
-    """The vector v that is the first argument."""
-    return Point(trace, dual_vector(trace, "v", "v"))
+    """−v: R(−v) = R(v)ᵀ."""
+    return trace.program("inverse", [-component for component in trace.point().components])

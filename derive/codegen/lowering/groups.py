@@ -6,112 +6,89 @@ With ``T v̇`` the twist, a moved line ``R l`` changes by ``T v̇ × R l``, and 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ...algebra import Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .calculus import HALF, matrix6
-from .forward import cross_rows, named, named_rows, rotate, rotation_rows, start, translation
-from .inputs import dual_vector, flat, vector
-from .inverse import product
-from .kinematics import Operator, tangent_operator
-from .point import Geometry, Point
+from .calculus import matrix6
+from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
+from .inverse import compose
+from .kinematics import opposite, tangent, tangent_at, tangent_inv
+from .point import Geometry
+
+
+def dual_product(trace: Geometry) -> Program:
+    """A B.
+
+    A and B are dual tensors: the dual part is A° B + A B°.
+    """
+    A, B = (
+        Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))
+        for entries in (trace.components("A", "A", 18), trace.components("B", "B", 18))
+    )
+    found = A @ B
+    return trace.program("dual_product", (*found.re, *found.du))
 
 
 def adjoint(trace: Geometry) -> Program:
-    point = start(trace)
-    return trace.program("adjoint", matrix6(trace, dual_tensor(point, *point.scalars("pose"))))
-
-
-def dual_tensor(point: Point, f: Number, g: Number, h: Number) -> Tensor:
-    """R = Q + eps rho × Q."""
-    trace = point.trace
-    rows = named_rows(trace, "Q" + point.mark, rotation_rows(point, f, g))
-    rho = named(trace, "rho" + point.mark, translation(point, f, g, h))
-    return Tensor.dual(Tensor.from_entries(flat(rows)), Tensor.from_entries(flat(cross_rows(rho, rows))))
-
-
-def operator_tensor(operator: Operator, letter: str) -> Tensor:
-    """An operator as a dual tensor with named entries."""
-    entries = tuple(operator.entries())
-    parts = (Tensor.from_entries(entries[:9]), Tensor.from_entries(entries[9:]))
-    return named_tensor(operator.point.trace, letter, Tensor.dual(*parts))
-
-
-def named_tensor(trace: Geometry, letter: str, tensor: Tensor) -> Tensor:
-    places = (f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
-    return Tensor.from_entries(trace.dual(place, entry) for place, entry in zip(places, tensor, strict=True))
+    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
+    point = trace.point()
+    R = trace.apply(tensor_at, "R{}", *point.scalars("pose"), point.components)
+    return trace.program("adjoint", trace.apply(matrix6, "J{}", R))
 
 
 def transform_point_jacobians(trace: Geometry) -> Program:
-    """``(Du T − moved × Re T, Re T)`` beside each other, and Q."""
-    point = start(trace)
-    r = vector(trace, "r", "r")
-    f, g, h, *_ = point.scalars("tangent")
-    rho = translation(point, f, g, h)
-    moved = named(trace, "moved", rotate(point, f, g, r, "r") + rho)
-    T = operator_tensor(tangent_operator(point), "T")
-    turned = T.du - Tensor.skew(moved) @ T.re
-    beside = (entry for pair in zip(turned.rows, T.re.rows, strict=True) for row in pair for entry in row)
-    return trace.program("transform_point_jacobians", (*beside, *flat(rotation_rows(point, f, g))))
+    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r.
+
+    By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
+    """
+    point, r = trace.point(), trace.real_vector("r")
+    f, g, h, *slopes = point.scalars("tangent")
+    v = point.components
+    Q = flat(rotation(point, f, g))
+    T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, v)
+    moved = trace.vector("moved", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
+    by_v = [slope - entry for slope, entry in zip(T[9:], crossed(moved, rows_of(T[:9])), strict=True)]
+    beside = (entry for i in (0, 3, 6) for entry in (*by_v[i : i + 3], *T[i : i + 3]))
+    return trace.program("transform_point_jacobians", (*beside, *Q))
 
 
 def transform_line_jacobians(trace: Geometry) -> Program:
-    """``−skew(R l) T`` and R."""
-    point = start(trace)
-    parts = trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
-    R = named_tensor(trace, "R", dual_tensor(point, *point.scalars("tangent")[:3]))
-    moved = trace.dual_vector("moved", R @ Vector.dual(parts[:3], parts[3:]))
-    by_v = Tensor.skew(-moved) @ operator_tensor(tangent_operator(point), "T")
-    return trace.program("transform_line_jacobians", (*matrix6(trace, by_v, "V"), *matrix6(trace, R, "R")))
+    """−skew(R l) T and R: the derivatives of a moved line by v and by the line."""
+    point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
+    f, g, h, *slopes = point.scalars("tangent")
+    R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
+    T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
+    tensor = Tensor.dual(*map(Tensor.from_entries, (R[:9], R[9:])))
+    moved = tensor @ Vector.dual(parts[:3], parts[3:])
+    back = trace.dual_vector("back", -moved)
+    turned = Tensor.skew(back) @ Tensor.dual(*map(Tensor.from_entries, (T[:9], T[9:])))
+    by_v = (*turned.re, *turned.du)
+    by_line = trace.apply(matrix6, "by_line{}", R)
+    return trace.program("transform_line_jacobians", (*trace.apply(matrix6, "by_v{}", by_v), *by_line))
 
 
 def compose_jacobians(trace: Geometry) -> Program:
-    """``(T(v)⁻¹ T(v2), T(v)⁻¹ R(v2) T(v1))``."""
-    second, first = (dual_vector(trace, letter, letter) for letter in ("b", "a"))
-    by_second, by_first = _by_factors(trace, second, first)
-    return trace.program("compose_jacobians", (*matrix6(trace, by_second, "B"), *matrix6(trace, by_first, "A")))
+    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    by_second, by_first = _by_factors(trace, v2, v1)
+    by_v2, by_v1 = trace.apply(matrix6, "by_v2{}", by_second), trace.apply(matrix6, "by_v1{}", by_first)
+    return trace.program("compose_jacobians", (*by_v2, *by_v1))
 
 
 def between_jacobians(trace: Geometry) -> Program:
-    """The same of −v1 after v2, by v1 with a minus."""
-    first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    by_second, by_first = _by_factors(trace, opposite(trace, "b", second), first)
-    return trace.program("between_jacobians", (*matrix6(trace, by_first, "A"), *matrix6(trace, -by_second, "B")))
+    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    by_second, by_first = _by_factors(trace, opposite(v1), v2)
+    by_v2 = trace.apply(matrix6, "by_v2{}", by_first)
+    return trace.program("between_jacobians", (*by_v2, *trace.apply(matrix6, "by_v1{}", opposite(by_second))))
 
 
-def _by_factors(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Tensor, Tensor]:
-    """Derivatives of a product by its factors."""
-    after, before = Point(trace, second, "b"), Point(trace, first, "a")
-    found = [trace.name(f"w{i}", c) for i, c in enumerate(product(trace, after, before), 1)]
-    at = Point(trace, found, "w")
-    back = operator_tensor(twice_inverse(at, at.scalars("tangent_inv")), "I")
-    T2, T1 = (tangent_at(trace, v, mark) for v, mark in ((second, "S"), (first, "F")))
-    R = named_tensor(trace, "R", dual_tensor(after, *after.scalars("ray")[3:]))
-    return (back @ T2) * HALF, (back @ named_tensor(trace, "RT", R @ T1)) * HALF
-
-
-def tangent_at(trace: Geometry, v: Sequence[Number], mark: str) -> Tensor:
-    """T of a vector, which has a mark of its own."""
-    return operator_tensor(tangent_operator(Point(trace, v, mark)), mark)
-
-
-def twice_inverse(point: Point, scalars: Sequence[Number]) -> Operator:
-    """2 T⁻¹ of f_i, h_i and their slopes; what it is multiplied with is halved in the end."""
-    fi, hi, fiy, hiy = scalars
-    fio, hio = (point.name(letter, slope * point.y) for letter, slope in (("fio", fiy), ("hio", hiy)))
-    s, so = (named(point.trace, letter + point.mark, -part) for letter, part in (("s", point.re), ("so", point.du)))
-    return Operator(point, fi, fio, s, so, hi, hio)
-
-
-def opposite(trace: Geometry, letter: str, v: Sequence[Number]) -> list[Number]:
-    """−v."""
-    return [trace.name(f"minus_{letter}{i}", -c) for i, c in enumerate(v, 1)]
-
-
-def between(trace: Geometry) -> Program:
-    """R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
-    first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    back = opposite(trace, "b", second)
-    return trace.program("between", product(trace, Point(trace, back, "b"), Point(trace, first, "a")))
+def _by_factors(
+    trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
+) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
+    """Return the derivatives of a product by its factors."""
+    v = trace.apply(compose, "v{}", second, first)
+    back = trace.apply(tangent_inv, "back{}", v)
+    T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)
+    turned = trace.apply(dual_product, "R2T1{}", trace.apply(tensor, "R2{}", second), T1)
+    return trace.apply(dual_product, "D2{}", back, T2), trace.apply(dual_product, "D1{}", back, turned)

@@ -1,61 +1,57 @@
-"""Inverse maps, shadows and composition.
+"""Inverse maps, composition, and shadows.
 
-Each needs only its real part: with T = Re dcay at Re v, the dual part of v is v° = T⁻¹ rho. Signs follow the principal
-quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
+Each inverse map needs only its real part: with T = Re dcay at Re v, the dual part of v is v° = T⁻¹ ρ. Signs follow the
+principal quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
 """
 
 from __future__ import annotations
 
+import itertools
+
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .calculus import matrix6
-from .forward import named, rotate, start, translation
-from .inputs import dual_vector
-from .point import Geometry, Point
+from .calculus import entries6
+from .forward import rotated, rows_of, translation
+from .kinematics import opposite
+from .point import TABLE, Geometry, Point
 
 Axis = tuple[Number, Vector, Number, Vector]
 """Magnitude and direction of a dual vector, and the dual parts of both."""
 
-
-def from_quaternion(trace: Geometry) -> Program:
-    parts = trace.inputs("e", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
-    e, eo = Quaternion(parts[0], Vector(*parts[1:4])), Quaternion(parts[4], Vector(*parts[5:]))
-    return _finish(trace, "from_quaternion", e, "gain_unit", named(trace, "rho", _translation(e, eo)))
+DISPLACEMENT = ("e0", "e1", "e2", "e3", "size", "f°", "g°", "rho1°", "rho2°", "rho3°")
+"""Results of `displacement`."""
 
 
-def _translation(e: Quaternion, eo: Quaternion) -> Vector:
-    """rho = 2 vect(e° e*), e* the conjugate; CP23 Theorem 5."""
-    rho: Vector = 2 * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
-    return rho
+def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
+    """Return v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2."""
+    along = trace.name("along", hi * v.dot(rho))
+    du: Vector = (fi * rho - v.cross(rho) + along * v) / 2
+    return du
 
 
-def from_tensor(trace: Geometry) -> Program:
-    entries = trace.inputs("R", [f"{part}{i}{j}" for part in "QD" for i in (1, 2, 3) for j in (1, 2, 3)])
-    rotation, dual = _rows(entries[:9]), _rows(entries[9:])
-    # rho = vect(Du Qᵀ) of skew(rho) Q
-    product = [[d.dot(q) for q in rotation] for d in dual]
-    rho = Vector(product[2][1] - product[1][2], product[0][2] - product[2][0], product[1][0] - product[0][1]) / 2
-    return _from_rotation(trace, "from_tensor", rotation, named(trace, "rho", rho))
+# --- programs that others call --------------------------------------------------------------------------------
 
 
-def from_pose(trace: Geometry) -> Program:
-    entries = trace.inputs("T", [f"{'Q' if j < 4 else 'T'}{i}{j}" for i in (1, 2, 3, 4) for j in (1, 2, 3, 4)])
-    rotation = tuple(Vector(*entries[4 * i : 4 * i + 3]) for i in range(3))
-    return _from_rotation(trace, "from_pose", rotation, Vector(entries[3], entries[7], entries[11]))
+def vector_of(trace: Geometry) -> Program:
+    """v = gain vec e of a quaternion e.
+
+    Its dual part is v° = T⁻¹ ρ.
+    """
+    (gain,) = trace.numbers("gain")
+    e0, *vector = trace.components("e", "e", 4)
+    rho = trace.real_vector("rho", dual="°")
+    v = trace.vector("v", gain * Vector(*vector))
+    fi, hi = trace.ask("inverse", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
+    return trace.program("vector_of", (*v, *dual_part(trace, fi, hi, v, rho)))
 
 
-def _rows(entries: tuple[Number, ...]) -> tuple[Vector, ...]:
-    return tuple(Vector(*entries[3 * i : 3 * i + 3]) for i in range(3))
+def quaternion_of(trace: Geometry) -> Program:
+    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0.
 
-
-def _from_rotation(trace: Geometry, name: str, rotation: tuple[Vector, ...], rho: Vector) -> Program:
-    return _finish(trace, name, _quaternion_of(trace, rotation), "gain_positive", rho)
-
-
-def _quaternion_of(trace: Geometry, rotation: tuple[Vector, ...]) -> Quaternion:
-    """A multiple of the rotation's quaternion: the row of 4 q qᵀ with the largest diagonal entry loses no digits."""
-    (q11, q12, q13), (q21, q22, q23), (q31, q32, q33) = rotation
+    That is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    """
+    (q11, q12, q13), (q21, q22, q23), (q31, q32, q33) = rows_of(trace.components("Q", "Q", 9))
     a, b, c = (trace.name(f"a{i}", d) for i, d in enumerate((q32 - q23, q13 - q31, q21 - q12), 1))
     s12, s13, s23 = (trace.name(n, s) for n, s in (("s12", q12 + q21), ("s13", q13 + q31), ("s23", q23 + q32)))
     up, down = trace.name("up", 1 + q11), trace.name("down", 1 - q11)
@@ -69,71 +65,121 @@ def _quaternion_of(trace: Geometry, rotation: tuple[Vector, ...]) -> Quaternion:
         best = trace.name(f"best{step}", trace.where(larger, size, best))
         pairs = zip(row, entries, strict=True)
         entries = tuple(trace.name(f"z{step}{i}", trace.where(larger, new, old)) for i, (new, old) in enumerate(pairs))
-    return _positive(trace, entries)
+    return trace.program("quaternion_of", _positive(trace, entries))
 
 
-def _positive(trace: Geometry, entries: tuple[Number, ...]) -> Quaternion:
-    """Scalar part >= 0; where it is 0, the first component of the vector part which is not 0 is positive."""
+def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...]:
+    """Return a quaternion or its opposite: the scalar >= 0, or the first other component that is not 0 positive."""
     negative: Number = trace.less(entries[3], 0)
     for entry in (entries[2], entries[1], entries[0]):
         negative = trace.either(trace.less(entry, 0), trace.both(trace.equal(entry, 0), negative))
     sign = trace.name("sign", trace.where(negative, -1, 1))
-    z0, z1, z2, z3 = (trace.name(f"e{i}", sign * entry) for i, entry in enumerate(entries))
-    return Quaternion(z0, Vector(z1, z2, z3))
+    return tuple(sign * entry for entry in entries)
+
+
+def displacement(trace: Geometry) -> Program:
+    """A positive multiple e of the quaternion of v, its size, and f and g.
+
+    ρ = Re(T) v°, the translation.
+    """
+    point = trace.point()
+    a, b, size, f, g, h = point.scalars("ray")
+    rho = translation(point, f, g, h)
+    return trace.program("displacement", (a, *(b * point.re), size, f, g, *rho), DISPLACEMENT)
+
+
+def composed(trace: Geometry) -> Program:
+    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
+
+    ρ = ρ2 + Q2 ρ1, Q2 of f and g at v2.
+    """
+    e2 = Quaternion.from_components(trace.inputs("e2", [f"p{i}" for i in range(4)]))
+    f, g = (trace.inputs(name, [name + "°"])[0] for name in ("f", "g"))
+    v2 = trace.inputs("v2", [f"b{i}{mark}" for mark in ("°", "o") for i in (1, 2, 3)])
+    rho2 = trace.real_vector("rho2", "s", "°")
+    e1 = Quaternion.from_components(trace.inputs("e1", [f"q{i}" for i in range(4)]))
+    rho1 = trace.real_vector("rho1", "r", "°")
+    moved = rotated(trace, Vector(*v2[:3]), f, g, rho1)
+    names = ("e0", "e1", "e2", "e3", "rho1°", "rho2°", "rho3°")
+    return trace.program("composed", (*(e2 * e1), *(rho2 + moved)), names)
+
+
+def product(
+    trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
+) -> tuple[tuple[Number, ...], tuple[Number, ...], tuple[Number, ...]]:
+    """Return e and ρ of one displacement after another, and the sizes of both quaternions."""
+    *e2, size2, f, g, r1, r2, r3 = trace.apply(displacement, "{}_2", second)
+    *e1, size1, _, _, s1, s2, s3 = trace.apply(displacement, "{}_1", first)
+    found = trace.apply(composed, "{}", e2, f, g, second, (r1, r2, r3), e1, (s1, s2, s3))
+    return found[:4], found[4:], (size2, size1)
+
+
+# --- functions ------------------------------------------------------------------------------------------------
+
+
+def from_quaternion(trace: Geometry) -> Program:
+    """v = gain vec q̂ of a unit dual quaternion, CP23 (47).
+
+    v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    """
+    parts = trace.inputs("e", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
+    e, eo = Quaternion.from_components(parts[:4]), Quaternion.from_components(parts[4:])
+    rho = 2 * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
+    (gain,) = trace.ask("gain_unit", tuple(e))
+    return trace.program("from_quaternion", trace.apply(vector_of, "v{}", gain, e, rho))
+
+
+def from_tensor(trace: Geometry) -> Program:
+    """v of a rotation Q, by its quaternion.
+
+    v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
+    """
+    entries = trace.inputs("R", [f"R{i}{j}{mark}" for mark in ("", "o") for i in (1, 2, 3) for j in (1, 2, 3)])
+    rotation, dual = rows_of(entries[:9]), rows_of(entries[9:])
+    product = [[d.dot(q) for q in rotation] for d in dual]
+    rho = Vector(product[2][1] - product[1][2], product[0][2] - product[2][0], product[1][0] - product[0][1]) / 2
+    return trace.program("from_tensor", _from_rotation(trace, entries[:9], rho))
+
+
+def from_pose(trace: Geometry) -> Program:
+    """v of a homogeneous matrix [[Q, ρ], [0, 1]]; v° = T⁻¹ ρ."""
+    entries = trace.inputs("T", [f"{'Q' if j < 4 else 'T'}{i}{j}" for i in (1, 2, 3, 4) for j in (1, 2, 3, 4)])
+    rotation = (*entries[:3], *entries[4:7], *entries[8:11])
+    return trace.program("from_pose", _from_rotation(trace, rotation, (entries[3], entries[7], entries[11])))
+
+
+def _from_rotation(trace: Geometry, Q: tuple[Number, ...], rho: Vector | tuple[Number, ...]) -> tuple[Number, ...]:
+    e = trace.apply(quaternion_of, "e{}", Q)
+    (gain,) = trace.ask("gain_positive", e)
+    return trace.apply(vector_of, "v{}", gain, e, rho)
 
 
 def compose(trace: Geometry) -> Program:
-    """R(v2) R(v1)."""
-    second = Point(trace, dual_vector(trace, "b", "b"), "b")
-    first = Point(trace, dual_vector(trace, "a", "a"), "a")
-    return trace.program("compose", product(trace, second, first))
+    """The principal v of R(v2) R(v1), CP23 (58)."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    e, rho, sizes = product(trace, v2, v1)
+    (gain,) = trace.ask("gain_product", (*e, *sizes))
+    return trace.program("compose", trace.apply(vector_of, "v{}", gain, e, rho))
 
 
-def product(trace: Geometry, second: Point, first: Point) -> tuple[Number, ...]:
-    """The principal vector of one displacement after the other; rho = rho2 + Q2 rho1.
-
-    Through the product of rays (a2 + b2 v2)(a1 + b1 v1), quaternions times a size.
-    """
-    ray2, size2, (f, g, h) = ray(trace, second)
-    ray1, size1, coefficients = ray(trace, first)
-    z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
-    moved = rotate(second, f, g, named(trace, "rhoa", translation(first, *coefficients)), "rho")
-    rho = named(trace, "rho", moved + translation(second, f, g, h))
-    return _vector(trace, z, "gain_product", rho, size2, size1)
-
-
-def ray(trace: Geometry, point: Point) -> tuple[Quaternion, Number, tuple[Number, ...]]:
-    """A positive multiple of the quaternion, how large, and f, g, h."""
-    a, b, size, *coefficients = point.scalars("ray")
-    return Quaternion(a, named(trace, "bv" + point.mark, b * point.re)), size, tuple(coefficients)
-
-
-def _finish(trace: Geometry, name: str, e: Quaternion, gain: str, rho: Vector) -> Program:
-    return trace.program(name, _vector(trace, e, gain, rho))
-
-
-def _vector(trace: Geometry, e: Quaternion, gain: str, rho: Vector, *sizes: Number) -> tuple[Number, ...]:
-    """v = gain · e and v° = Re(T)⁻¹ rho, T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, by one of the chart's gains."""
-    (factor,) = trace.ask(gain, (e.scalar, *e.vector, *sizes))
-    re = named(trace, "v", factor * e.vector)
-    point = Point(trace, (*re, 0, 0, 0))
-    fi, hi = trace.ask("inverse", (point.x, trace.name("fe", factor * e.scalar)))
-    along = trace.name("hvr", hi * re.dot(rho))
-    return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
+def between(trace: Geometry) -> Program:
+    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    return trace.program("between", trace.apply(compose, "v{}", opposite(v1), v2))
 
 
 # --- shadows --------------------------------------------------------------------------------------------------
 
 
 def turn(trace: Geometry) -> Program:
-    """Go on along the axis of v itself by a turn of the chart."""
-    point = start(trace)
+    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
+    point = trace.point()
     return trace.program("turn", _turned(trace, point, _axis(trace, point), *_turn(trace)))
 
 
 def shadow(trace: Geometry) -> Program:
-    """Go on along the axis of the principal angle by a turn of the chart."""
-    point = start(trace)
+    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
+    point = trace.point()
     cosine, sine = _turn(trace)
     axis = _axis(trace, point)
     # of the axis' length, not of x: its gradient is finite at Re v = 0
@@ -142,9 +188,9 @@ def shadow(trace: Geometry) -> Program:
 
 
 def principal(trace: Geometry) -> Program:
-    """Go back by the turn that the table has for x; where v is principal already, it stands."""
-    point = start(trace)
-    trace.declare_returns()
+    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
+    point = trace.point()
+    trace.inputs(TABLE, ())  # of a length that only the chart knows
     beyond, cosine, sine = trace.ask("beyond", (point.x,))
     turned = _turned(trace, point, _axis_where(trace, point, beyond), cosine, sine)
     stays = (*point.re, *point.du)
@@ -153,37 +199,33 @@ def principal(trace: Geometry) -> Program:
 
 
 def shadow_jacobian(trace: Geometry) -> Program:
-    """``T(v_k)⁻¹ T(v)``: that is ``(r_k/r) (I − u⊗u) + dr_k/dr u⊗u``, where ``v = r u`` and ``v_k = r_k u``.
-
-    Where both T have no inverse, at whole turns, this has no singular point.
-    """
-    point = start(trace)
+    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
+    point = trace.point()
     cosine, sine = _turn(trace)
     size, u, size_du, moment = _axis(trace, point)
     (sign,) = trace.ask("direction", (point.x, point.y, size))
-    length, slope = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
-    length_du = point.name("rko", size_du * slope)
-    across = trace.dual("across", Dual(length, length_du) / Dual(size, size_du))
-    # dr_k/dr is 1/φ′ of v by that of v_k: slopes of both make its dual part
-    (before, beforey), (after, aftery) = (
-        trace.ask("rate", (square,), mark) for square, mark in ((point.x, ""), (point.name("xk", length * length), "k"))
-    )
-    growth = point.y * (beforey / before) - point.name("yk", length * length_du) * (aftery / after)
-    spread = trace.dual("spread", Dual(slope, slope * growth) - across)
-    axis = Vector.dual(u, moment)
-    along = trace.dual_vector("su", spread * axis)
-    diagonal = Tensor(((across, 0, 0), (0, across, 0), (0, 0, across)))
-    return trace.program("shadow_jacobian", matrix6(trace, Tensor.dyad(along, axis) + diagonal))
+    length, slope, bend = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
+    ratio = point.name("ratio", length / size)
+    spread = point.name("spread", slope - ratio)
+    # by division of each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows where r is small
+    change, along = point.name("change", spread * size_du), point.name("along", bend * size_du)
+    entries = []
+    for (i, (ui, mi)), (j, (uj, mj)) in itertools.product(enumerate(zip(u, moment), 1), repeat=2):
+        square = point.name(f"uu{i}{j}", ui * uj)
+        rest = point.name(f"p{i}{j}", int(i == j) - square)
+        du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
+        entries.append(trace.dual(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
+    return trace.program("shadow_jacobian", entries6(trace, Tensor.from_entries(entries)))
 
 
 def identity_jacobian(trace: Geometry) -> Program:
-    """That of no turn: I, but NaN where v is not finite."""
-    point = start(trace)
+    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
+    point = trace.point()
     none = point.name("none", sum(((c - c) for c in (*point.re, *point.du)), start=0))
     one = Dual(point.name("one", 1 + none), none)
     zero = Dual(none, none)
     return trace.program(
-        "identity_jacobian", matrix6(trace, Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one))))
+        "identity_jacobian", entries6(trace, Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one))))
     )
 
 
@@ -192,26 +234,35 @@ def _turn(trace: Geometry) -> tuple[Number, ...]:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """|v| and v/|v| as dual quantities; at Re v = 0 the axis is that of v°, through the origin; at v = 0 it is NaN.
+    """Return |v| and v/|v| as dual quantities."""
+    r, *found = trace.apply(axis_of, "{}", point.components)
+    return r, Vector(*found[:3]), found[3], Vector(*found[4:])
 
-    Vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must.
+
+def axis_of(trace: Geometry) -> Program:
+    """r = |v| and u = v/|v|; u is NaN at v = 0.
+
+    Dual parts are r° and u°; at Re v = 0 the axis is that of v°, through the origin.
     """
+    # vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must
+    point = trace.point()
     v, vo = point.re, point.du
     total = point.name("total", _sum(trace, v))
     still = point.name("still", trace.equal(total, 0))
     # with no dual part nothing else is left at Re v = 0
     where = v if point.is_real else Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True)))
-    along = named(trace, "a", where)
+    along = trace.vector("a", where)
     extent = point.name("extent", _sum(trace, along))
     scale = point.name("scale", trace.where(trace.equal(extent, 0), 1, extent))
-    scaled = named(trace, "s", along / scale)
+    scaled = trace.vector("s", along / scale)
     # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
     root = point.name("root", trace.sqrt(scaled.dot(scaled)))
-    u = named(trace, "u", scaled / root)
+    u = trace.vector("u", scaled / root)
     size_du = point.name("ro", trace.where(still, scale * root, u.dot(vo)))
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
-    across = vo - named(trace, "ru", size_du * u)
-    return point.name("r", total * root), u, size_du, named(trace, "uo", across / scale * inverse)
+    across = vo - trace.vector("ru", size_du * u)
+    results = (total * root, *u, size_du, *(across / scale * inverse))
+    return trace.program("axis_of", results, ("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"))
 
 
 def _sum(trace: Geometry, v: Vector) -> Number:
@@ -220,33 +271,39 @@ def _sum(trace: Geometry, v: Vector) -> Number:
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
-    """The same where it is needed, Re v ≠ 0; elsewhere numbers which are not used and spoil no gradient."""
+    """Return the same where it is needed, Re v ≠ 0; elsewhere numbers that are not used and spoil no gradient."""
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
-    u = named(trace, "u", point.re / size)
+    u = trace.vector("u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
-    moment = named(trace, "uo", (point.du - named(trace, "ru", size_du * u)) / size)
+    moment = trace.vector("uo", (point.du - trace.vector("ru", size_du * u)) / size)
     return size, u, size_du, moment
 
 
 def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
-    """The vector a turn on along u: its coefficient r becomes rk, with the slope of that in the dual part."""
+    """Return the vector a turn on along u: its coefficient r becomes rk, with the slope of that in the dual part."""
     size, u, size_du, moment = axis
-    length, slope = trace.ask("turned", (size, cosine, sine))
+    length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)
     return (*(length * u), *(length * moment + length_du * u))
 
 
 def to_screw(trace: Geometry) -> Program:
-    """Dual angle and axis, CP23 Theorem 3: alpha in [0, pi], d = r° dα/dr along the axis of that angle."""
-    point = start(trace)
+    """The angle α in [0, π] and the axis u, CP23 Theorem 3.
+
+    The dual part of α is r° dα/dr, along the axis of that angle.
+    """
+    point = trace.point()
     size, u, size_du, moment = _axis(trace, point)
     angle, slope, sign = trace.ask("natural", (point.x, point.y, size))
     return trace.program("to_screw", (angle, sign * (slope * size_du), *(sign * u), *(sign * moment)))
 
 
 def angle(trace: Geometry) -> Program:
-    """The dual angle of v's own branch; along the axis ``dα/dr`` is ``f + x h``."""
-    point = start(trace)
+    """The angle α of v on its own branch.
+
+    Its dual part is r° (f + x h), since dα/dr = f + x h.
+    """
+    point = trace.point()
     _, _, distance, _ = _axis(trace, point)
     f, _, h = point.scalars("pose")
     resting = trace.name("resting", trace.equal(point.x, 0))
@@ -256,10 +313,10 @@ def angle(trace: Geometry) -> Program:
 
 
 def from_screw(trace: Geometry) -> Program:
-    """v = φ(α) u over dual numbers."""
-    angle, distance = trace.inputs("angle", ("alpha", "d"))
-    parts = dual_vector(trace, "line", "u")
-    u, moment = Vector(*parts[:3]), Vector(*parts[3:])
+    """v = φ(α) u, over dual numbers."""
+    angle, distance = trace.inputs("angle", ("alpha", "alphao"))
+    line = trace.argument("line", "u")
+    u, moment = line.re, line.du
     size, slope = trace.ask("coefficient", (angle,))
     size_du = trace.name("ro", distance * slope)
     return trace.program("from_screw", (*(size * u), *(size * moment + size_du * u)))

@@ -10,11 +10,10 @@ from __future__ import annotations
 from ...algebra import Quaternion, Vector
 from ..programs.program import Program
 from ..programs.value import Number
-from .forward import named, rotate, translation
-from .inputs import dual_vector
-from .inverse import ray
-from .point import Geometry, Point, Scope
-from .retraction import exponential_scalars, logarithm, with_dual
+from .forward import translation
+from .inverse import composed, displacement, dual_part
+from .point import LAYOUTS, Geometry, Point
+from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
 """A motion that begins before, and ends before a whole turn, comes to none: its axis may be any."""
@@ -24,24 +23,19 @@ OWN_AXIS = 64
 
 
 def interpolate(trace: Geometry) -> Program:
-    """R = exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)ᵀ."""
-    before, after = (Point(trace, dual_vector(trace, letter, letter), letter) for letter in ("a", "b"))
+    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    v1, v2 = trace.components("v1", "a", 6), trace.components("v2", "b", 6)
     (t,) = trace.inputs("time", ("t",))
-    first, _, (f1, g1, h1) = ray(trace, before)
-    second, _, (f2, g2, h2) = ray(trace, after)
-    rho1 = named(trace, "rhoa", translation(before, f1, g1, h1))
-    back = named(trace, "back", -rotate(before, -f1, g1, rho1, "rhoa"))
-    way = named(trace, "way", rotate(after, f2, g2, back, "back") + translation(after, f2, g2, h2))
-    e = Quaternion.from_components(trace.name(f"e{i}", c) for i, c in enumerate(second * first.conjugate()))
-    delta = logarithm(trace, e, way)
-    step = Point(trace, [trace.name(f"td{i}", t * c) for i, c in enumerate(delta, 1)], "t")
-    at = exponential_scalars(step)
-    small = Quaternion(at.s, named(trace, "wd", at.w * step.re))
-    z = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(small * first))
-    moved = rotate(step, at.f, at.g, rho1, "moved")
-    rho = named(trace, "rho", moved + translation(step, at.f, at.g, at.h))
-    followed = _Followed(trace, before, first, Vector(*delta[:3]), step.re)
-    return trace.program("interpolate", followed.vector(z, rho))
+    delta = trace.apply(local, "d{}", v2, v1)
+    step = [trace.name(f"td{place}", t * c) for place, c in zip(LAYOUTS[6], delta, strict=True)]
+    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", step[:3])
+    *first, _, _, _, r1, r2, r3 = trace.apply(displacement, "{}_1", v1)
+    small = (s, *trace.vector("wd", w * Vector(*step[:3])))
+    rho = translation(Point(trace, step, "t"), f, g, h)
+    found = trace.apply(composed, "{}", small, f, g, step, rho, first, (r1, r2, r3))
+    before = Point(trace, v1, "a")
+    followed = _Followed(trace, before, Quaternion.from_components(first), Vector(*delta[:3]), Vector(*step[:3]))
+    return trace.program("interpolate", followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:])))
 
 
 class _Followed:
@@ -49,16 +43,15 @@ class _Followed:
 
     def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector, gone: Vector) -> None:
         self.trace = trace
-        self.scope = Scope(trace, "")  # whose names avoid those of a chart
-        name, where = self.scope.name, trace.where
+        name, where = trace.name, trace.where
         resting = name("resting", trace.equal(start.x, 0))
         r = name("r", trace.sqrt(where(resting, 1 + start.x, start.x)))
         (own,) = trace.ask("unfolded", (start.x, r))
-        self.own = name("own", where(resting, start.x, own))
-        along = named(trace, "along", start.re / r)
+        self.own = name("alpha", where(resting, start.x, own))
+        along = trace.vector("along", start.re / r)
         # once more: where the square of v is subnormal, its root has few digits
         unit = name("unit", trace.sqrt(where(resting, r, along.dot(along))))
-        self.axis = named(trace, "axis", along / unit)
+        self.axis = trace.vector("axis", along / unit)
         self.gone = name("gone", gone.dot(self.axis))
         end = name("end", trace.abs(self.own + self.gone))
         inside = trace.both(trace.less(self.own, HALF_TURN), trace.either(resting, trace.less(25 * end, 157)))
@@ -69,7 +62,7 @@ class _Followed:
 
     def _half(self, q: Quaternion, mark: str) -> tuple[Number, Number]:
         """``sin(α/2)`` with its sign, along v1's own axis or that which stays, and α/2 but for whole turns."""
-        trace, name = self.trace, self.scope.name
+        trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
         # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
@@ -81,7 +74,7 @@ class _Followed:
 
     def vector(self, z: Quaternion, rho: Vector) -> tuple[Number, ...]:
         """Where the quaternion is z."""
-        trace, name, where = self.trace, self.scope.name, self.trace.where
+        trace, name, where = self.trace, self.trace.name, self.trace.where
         sine, half = self._half(z, "t")
         turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone - 2 * half))
         whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, but for rounding
@@ -95,7 +88,7 @@ class _Followed:
         # next to whole turns v1's own axis; elsewhere that of z is as good, and its slope is the motion's
         clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
-        re = named(trace, "v_", Vector(*(where(clear, one, other) for one, other in pairs)))
+        re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))
         fi = name("fe", factor * z.scalar)
-        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle), "w")
-        return with_dual(trace, fi, rho, re, hi)
+        (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle))
+        return (*re, *dual_part(trace, fi, hi, re, rho))

@@ -1,83 +1,252 @@
-"""What recipes of geometry are traced with: a trace that asks a chart for scalars, and vectors v in it."""
+"""Traces of geometry: programs that call a chart's scalars and one another, and the vectors in them.
+
+A recipe is a function of a trace that returns a program. Its docstring is the contract of that program: the first
+paragraph of all of it, the second one of its dual part. A name that ends in ``o`` is that of a dual part, as ° says in
+the formulas; one that ends in ° is of a dual part too, and written without the mark.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cached_property
-from typing import Any
+import inspect
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import cache, cached_property
+from typing import NamedTuple
 
 from ...algebra import Dual, Vector
-from ...maps.chart import Chart
+from ..programs.program import Call, Program, Statement
 from ..programs.trace import Trace
-from ..programs.value import Number
-from .scalars import SCALARS, SQUARES, table_names
+from ..programs.value import Number, Value
+from .scalars import SCALARS, SQUARES
+
+Recipe = Callable[["Geometry"], Program]
+
+NINE = tuple(f"{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
+LAYOUTS = {
+    3: ("1", "2", "3"),
+    4: ("0", "1", "2", "3"),
+    6: ("1", "2", "3", "1o", "2o", "3o"),
+    9: NINE,
+    18: (*NINE, *(f"{place}o" for place in NINE)),
+    36: tuple(f"{i}{j}" for i in range(1, 7) for j in range(1, 7)),
+}
+"""Names of components after the letter of the whole: vector, quaternion, dual vector, tensor, dual tensor, matrix."""
+
+REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
+"""Names of programs of rotations that differ from those of poses."""
+
+TABLE = "table"
+"""The argument that holds constants: it has no dual part."""
 
 
 class Geometry(Trace):
-    """A trace of what all charts share: scalars are calls. With a `chart`, its formulas are traced in their place."""
+    """A trace of geometry, which all charts share: scalars of a chart and further geometry programs are calls."""
 
-    def __init__(self, chart: Chart | None = None) -> None:
-        super().__init__()
-        self.chart = chart
-        self._returns: tuple[Number, ...] = ()
-
-    def name(self, name: str, value: Number) -> Number:
-        """As of any trace; a chart in it may have taken the name."""
-        while self.chart is not None and name in self._names.values():
-            name += "_"
-        return super().name(name, value)
+    real = False
+    """Whether dual parts are the constant 0."""
 
     def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
-        """The results of a scalar program, under their own names and a mark."""
+        """Return the results of a scalar program, under their own names and a mark."""
         row = SCALARS[function]
-        given = tuple(arguments)
-        if self.chart is None:
-            names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
-            return self.call(function, given, names, truths, "table" if "table" in row.arguments else "")
-        if "table" in row.arguments:
-            given += self._returns
-        scope: Any = Scope(self, mark)
-        results = row.compute(self.chart, scope, given)
-        return tuple(scope.name(name, value) for name, value in zip(row.results, results, strict=True))
+        names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
+        return self.call(function, arguments, names, truths, TABLE if TABLE in row.arguments else "")
+
+    def apply(self, recipe: Recipe, pattern: str, *arguments: Number | Iterable[Number]) -> tuple[Number, ...]:
+        """Return the results of another geometry program, named by a pattern such as ``T{}`` or ``{}_2``."""
+        program = traced(recipe)
+        names = [pattern.format(name) for name in program.results]
+        groups = [tuple(given) if isinstance(given, Iterable) else given for given in arguments]
+        return self.call_program(program, _list_name(pattern, program), names, groups)
+
+    def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
+        """Freeze what the outputs need; ``results`` are their names, by default those of `LAYOUTS`."""
+        program = super().program(name, outputs)
+        count = len(program.outputs)
+        names = tuple(results) or LAYOUTS.get(count, tuple(map(str, range(1, 1 + count))))
+        return replace(program, results=tuple(result.rstrip("°") for result in names))
+
+    # --- arguments ----------------------------------------------------------------------------------------------
+
+    def numbers(self, *names: str) -> tuple[Number, ...]:
+        """Declare parameters that are single numbers."""
+        return tuple(self.inputs(name, [name])[0] for name in names)
+
+    def components(self, argument: str, letter: str, count: int) -> tuple[Number, ...]:
+        """Declare an argument with so many components."""
+        return self.inputs(argument, [f"{letter}{place}" for place in LAYOUTS[count]])
+
+    def point(self, argument: str = "v", letter: str = "") -> Point:
+        """Declare a dual vector, by default v."""
+        return Point(self, self.components(argument, letter or argument, 6))
+
+    def real_vector(self, argument: str, letter: str = "", dual: str = "") -> Vector:
+        """Declare three components; ``dual`` is ° where they vanish for rotations alone."""
+        return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
+
+    def argument(self, argument: str, letter: str) -> Vector:
+        """Declare a vector of dual numbers."""
+        parts = self.components(argument, letter, 6)
+        return Vector.dual(parts[:3], parts[3:])
+
+    def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
+        """Declare an argument; a mark ° is dropped."""
+        return super().inputs(argument, [name.rstrip("°") for name in names])
+
+    # --- names --------------------------------------------------------------------------------------------------
 
     def dual(self, name: str, value: Number) -> Number:
-        """A dual number with its parts named, that of the dual part ending in o."""
+        """Name the parts of a dual number, that of the dual part ending in o."""
         return Dual(self.name(name, value.re), self.name(name + "o", value.du))
 
     def dual_vector(self, letter: str, value: Vector) -> Vector:
-        """A dual vector with its components named."""
+        """Name the components of a dual vector."""
         return Vector(*(self.dual(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
-    def declare_returns(self) -> None:
-        """The argument that holds the chart's table of returns, of a length which only the chart knows."""
-        names = () if self.chart is None else table_names(self.chart)
-        self._returns = self.inputs("table", names)
+    def vector(self, letter: str, value: Vector) -> Vector:
+        """Name the components of a vector."""
+        return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
 
-class Scope:
-    """The same trace, with a mark on every name and another where a name is taken."""
+class Found(NamedTuple):
+    """A result of a program of poses among those of rotations: a result, a component that is given, or a constant."""
 
-    def __init__(self, trace: Trace, mark: str) -> None:
-        self._trace = trace
-        self._mark = mark
+    result: int | None = None
+    given: str = ""
+    constant: Number = 0
 
-    def name(self, name: str, value: Number) -> Number:
-        return self._trace.name(self._trace.free_name(name + self._mark), value)
 
-    def __getattr__(self, operation: str) -> Any:
-        return getattr(self._trace, operation)
+class RealGeometry(Geometry):
+    """A trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
+
+    What reads a dual part folds away or is read by no result, so a recipe serves rotations alone as it stands.
+
+    Parameters
+    ----------
+    function : str
+        The program's name; empty for that of the recipe.
+    kept : sequence of int, optional
+        The places of the results that are kept; by default those that are neither dual parts, constants nor arguments.
+    """
+
+    real = True
+
+    def __init__(self, function: str = "", kept: Sequence[int] | None = None) -> None:
+        super().__init__()
+        self.function = function
+        self.kept = kept
+        self.found: tuple[Found, ...] = ()
+
+    def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
+        """Declare the components that are not dual parts."""
+        real = [name for name in names if not is_dual(name)]
+        declared = dict(zip(real, super().inputs(argument, real) if real or not names else (), strict=True))
+        return tuple(declared.get(name, 0) for name in names)
+
+    def apply(self, recipe: Recipe, pattern: str, *arguments: Number | Iterable[Number]) -> tuple[Number, ...]:
+        """Return the results of the same program of rotations, in place of those of poses."""
+        values: dict[str, Number] = {}
+        for (_, names), given in zip(traced(recipe).inputs, arguments, strict=True):
+            values |= zip(names, given if isinstance(given, Iterable) else (given,), strict=True)
+        program, found = traced_real(recipe)
+        passed = [
+            values[argument] if names == (argument,) else tuple(values[name] for name in names)
+            for argument, names in program.inputs
+        ]
+        made: tuple[Number, ...] = ()
+        if program.outputs:
+            results = [pattern.format(name) for name in program.results]
+            made = self.call_program(program, _list_name(pattern, program), results, passed)
+        return tuple(
+            made[at.result] if at.result is not None else values[at.given] if at.given else at.constant for at in found
+        )
+
+    def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
+        """Freeze what the outputs that are kept need; one that is only called drops unread arguments."""
+        given = tuple(outputs)
+        names = results or LAYOUTS.get(len(given), ("",) * len(given))
+        made = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
+        first = {given[i].index: i for i in reversed(made)}
+        places = {index: n for n, index in enumerate(sorted(first, key=first.__getitem__))}
+        pairs = zip(given, names, strict=True)
+        self.found = tuple(self._found(value, name, places) for value, name in pairs)
+        kept = sorted(first.values()) if self.kept is None else self.kept
+        title = self.function or REAL_NAMES.get(name, name)
+        program = super().program(title, [given[i] for i in kept], [names[i] for i in kept])
+        read = program.operands
+        inputs = tuple(group for group in program.inputs if self.function or read.intersection(group[1]))
+        return replace(program, inputs=inputs, statements=tuple(map(narrowed, program.statements)))
+
+    def _is_made(self, value: Number, name: str) -> bool:
+        return isinstance(value, Value) and not is_dual(name) and self.input_name(value) is None
+
+    def _found(self, value: Number, name: str, places: Mapping[int, int]) -> Found:
+        if is_dual(name) or not isinstance(value, Value):
+            return Found(constant=0 if is_dual(name) else value)
+        return Found(given=self.input_name(value) or "", result=places.get(value.index))
+
+
+def _list_name(pattern: str, program: Program) -> str:
+    """Return the name of all results: what the pattern leaves of their names, or the program's."""
+    head = pattern.format("")
+    return head if head[:1].isalpha() else f"{program.name}{head}" if head else "found"
+
+
+def is_dual(name: str) -> bool:
+    """Tell by its name whether a component is a dual part."""
+    return name.endswith(("o", "°"))
+
+
+@cache
+def traced(recipe: Recipe) -> Program:
+    """Return the program of a recipe, with its contract."""
+    return _with_contract(recipe(Geometry()), recipe)
+
+
+@cache
+def traced_real(recipe: Recipe) -> tuple[Program, tuple[Found, ...]]:
+    """Return the program of a recipe for rotations alone, and its results in place of those of poses."""
+    trace = RealGeometry()
+    return _with_contract(recipe(trace), recipe, real=True), trace.found
+
+
+def traced_kernel(recipe: Recipe, function: str, kept: Sequence[int]) -> Program:
+    """Return the program of a function of rotations, with the results that are kept."""
+    return _with_contract(recipe(RealGeometry(function, kept)), recipe, real=True)
+
+
+def _with_contract(program: Program, recipe: Recipe, real: bool = False) -> Program:
+    contract, *dual = (inspect.getdoc(recipe) or "").split("\n\n")
+    return replace(program, contract=contract if real else "\n".join([contract, *dual]))
+
+
+def narrowed(statement: Statement) -> Statement:
+    """Return a call as that of the scalar program with the fewest results that has all which are read."""
+    if not isinstance(statement, Call) or statement.result:
+        return statement
+    row = SCALARS[statement.function]
+    read = {result: name for result, name in zip(row.results, statement.names, strict=True) if name != "_"}
+    fitting = (
+        name
+        for name, other in SCALARS.items()
+        if other.arguments == row.arguments in (("x",), SQUARES) and read.keys() <= set(other.results)
+    )
+    function = min(fitting, key=lambda name: len(SCALARS[name].results), default=statement.function)
+    names = tuple(read.get(result, "_") for result in SCALARS[function].results)
+    return replace(statement, function=function, names=names)
 
 
 class Point:
-    """Traced components of v; ``mark`` tells two vectors of one program apart."""
+    """Traced components of a dual vector v, with what is computed of them once."""
 
     def __init__(self, trace: Geometry, components: Sequence[Number], mark: str = "") -> None:
         self.trace = trace
         self.mark = mark
+        self.components = tuple(components)
         self.re = Vector(*components[:3])
         self.du = Vector(*components[3:6])
 
     def name(self, letter: str, value: Number) -> Number:
+        """Name a value, with the mark of this vector."""
         return self.trace.name(letter + self.mark, value)
 
     @property
@@ -94,6 +263,7 @@ class Point:
 
     @cached_property
     def x(self) -> Number:
+        """Re v·v."""
         first, second, third = self.squares
         return self.name("x", first + second + third)
 
@@ -108,11 +278,11 @@ class Point:
         return Vector.dual(self.re, self.du)
 
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
-        """Some results of a scalar program at the dual x: the dual part of f is its slope fy times y."""
+        """Return some results of a scalar program at the dual x: the dual part of f is its slope fy times y."""
         found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
         return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
 
     def scalars(self, function: str) -> tuple[Number, ...]:
-        """The results of a scalar program at x."""
+        """Return the results of a scalar program at x."""
         of_squares = SCALARS[function].arguments == SQUARES
         return self.trace.ask(function, self.squares if of_squares else (self.x,), self.mark)

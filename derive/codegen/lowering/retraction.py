@@ -1,174 +1,145 @@
-"""Small displacements by the exponential: what they make of v, and the one that leads from a vector to another.
+"""Small displacements by the exponential, and motions: what they make of v, and what leads from a vector to another.
 
-The exponential's own scalars are traced in place: they are the same in every chart.
+The exponential's own scalars are the same in every chart.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from ...algebra import Quaternion, Tensor, Vector
-from ...maps.dependent import DependentScalars
+from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
 from ..programs.program import Program
 from ..programs.value import Number
-from .calculus import HALF, matrix6
-from .forward import named, rotate, start, translation
-from .groups import dual_tensor, named_tensor, operator_tensor, opposite, tangent_at, twice_inverse
-from .inputs import dual_vector
-from .inverse import ray
-from .kinematics import operator_of
-from .point import Geometry, Point, Scope
+from .calculus import matrix6
+from .forward import tensor_at, translation
+from .groups import dual_product
+from .inverse import composed, displacement, dual_part, product
+from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
+from .point import Geometry, Point
 
 EXPONENTIAL = Exponential()
 
 
+def retracted(
+    trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
+) -> tuple[Vector, Number, Number, Vector]:
+    """Return the vector nearest v of R = exp(δ) R(v), or of R(v) exp(δ), its factor times e0, its angle, and ρ."""
+    s, w, f, g, h = scalars
+    *large, _, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
+    small = (s, *(w * Vector(*delta[:3])))
+    rho = translation(Point(trace, delta, "d"), f, g, h)
+    space, back = (small, f, g, delta, rho, large, (r1, r2, r3)), (large, f1, g1, v, (r1, r2, r3), small, rho)
+    found = trace.apply(composed, "{}", *(back if body else space))
+    *re, fe, angle = trace.apply(nearest, "{}", v[:3], found[:4])
+    return Vector(*re), fe, angle, Vector(*found[4:])
+
+
+# --- programs that others call --------------------------------------------------------------------------------
+
+
+def exponential_scalars(trace: Geometry) -> Program:
+    """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
+    delta = trace.real_vector("delta", "d")
+    at = EXPONENTIAL.scalars(Point(trace, (*delta, 0, 0, 0)).x, trace)
+    names = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
+    return trace.program("exponential_scalars", [getattr(at, name) for name in names], names)
+
+
+def nearest(trace: Geometry) -> Program:
+    """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
+    point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
+    e = Quaternion.from_components(trace.components("e", "e", 4))
+    ss = trace.name("ss", e.vector.dot(e.vector))
+    still, resting = trace.name("still", trace.equal(ss, 0)), trace.name("resting", trace.equal(point.x, 0))
+    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)))
+    r = trace.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
+    (own,) = trace.ask("unfolded", (point.x, r))
+    share = trace.where(resting, 0, own / r)
+    along = trace.name("along", share * point.re.dot(e.vector) / length)
+    sine = trace.name("sine", trace.where(still, ss, length))
+    # within half a turn, so that near the identity it has all digits, whichever of e and −e is given
+    falling = trace.name("falling", trace.less(e.scalar, 0))
+    cosine = trace.name("cosine", trace.where(falling, -e.scalar, e.scalar))
+    half = trace.atan2(sine, cosine)
+    angle = trace.name("folded", trace.where(falling, -2, 2) * half)
+    turn = trace.tan((angle - along) / 2)
+    turns = trace.name("turns", along - angle + 2 * trace.atan2(turn, 1))
+    # a multiple of 2π, but for rounding, which would be much near the identity: on the principal branch it is 0
+    alpha = trace.name("alpha", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
+    size, slope = trace.ask("coefficient_of", (alpha, sine, e.scalar), "n")
+    rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
+    factor = trace.name("factor", trace.where(still, rest, size / length))
+    results = (*(factor * e.vector), factor * e.scalar, alpha)
+    return trace.program("nearest", results, ("w1", "w2", "w3", "fe", "angle"))
+
+
+def logarithm(trace: Geometry) -> Program:
+    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e.
+
+    Its dual part is T⁻¹ ρ.
+    """
+    e = Quaternion.from_components(trace.components("e", "e", 4))
+    rho = trace.real_vector("rho", dual="°")
+    factor = EXPONENTIAL.gain(e, 1, trace)
+    re = trace.vector("d", factor * e.vector)
+    at = PrincipalScalars(Point(trace, (*re, 0, 0, 0)).x, trace)
+    fe = trace.name("fe", factor * e.scalar)
+    return trace.program("logarithm", (*re, *dual_part(trace, fe, at.hi, re, rho)))
+
+
+# --- functions ------------------------------------------------------------------------------------------------
+
+
 def retract(trace: Geometry) -> Program:
-    """R = exp(δ) R(v)."""
-    return trace.program("retract", _vector(trace, _retracted(start(trace), step(trace), body=False)))
+    """v of exp(δ) R(v), of its branches the one nearest v."""
+    return _retract(trace, "retract", body=False)
 
 
 def body_retract(trace: Geometry) -> Program:
-    """R = R(v) exp(δ)."""
-    return trace.program("body_retract", _vector(trace, _retracted(start(trace), step(trace), body=True)))
+    """v of R(v) exp(δ), of its branches the one nearest v."""
+    return _retract(trace, "body_retract", body=True)
 
 
-def step(trace: Geometry) -> Point:
-    """The step that is the second argument."""
-    return Point(trace, dual_vector(trace, "delta", "d"), "d")
-
-
-@dataclass(frozen=True, slots=True)
-class _Placed:
-    """A displacement on a branch: Re v, what it is of the vector of a quaternion, of which scalar, its angle, and ρ."""
-
-    re: Vector
-    fi: Number
-    alpha: Number
-    rho: Vector
-
-
-def _vector(trace: Geometry, placed: _Placed) -> tuple[Number, ...]:
-    """With v° = Re(T)⁻¹ rho."""
-    (hi,) = trace.ask("inverse_at", (_square(trace, placed.re), placed.fi, placed.alpha), "w")
-    return with_dual(trace, placed.fi, placed.rho, placed.re, hi)
-
-
-def _square(trace: Geometry, re: Vector) -> Number:
-    return Point(trace, (*re, 0, 0, 0), "w").x
-
-
-def _retracted(point: Point, delta: Point, body: bool) -> _Placed:
-    """The product on the branch nearest v."""
-    trace, at = point.trace, exponential_scalars(delta)
-    small = (Quaternion(at.s, named(trace, "wd", at.w * delta.re)), (at.f, at.g), translation(delta, at.f, at.g, at.h))
-    turned, _, (f, g, h) = ray(trace, point)
-    large = (turned, (f, g), translation(point, f, g, h))
-    (after, (f2, g2), shift), (before, _, rho) = (large, small) if body else (small, large)
-    outer = point if body else delta
-    e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(after * before))
-    moved = rotate(outer, f2, g2, named(trace, "rhob", rho), "rhob")
-    return _nearest(trace, point, e, named(trace, "rho", moved + shift))
-
-
-def _nearest(trace: Geometry, point: Point, e: Quaternion, rho: Vector) -> _Placed:
-    """φ(α) u of a quaternion, α within π of what v's own angle is along u."""
-    scope = Scope(trace, "")  # whose names avoid those of a chart
-    ss = scope.name("ss", e.vector.dot(e.vector))
-    still, resting = scope.name("still", trace.equal(ss, 0)), scope.name("resting", trace.equal(point.x, 0))
-    length = scope.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)))
-    r = scope.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
-    (own,) = trace.ask("unfolded", (point.x, r))
-    share = trace.where(resting, 0, own / r)
-    along = scope.name("own", share * point.re.dot(e.vector) / length)
-    sine = scope.name("sine", trace.where(still, ss, length))
-    # within half a turn, so that near the identity it has all digits, whichever of e and −e is given
-    falling = scope.name("falling", trace.less(e.scalar, 0))
-    cosine = scope.name("cosine", trace.where(falling, -e.scalar, e.scalar))
-    half = trace.atan2(sine, cosine)
-    angle = scope.name("folded", trace.where(falling, -2, 2) * half)
-    turn = trace.tan((angle - along) / 2)
-    turns = scope.name("turns", along - angle + 2 * trace.atan2(turn, 1))
-    # a multiple of 2π, but for rounding, which would be much near the identity: on the principal branch it is 0
-    alpha = scope.name("angle", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
-    size, slope = trace.ask("coefficient_of", (alpha, sine, e.scalar), "n")
-    rest = 2 * slope / scope.name("z0s", trace.where(still, e.scalar, length))
-    factor = scope.name("factor", trace.where(still, rest, size / length))
-    return _Placed(named(trace, "v_", factor * e.vector), trace.name("fe", factor * e.scalar), alpha, rho)
-
-
-def with_dual(trace: Geometry, fi: Number, rho: Vector, re: Vector, hi: Number) -> tuple[Number, ...]:
-    """``fi`` is the factor times the scalar of e on whichever branch v is."""
-    along = Scope(trace, "").name("hvr", hi * re.dot(rho))
-    return (*re, *((fi * rho - re.cross(rho) + along * re) / 2))
-
-
-def exponential_scalars(delta: Point) -> DependentScalars:
-    """The exponential's at a step."""
-    return EXPONENTIAL.scalars(delta.x, Scope(delta.trace, delta.mark))
+def _retract(trace: Geometry, name: str, body: bool) -> Program:
+    v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
+    s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
+    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v, body)
+    (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
+    return trace.program(name, (*re, *dual_part(trace, fe, hi, re, rho)))
 
 
 def retract_jacobians(trace: Geometry) -> Program:
-    """``(T(v')⁻¹ exp(δ) T(v), T(v')⁻¹ dexp(δ))``."""
-    return _by_step(trace, "retract_jacobians", body=False)
+    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
+    s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
+    re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
+    fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
+    du = dual_part(trace, fi, hi, re, rho)
+    back = trace.apply(tangent_inverse_at, "back{}", fi, hi, fiy, hiy, (*re, *du))
+    R = trace.apply(tensor_at, "R{}", f, g, h, delta)
+    turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))
+    dexp = trace.apply(tangent_at, "dexp{}", f, g, h, *slopes, delta)
+    by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("D1{}", turned), ("D2{}", dexp)))
+    results = (*trace.apply(matrix6, "by_v{}", by_v), *trace.apply(matrix6, "by_delta{}", by_delta))
+    return trace.program("retract_jacobians", results)
 
 
 def body_retract_jacobians(trace: Geometry) -> Program:
-    """``(T(v')⁻¹ T(v), T(v')⁻¹ R(v) dexp(δ))``."""
-    return _by_step(trace, "body_retract_jacobians", body=True)
-
-
-def _by_step(trace: Geometry, name: str, body: bool) -> Program:
-    point, delta = Point(trace, dual_vector(trace, "v", "v"), "p"), step(trace)
-    back = _twice_inverse(trace, _retracted(point, delta, body))
-    at = exponential_scalars(delta)
-    dexp = operator_tensor(operator_of(delta, (at.f, at.g, at.h, at.fy, at.gy, at.hy)), "D")
-    T = tangent_at(trace, (*point.re, *point.du), "F")
-    if body:
-        R = named_tensor(trace, "R", dual_tensor(point, *point.scalars("ray")[3:]))
-        dexp = named_tensor(trace, "RD", R @ dexp)
-    else:
-        R = named_tensor(trace, "R", dual_tensor(delta, at.f, at.g, at.h))
-        T = named_tensor(trace, "RT", R @ T)
-    by_v, by_delta = (back @ T) * HALF, (back @ dexp) * HALF
-    return trace.program(name, (*matrix6(trace, by_v, "V"), *matrix6(trace, by_delta, "S")))
-
-
-def _twice_inverse(trace: Geometry, placed: _Placed) -> Tensor:
-    """2 T⁻¹ where a displacement is placed."""
-    fi, hi, fiy, hiy = trace.ask("tangent_inv_at", (_square(trace, placed.re), placed.fi, placed.alpha), "n")
-    vector = with_dual(trace, fi, placed.rho, placed.re, hi)
-    found = Point(trace, [trace.name(f"w{i}", c) for i, c in enumerate(vector, 1)], "n")
-    return operator_tensor(twice_inverse(found, (fi, hi, fiy, hiy)), "I")
+    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
+    results = trace.apply(retract_jacobians, "J{}", opposite(v), opposite(delta))
+    return trace.program("body_retract_jacobians", results)
 
 
 def local(trace: Geometry) -> Program:
-    """exp(δ) = R(v2) R(v1)ᵀ."""
-    second, first = (dual_vector(trace, letter, letter) for letter in ("b", "a"))
-    return trace.program("local", _quotient(trace, second, opposite(trace, "a", first)))
+    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    e, rho, _ = product(trace, v2, opposite(v1))
+    return trace.program("local", trace.apply(logarithm, "d{}", e, rho))
 
 
 def body_local(trace: Geometry) -> Program:
-    """exp(δ) = R(v1)ᵀ R(v2)."""
-    first, second = (dual_vector(trace, letter, letter) for letter in ("a", "b"))
-    return trace.program("body_local", _quotient(trace, opposite(trace, "b", second), first))
-
-
-def _quotient(trace: Geometry, second: Sequence[Number], first: Sequence[Number]) -> tuple[Number, ...]:
-    """The exponential's vector of a product."""
-    after, before = Point(trace, second, "b"), Point(trace, first, "a")
-    ray2, _, (f, g, h) = ray(trace, after)
-    ray1, _, coefficients = ray(trace, before)
-    e = Quaternion.from_components(trace.name(f"z{i}", c) for i, c in enumerate(ray2 * ray1))
-    moved = rotate(after, f, g, named(trace, "rhoa", translation(before, *coefficients)), "rho")
-    return logarithm(trace, e, named(trace, "rho", moved + translation(after, f, g, h)))
-
-
-def logarithm(trace: Geometry, e: Quaternion, rho: Vector) -> tuple[Number, ...]:
-    """The exponential's vector of a positive multiple of a quaternion: by its angle, however large the multiple is."""
-    scope = Scope(trace, "e")
-    factor = EXPONENTIAL.gain(e, 1, scope)
-    re = named(trace, "d", factor * e.vector)
-    at = PrincipalScalars(Point(trace, (*re, 0, 0, 0), "e").x, scope)
-    return with_dual(trace, scope.name("fe", factor * e.scalar), rho, re, at.hi)
+    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
+    return trace.program("body_local", trace.apply(local, "d{}", opposite(v1), opposite(v2)))

@@ -3,20 +3,56 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import sympy
 
 from ...algebra import Quaternion, Vector
+from ...maps.any_phi.grammar import PhiError
+from ...maps.any_phi.lowering import SYMBOLIC_ONLY, number
+from ...maps.any_phi.real_constants import plus
 from ...maps.chart import Chart
-from ...maps.expressions import PhiError
-from ...maps.lowered_phi import number
-from ...maps.split import plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number
+
+FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
+    "quaternion": (
+        "unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx",
+        "s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2)",
+        ("quaternion",),
+    ),
+    "pose": (
+        "R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v",
+        "f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q",
+        ("tensor", "tangent"),
+    ),
+    "tangent": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy", "", ("tangent",)),
+    "tangent_dot": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy", "", ()),
+    "rate": ("T v = rate v: rate = 1/phi' = f + x h, with its slope", "rate = 2n/(1 + x)", ()),
+    "inverse": (
+        "T^-1 = (fi I - skew(v) + hi v(x)v)/2", "fi = p/q, hi = d/(n q), x d = (1 + x) q - n p", ("tangent_inv",)
+    ),
+    "inverse_at": ("hi of T^-1 at a known angle", "", ()),
+    "tangent_inv_at": ("fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy", "", ()),
+    "tangent_inv": ("fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy", "", ("tangent_inv",)),
+    "tangent_inv_dot": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
+    "ray": ("a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T", "a = p, b = q", ()),
+    "gain_unit": ("v = gain vec q, for a unit quaternion q", "gain = tan(alpha/2n)/sin(alpha/2)", ()),
+    "gain_positive": ("v = gain vec q, for a quaternion of any size with e0 >= 0", "", ()),
+    "gain_product": ("v = gain vec q, for a product q of quaternions of size2 and size1", "", ()),
+    "direction": ("sign of the principal axis u = sign v/r, r = |v|; y = v . v°", "", ()),
+    "natural": ("principal angle, d alpha/d r and sign of the axis, r = |v|", "", ()),
+    "unfolded": ("angle of v = r u on its own branch", "", ()),
+    "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
+    "turned": ("coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²", "", ()),
+    "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
+    "coefficient": ("r = phi(alpha) and phi'", "", ()),
+    "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
+}
+"""By scalar program: its formula in every chart, in addition that of order n, and the maps whose equations say so."""
 
 TABLE = ("limit", "cos", "sin")
 """One row of the table of returns."""
@@ -95,7 +131,7 @@ def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[N
     (angle,) = arguments
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
-        raise PhiError(f"phi = {chart.phi} {reason}: its chart is symbolic only")
+        raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
     if chart.edge.is_infinite:
         return (angle,)
     zero = trace.name("zero", angle - angle)
@@ -134,7 +170,7 @@ SCALARS: Mapping[str, Scalar] = {
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
-    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope"), lambda c, m, at: c.turned(at[0], at[1:], m)),
+    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, at: c.turned(at[0], at[1:], m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
     "coefficient_of": Scalar(
@@ -159,20 +195,21 @@ def idle(chart: Chart) -> set[str]:
     return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
 
 
-def scalar_program(name: str, chart: Chart, elements: Container[int] = ()) -> Program:
-    """One of them, traced.
+def scalar_program(name: str, chart: Chart) -> Program:
+    """Return a scalar program of a chart.
 
-    Results that are fractions are elements, computed from the first argument so that they have its type; so are the
-    constants among those named by number. Other constants are returned as they are.
+    Results that are fractions are computed from the first argument, so that they have its type, and so are those of
+    `ray`, whose sizes `gain_product` divides by. Other integers are returned as they are: nothing divides them.
     """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
     for argument in row.arguments:
         arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
     results = row.compute(chart, trace, arguments)
-    one = trace.name(trace.free_name("one"), arguments[0] - arguments[0] + 1)
+    zero = trace.name(trace.free_name("zero"), arguments[0] - arguments[0])
+    one = trace.name(trace.free_name("one"), zero + 1)
     outputs = list(results)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
-        if isinstance(result, Constant) and (i in elements or result.denominator != 1):
+        if isinstance(result, Constant) and (result.denominator != 1 or name == "ray"):
             outputs[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, outputs)

@@ -28,10 +28,26 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """Several values at once from a function that this program does not hold, ``f, g, h = pose(x)``.
+    """Several values at once from another program, ``f, g, h = pose(x)``.
 
-    ``rest`` names an argument of the program, of any length, whose components follow ``args``; ``truths`` are those of
-    the names that are truth values.
+    Parameters
+    ----------
+    names : tuple of str
+        The values, ``_`` for one that is not read.
+    function : str
+        A scalar program of a chart, or a geometry program.
+    args : tuple
+        Its arguments, those that are lists written out.
+    rest : str
+        An argument of this program, of any length, whose components follow.
+    truths : set of str
+        The values that are truth values.
+    lists : tuple of int
+        Of a geometry program: the length of each argument that is a list, 0 for a number.
+    result : str
+        Of a geometry program: a name of the list of all values.
+    context : str
+        Of a geometry program: which of ``m`` and ``c`` it takes before its arguments.
     """
 
     names: tuple[str, ...]
@@ -39,16 +55,42 @@ class Call:
     args: tuple[Operand, ...]
     rest: str = ""
     truths: frozenset[str] = frozenset()
+    lists: tuple[int, ...] = ()
+    result: str = ""
+    context: str = ""
+
+    @property
+    def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
+        """The arguments: numbers, and lists of them."""
+        if not self.result:
+            return self.args
+        left, found = list(self.args), []
+        for length in self.lists:
+            found.append(tuple(left[:length]) if length else left[0])
+            del left[: length or 1]
+        return tuple(found)
 
 
 Statement = Step | Call
+
+
+def results(statement: Statement) -> tuple[str, ...]:
+    """Return the names to which a statement gives values."""
+    return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
+
+
+def all_results(call: Call) -> tuple[str, ...]:
+    """Return a name for every result of a call; results that are not read need a place too."""
+    first = results(call)[0]
+    return tuple(f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names))
 
 
 @dataclass(frozen=True, slots=True)
 class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
 
-    Of what is ``corrected`` afterwards rounding makes no difference.
+    Rounding makes no difference to values that are ``corrected`` afterwards. Geometry programs that it calls are
+    ``called``; one that others call has names for its ``results``. The ``contract`` says what it returns.
     """
 
     name: str
@@ -56,6 +98,17 @@ class Program:
     statements: tuple[Statement, ...]
     outputs: tuple[Operand, ...]
     corrected: frozenset[str] = frozenset()
+    called: tuple[Program, ...] = ()
+    results: tuple[str, ...] = ()
+    contract: str = ""
+
+    @property
+    def context(self) -> str:
+        """Which of the number functions ``m`` and the chart's scalars ``c`` it needs."""
+        if any(not call.result or "c" in call.context for call in self.calls):
+            return "m, c"
+        functions = {*FUNCTIONS, "where"}.intersection(self.operations)
+        return "m" if functions or any(call.context for call in self.calls) else ""
 
     @property
     def steps(self) -> tuple[Step, ...]:

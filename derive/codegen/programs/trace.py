@@ -39,9 +39,12 @@ class Trace(Folding):
         self._nodes: list[_Node] = []
         self._numbered: dict[_Node, int] = {}
         self._names: dict[int, str] = {}
+        self._named: set[str] = set()
+        self._taken: set[str] = set()
         self._inputs: list[tuple[str, tuple[str, ...]]] = []
         self._calls: dict[int, Call] = {}
         self._results: dict[int, tuple[int, ...]] = {}
+        self._programs: dict[str, Program] = {}
         self._rest = ""
         self._corrected: set[int] = set()
 
@@ -53,7 +56,12 @@ class Trace(Folding):
             values.append(Value(self, len(self._nodes) - 1))
             self._rename(values[-1], name)
         self._inputs.append((argument, tuple(names)))
+        self._taken.add(argument)
         return tuple(values)
+
+    def input_name(self, value: Value) -> str | None:
+        """Return the name of a component of an argument; None for any other value."""
+        return self._names[value.index] if self._nodes[value.index].op == "input" else None
 
     def name(self, name: str, value: Number) -> Number:
         """Give a value its letter (constants, and values which already have a name, stay as they are)."""
@@ -63,8 +71,7 @@ class Trace(Folding):
 
     def free_name(self, name: str) -> str:
         """The name, with trailing underscores where a value or an argument has it."""
-        taken = {*self._names.values(), *(argument for argument, _ in self._inputs)}
-        while name in taken:
+        while name in self._taken:
             name += "_"
         return name
 
@@ -90,9 +97,11 @@ class Trace(Folding):
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
-        if name in self._names.values():
+        if name in self._named:
             raise ValueError(f"the name {name!r} is already taken in this program")
         self._names[value.index] = name
+        self._named.add(name)
+        self._taken.add(name)
 
     def negated(self, value: Number) -> Number:
         """What a value is the negative of, when it was recorded as one."""
@@ -114,14 +123,30 @@ class Trace(Folding):
         self, function: str, args: Sequence[Number], names: Sequence[str], truths: Iterable[str] = (), rest: str = ""
     ) -> tuple[Value, ...]:
         """The named results of a function which the program does not hold, of named values and inputs."""
-        call = self.record(f"call {function}", *args)
-        if call.index not in self._calls:
-            self._calls[call.index] = Call(tuple(names), function, (), rest, frozenset(truths))
-            results = [self.record("result", call, number) for number in range(len(names))]
-            self._results[call.index] = tuple(value.index for value in results)
+        call = Call(tuple(names), function, (), rest, frozenset(truths))
+        return self._called(f"call {function}", args, call, names)
+
+    def call_program(
+        self, program: Program, result: str, names: Sequence[str], arguments: Sequence[Number | Sequence[Number]]
+    ) -> tuple[Value, ...]:
+        """Return the named results of another program, of numbers and lists of numbers; their list has a name too."""
+        lists = tuple(len(given) if isinstance(given, tuple) else 0 for given in arguments)
+        self._programs[program.name] = program
+        flat = [number for given in arguments for number in (given if isinstance(given, tuple) else (given,))]
+        call = Call((), program.name, (), lists=lists, result=result, context=program.context)
+        return self._called(f"apply {program.name}", flat, call, names)
+
+    def _called(self, op: str, args: Sequence[Number], call: Call, names: Sequence[str]) -> tuple[Value, ...]:
+        index = self.record(op, *args).index
+        if index not in self._calls:
+            result = self.free_name(call.result) if call.result else ""
+            self._taken.add(result)
+            self._calls[index] = replace(call, result=result)
+            results = [self.record("result", Value(self, index), number) for number in range(len(names))]
+            self._results[index] = tuple(value.index for value in results)
             for name, value in zip(names, results, strict=True):
-                self._rename(value, name)
-        return tuple(Value(self, index) for index in self._results[call.index])
+                self._rename(value, self.free_name(name) if call.result else name)
+        return tuple(Value(self, place) for place in self._results[index])
 
     def record(self, op: str, *operands: Number) -> Value:
         """The value of ``op(*operands)``, recorded unless it already stands."""
@@ -142,7 +167,8 @@ class Trace(Folding):
         for index, count in sorted(uses.items()):
             if count > 1:
                 self._name_multiple(index)
-        calls = (self._nodes[index] for index in uses if index in self._calls)
+        scalars = (index for index in uses if index in self._calls and not self._calls[index].result)
+        calls = (self._nodes[index] for index in scalars)
         passed = {arg for call in calls for arg in call.args if not isinstance(arg, _Const)}
         shared: set[int] = {index for index, count in uses.items() if count > 1 and index not in self._calls}
         for index in sorted(shared | passed) if self._rest else ():
@@ -155,9 +181,12 @@ class Trace(Folding):
             return arg.value if isinstance(arg, _Const) else labels[arg]
 
         finals = tuple(labels[v.index] if isinstance(v, Value) else v for v in results)
-        statements = (self._statement(index, labels, label) for index in sorted(uses))
+        found = (self._statement(index, labels, label) for index in sorted(uses))
+        statements: tuple[Statement, ...] = tuple(filter(None, found))
         corrected = frozenset(labels[index] for index in self._corrected & labels.keys())
-        return Program(name, tuple(self._inputs), tuple(filter(None, statements)), finals, corrected)
+        functions = dict.fromkeys(statement.function for statement in statements if isinstance(statement, Call))
+        called = tuple(self._programs[function] for function in functions if function in self._programs)
+        return Program(name, tuple(self._inputs), statements, finals, corrected, called)
 
     def _require_names(self, indices: Iterable[int], program: str) -> None:
         unnamed = [index for index in sorted(indices) if index not in self._names]

@@ -1,11 +1,10 @@
-"""The targets: a module each, with its printer, what its templates are given, and how its text is executed.
+"""Targets of generation: each module has a printer, the data of its templates, and the execution of its text.
 
 ========== =====================================================================
-target     what a target is
+target     protocol of a target
 expression the steps of a program as expressions, in a dialect
 infix      programs as plain Python
-said       words of poses and of rotations alone
-python     the interface that the Python targets share
+python     base class and interface of the Python targets
 numpy      NumPy: plain Python, and calls with ``out``
 array_api  the arrays of any library
 numba      compiled loops of few outputs
@@ -29,6 +28,6 @@ from .target import Target
 _ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native())
 
 TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
-"""By name."""
+"""Targets by name."""
 
 __all__ = ["TARGETS", "Target"]

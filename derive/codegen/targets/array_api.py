@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 
 import numpy as np
 
-from ..facts import Facts
-from ..lowered import Lowered, geometry
+from ..package import Data, Facts
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS
 from ..validation import Library, Machinery
-from . import infix, python
-from .target import Data
+from . import python
 
 WORDS = python.Words(
-    value="Array",
-    array_like="array",
-    array="array",
-    kept="the library, type and device of their arguments",
     options="*, axis: int = -1",
     passed="axis",
     passed_alone="axis",
@@ -45,24 +39,18 @@ class ArrayApi(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_runtime.py": {},
             "_tools.py": {},
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, infix.body(program)) for program in geometry(table).values()]
-        return {"programs": programs, "rows": table.kernels}
+        return python.geometry(table)
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        scalars = [
-            python.printed(program, infix.body(program, alone=True), python.components(program))
-            for name, program in lowered.scalars.items()
-            if name not in known
-        ]
-        own = [python.printed(program, infix.body(program)) for program in lowered.own.values()]
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels}
+    def programs(self, facts: Facts) -> Data:
+        return {"scalars": python.printed_scalars(facts)}
 
     def libraries(self) -> Sequence[Library]:
         """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""

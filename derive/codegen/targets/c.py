@@ -2,31 +2,31 @@
 
 ``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
 geometry cannot know, and includes it. Macros are the chart's name in the names of its functions (``DUALCAY_NAME``) and
-of its scalars (``DUALCAY_CHART``), its branches, what its functions call of ``math.h``, and the functions that are its
-own. That of rotations lies in a folder of its own; a chart's header there takes the scalars of that for poses.
+of its scalars (``DUALCAY_CHART``), its branches, and what its functions call of ``math.h``. The geometry of rotations
+lies in a folder of its own; a chart's header there takes the scalars of that for poses.
 """
 
 from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from .. import differential
-from ..facts import Facts, comment, numbers, operations, theorem_lines
-from ..lowered import Lowered, geometry, lower_chart
+from ..lowered import Lowered, geometry, lower_chart, printed_geometry
 from ..lowering.scalars import SCALARS, table_names
+from ..package import Data, Facts, numbers
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, c_text, compiled, everything
+from ..validation import c_text, compiled
+from ..validation.float_cases import Case, cases
 from . import c99
-from .said import SAID
-from .target import Data, require_functions
+from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
@@ -37,9 +37,13 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0)), ("rate", (1, 0)))
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate", (1, 0)))
 }
 """What stands for scalars that geometry names and a chart never comes to."""
+
+
+GATE = 8
+"""Largest error in a differential test, in machine epsilons times the scale of the result."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,41 +99,47 @@ def _components(program: Program, argument: str) -> tuple[str, ...]:
 
 
 def level(program: Program) -> int:
-    """What a program needs of ``math.h``, calls not looked into."""
-    return max((LEVELS.get(op, 0) for op in program.operations), default=0)
+    """Return what a program needs of ``math.h``, scalars not looked into."""
+    own = (LEVELS.get(op, 0) for op in program.operations)
+    return max((*own, *map(level, program.called)), default=0)
 
 
 def levels(lowered: Lowered) -> dict[str, int]:
-    """What every kernel function of a chart needs of ``math.h``, with the scalars that it calls."""
-    found = {}
-    for name, shared in geometry(lowered.table).items():
-        program = lowered.own.get(name, shared)
-        called = [lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars]
-        found[name] = max(map(level, [program, *called]))
+    """Return what every geometry program of a chart needs of ``math.h``, with the scalars that it calls."""
+    found: dict[str, int] = {}
+    for name, program in printed_geometry(lowered.table).items():
+        scalars = (lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars)
+        called = (found[other.name] for other in program.called)
+        found[name] = max((level(program), *map(level, scalars), *called))
     return found
 
 
 def scalars(lowered: Lowered) -> Mapping[str, Program]:
     """The scalars of a chart, and what stands for others that geometry names."""
-    shared = (program for name, program in geometry(lowered.table).items() if name not in lowered.own)
-    named = {call.function for program in shared for call in program.calls}
+    named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
     return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:
     """What the template of a geometry is given."""
-    programs, (v,) = geometry(table), table.sources["shadow"].arguments
+    (v,) = table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
-    theorems = {"theorems": comment(theorem_lines(), C.comment)} if table is POSES else {}
-    return theorems | {
+    return {
         "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
-        "cores": {name: c99.core(program, table.kernels[name].results, {}) for name, program in programs.items()},
+        "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
         "functions": {name: interface(row, table) for name, row in table.public.items()},
         "poses": table is POSES,
-        "said": SAID[table.name],
     }
+
+
+def _made(program: Program, table: Table) -> tuple[Array, ...]:
+    """Return the arrays that a geometry program makes: one for each result of a function, or one list."""
+    if program.name in table.kernels:
+        return table.kernels[program.name].results
+    count = len(program.outputs)
+    return (Array("made", (count,), (0,) * count),)
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
@@ -138,7 +148,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
     prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
     new = [program for name, program in scalars(lowered).items() if name not in known]
-    own = [(program, lowered.table.kernels[name].results) for name, program in lowered.own.items()]
     return {
         "name": chart.name,
         "prefix": prefix,
@@ -148,7 +157,6 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
         "aliases": lowered.table.aliases(chart),
         "levels": levels(lowered),
         "scalars": [(level(program), c99.scalar(program, decimals)) for program in new],
-        "own": [(level(program), c99.core(program, made, decimals)) for program, made in own],
     }
 
 
@@ -160,6 +168,7 @@ class C:
     entry = "dualcay.h"
     comment = "//"
     tables: Sequence[Table] = (POSES, ROTATIONS)
+    imports_bases = False
     unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
@@ -184,17 +193,16 @@ class C:
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = comment(operations(lowered), self.comment)
-            data = {**own_geometry(facts, lowered, scalars(facts.lowered)), "operations": told}
+            data = own_geometry(facts, lowered, scalars(facts.lowered))
             found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
         return found
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """The headers of the chart for further tables, and the test of all."""
         chart = facts.chart
-        tested = [(c_text.prefix(chart, table), [*differential.tables(chart, table)]) for table in self.tables]
+        tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
-        test = {"name": chart.name, "gate": differential.GATE, "headers": headers, "tested": tested}
+        test = {"name": chart.name, "gate": GATE, "headers": headers, "tested": tested}
         return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
@@ -206,13 +214,64 @@ class C:
             require_functions(where, plain, table)
             require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """All of it: a header is read anew for each chart, geometry included."""
-        return c_text.validate(folder, chart, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return c_text.validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Floats are left to the compiled test."""
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Return 0: floats are left to the compiled test."""
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         return compiled.test(folder, chart)
+
+
+# ---- tables of a differential test -----------------------------------------------------------------------------
+
+Rows = tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """Values of an array case by case; for a result, the scales of its parts too."""
+
+    array: Array
+    values: Rows
+    scales: Rows = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Differential:
+    """Cases of a function with exact results; ``branches`` is empty for a function without branches."""
+
+    name: str
+    count: int
+    arguments: tuple[Values, ...]
+    branches: tuple[int, ...]
+    results: tuple[Values, ...]
+
+
+def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Differential]:
+    """Yield the seeded cases of each function of a table, with numbers as C prints them."""
+    for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
+        found = list(group)
+        signature = table.functions[name]
+        arguments = tuple(
+            Values(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
+            for i, array in enumerate(signature.arguments)
+        )
+        branches = tuple(case.branch for case in found if case.branch is not None)
+        yield Differential(name, len(found), arguments, branches, tuple(_results(signature.results, found)))
+
+
+def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]:
+    start = scale = 0
+    for array in arrays:
+        end, last = start + array.size, scale + len(array.parts)
+        values = tuple(_hexadecimal(case.result[start:end]) for case in found)
+        yield Values(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
+        start, scale = end, last
+
+
+def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
+    """Exact C literals, without trailing zeros."""
+    return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import FUNCTIONS, Call, Program, Step, summary
-from ..programs.registers import all_results, results
+from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results
 from ..rows import Array
-from .expression import ARITHMETIC, WIDTH, Dialect, Operator, Text, bracket, fill, renamed
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Text, Texts, bracket, fill, renamed
 
 REAL = "dualcay_real"
 TABLE = "table"
@@ -34,8 +33,8 @@ class Printed:
 
     Parameters
     ----------
-    name, summary : str
-        Of the function, and its operations.
+    name : str
+        The program's.
     parameters : str
         As they stand between the brackets of its definition.
     text : str
@@ -43,7 +42,6 @@ class Printed:
     """
 
     name: str
-    summary: str
     parameters: str
     text: str
 
@@ -85,16 +83,23 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> P
         If a constant is not an integer that a float holds exactly.
     """
     program = _lower_case(program)
-    arrays = [(argument, names) for argument, names in program.inputs if argument != TABLE]
-    numbers = [name for argument, names in program.inputs if argument == TABLE for name in names if name not in table]
-    given = [f"const {REAL} *{argument}_at, size_t {argument}_by" for argument, _ in arrays]
+    lists, given, read, numbers = Lists(program), list[str](), list[str](), list[str]()
+    loads = list[str]()
+    for argument, names in program.inputs:
+        if names == (argument,):
+            given.append(f"{REAL} {argument}")
+            read.append(argument)
+        elif argument == TABLE:
+            numbers = [name for name in names if name not in table]
+        else:
+            given.append(f"const {REAL} *{argument}_at, size_t {argument}_by")
+            read += [f"{argument}_at", f"{argument}_by"]
+            loads += _loads(lists, argument, names)
     given += [f"{REAL} {name}" for name in numbers]
     given += [f"{REAL} *{array.name}_at, size_t {array.name}_by" for array in made]
     places = [_component(array.name, index) for array in made for index in range(array.size)]
-    read = [f"{argument}_{part}" for argument, _ in arrays for part in ("at", "by")]
     read += [f"{array.name}_by" for array in made]
-    loads = [load for argument, names in arrays for load in _loads(program, argument, names)]
-    return _printed(program, given, [*read, *numbers], [*loads, *_constants(program, table)], places)
+    return _printed(program, given, [*read, *numbers], [*loads, *_constants(program, table)], places, made=made)
 
 
 def scalar(program: Program, table: Mapping[str, str]) -> Printed:
@@ -120,18 +125,20 @@ def _printed(
     loads: Iterable[str],
     places: Sequence[str],
     truths: Collection[str] = (),
+    made: Sequence[Array] = (),
 ) -> Printed:
-    """Parameters that are not read are cast to void: compilers would warn."""
-    text = "\n".join([*loads, *_statements(program), *_stores(program, places, truths)])
+    """Return a function; parameters that are not read are cast to void: compilers would warn."""
+    text = "\n".join([*loads, *_statements(program, places, truths, made)])
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
-    return Printed(program.name, f"operations {summary(program.operations)}", filled(given), "\n".join([*unused, text]))
+    return Printed(program.name, filled(given), "\n".join([*unused, text]))
 
 
 def _lower_case(program: Program) -> Program:
     """Capital letters are where other people's macros are (N, I, R1); trailing underscores keep names apart."""
     names = {name for _, parts in program.inputs for name in parts}
     names |= {name for statement in program.statements for name in results(statement)}
-    taken = {name for name in names if name == name.lower()}
+    names |= {call.result for call in program.calls if call.result}
+    taken = {name for name in names if name == name.lower()} | {argument.lower() for argument, _ in program.inputs}
     new: dict[str, str] = {}
     for name in sorted(names - taken):
         lower = name.lower()
@@ -141,14 +148,19 @@ def _lower_case(program: Program) -> Program:
         new[name] = lower
     lowered = renamed(program, new)
     inputs = tuple((argument.lower(), parts) for argument, parts in lowered.inputs)
-    return Program(lowered.name, inputs, lowered.statements, lowered.outputs)
+    return replace(lowered, inputs=inputs)
 
 
-def _loads(program: Program, array: str, names: Sequence[str]) -> Iterator[str]:
-    used = program.operands
-    for index, name in enumerate(names):
-        if name in used:
-            yield f"{_INDENT}const {REAL} {name} = {_component(array, index)};"
+def _loads(lists: Lists, array: str, names: Sequence[str]) -> Iterator[str]:
+    return _declared((name, _component(array, index)) for index, name in enumerate(names) if name in lists.read)
+
+
+def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Yield the declaration of several numbers, over as few lines as hold it."""
+    items = [f"{name} = {value}" for name, value in values]
+    if items:
+        text = filled([f"const {REAL} {items[0]}", *items[1:]], 2 * _INDENT)
+        yield f"{_INDENT}{text};"
 
 
 def _constants(program: Program, table: Mapping[str, str]) -> Iterator[str]:
@@ -164,17 +176,49 @@ def _component(array: str, index: int) -> str:
     return f"{array}_at[{offset}]"
 
 
-def _statements(program: Program) -> Iterator[str]:
-    for statement, text in C99.statements(program)[0]:
+def _statements(
+    program: Program, places: Sequence[str], truths: Collection[str], made: Sequence[Array]
+) -> Iterator[str]:
+    """Yield the statements of a program; the last one stores results, or is a call of a program that does."""
+    lists = Lists(program)
+    given = (argument for argument, names in program.inputs if names != (argument,))
+    arrays = {argument: f"{argument}_at, {argument}_by" for argument in given}
+    arrays |= {call.result: f"{call.result}, 1" for call in program.calls if call.result}
+    statements, outputs = C99.statements(program, lists)
+    for statement, texts in statements:
         if isinstance(statement, Step):
             kind = "int" if statement.op in _CONDITIONS else REAL
-            yield from _wrap(f"const {kind} {statement.name}", text)
+            yield from _wrap(f"const {kind} {statement.name}", str(texts[0]))
+        elif not statement.result:
+            yield from _call_scalar(statement, ", ".join(map(str, texts)))
+        elif statement is lists.returned:
+            yield from _call_program(statement, texts, arrays, [f"{array.name}_at, {array.name}_by" for array in made])
         else:
-            yield from _call(statement, text)
+            yield f"{_INDENT}{REAL} {statement.result}[{len(statement.names)}];"
+            yield from _call_program(statement, texts, arrays, [f"{statement.result}, 1"])
+            names = enumerate(statement.names)
+            yield from _declared((name, f"{statement.result}[{index}]") for index, name in names if name in lists.read)
+    stores = []
+    for group, text in zip(lists.outputs, outputs, strict=True):
+        stores += [f"{text[1:]}[{i}]" for i in range(len(group))] if isinstance(group, tuple) else [text]
+    for place, text in zip(places, stores, strict=True) if lists.returned is None else ():
+        yield from _wrap(place, text if place in truths else real(text))
 
 
-def _call(call: Call, arguments: str) -> Iterator[str]:
-    """Places for the results, and the call; a result that is not read has a place too."""
+def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Sequence[str]) -> Iterator[str]:
+    """Yield the call of a geometry program; lists of numbers get arrays of their own."""
+    passed = []
+    for index, text in enumerate(texts, 1):
+        if isinstance(text, list):
+            yield from _wrap(f"const {REAL} {call.result}_{index}[{len(text)}]", f"{{{', '.join(text)}}}")
+            passed.append(f"{call.result}_{index}, 1")
+        else:
+            passed.append(arrays.get(text, text))
+    yield f"{_INDENT}DUALCAY_NAME({call.function}_core)({filled([*passed, *made])});"
+
+
+def _call_scalar(call: Call, arguments: str) -> Iterator[str]:
+    """Yield places for the results, and the call; a result that is not read has a place too."""
     names = all_results(call)
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
@@ -182,11 +226,6 @@ def _call(call: Call, arguments: str) -> Iterator[str]:
             yield f"{_INDENT}{kind} {', '.join(places)};"
     passed = ", ".join([arguments, *(f"&{name}" for name in names)])
     yield f"{_INDENT}DUALCAY_CHART({call.function}_scalars)({passed});"
-
-
-def _stores(program: Program, places: Sequence[str], truths: Collection[str]) -> Iterator[str]:
-    for place, text in zip(places, C99.statements(program)[1], strict=True):
-        yield from _wrap(place, text if place in truths else real(text))
 
 
 def _wrap(target: str, text: str) -> Iterator[str]:
@@ -198,11 +237,11 @@ def _wrap(target: str, text: str) -> Iterator[str]:
         yield from fill(f"{text};", 2 * _INDENT)
 
 
-def filled(items: Iterable[str]) -> str:
-    """A list, in indented lines that break after commas only."""
+def filled(items: Iterable[str], indent: str = _INDENT) -> str:
+    """Return a list, in indented lines that break after commas only."""
     lines = [""]
     for item in items:
-        if lines[-1] and len(f"{_INDENT}{lines[-1]} {item},") > WIDTH:
+        if lines[-1] and len(f"{indent}{lines[-1]} {item},") > WIDTH:
             lines.append("")
         lines[-1] += f"{' ' if lines[-1] else ''}{item},"
-    return f"\n{_INDENT}".join(lines)[:-1]
+    return f"\n{indent}".join(lines)[:-1]

@@ -6,7 +6,7 @@ where the language would read, round or warn otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -19,6 +19,9 @@ _BREAKS = {"+", "-", "*", "/", "&", "|", "<", "==", "?", ":"}
 
 Text = tuple[str, int]
 """Source text and the binding strength of its outermost operator."""
+
+Texts = list[str | list[str]]
+"""A right-hand side alone, or the arguments of a call: numbers and names of lists, and lists of numbers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,21 +100,86 @@ class Dialect:
         text = self.literal(int(operand))
         return text, NEGATION if text.startswith("-") else ATOM
 
-    def statements(self, program: Program) -> tuple[list[tuple[Statement, str]], list[str]]:
-        """Named steps with their right-hand sides, calls with their arguments, and the expressions of the outputs."""
+    def statements(self, program: Program, lists: Lists) -> tuple[list[tuple[Statement, Texts]], list[str]]:
+        """Return named steps with their right-hand sides, calls with their arguments, and the texts of the outputs.
+
+        A list that is used as a whole is told by its name; among outputs a star stands before that.
+        """
         inlined: dict[str, Text] = {}
-        assignments: list[tuple[Statement, str]] = []
+        assignments: list[tuple[Statement, Texts]] = []
+
+        def text(operand: Operand) -> str:
+            return self.operand(operand, inlined)[0]
+
+        def passed(group: Operand | tuple[Operand, ...]) -> str | list[str]:
+            if not isinstance(group, tuple):
+                return self.passed(text(group))
+            return lists.whole.get(group) or [self.passed(text(operand)) for operand in group]
+
         for statement in program.statements:
             if isinstance(statement, Call):
-                given = (self.passed(self.operand(arg, inlined)[0]) for arg in statement.args)
-                assignments.append((statement, ", ".join(given)))
+                assignments.append((statement, list(map(passed, statement.groups))))
                 continue
-            text = self.expression(statement, inlined)
+            found = self.expression(statement, inlined)
             if statement.inline:
-                inlined[statement.name] = text
+                inlined[statement.name] = found
             else:
-                assignments.append((statement, text[0]))
-        return assignments, [self.operand(output, inlined)[0] for output in program.outputs]
+                assignments.append((statement, [found[0]]))
+        outputs = (f"*{lists.whole[group]}" if isinstance(group, tuple) else text(group) for group in lists.outputs)
+        return assignments, list(outputs)
+
+
+class Lists:
+    """Lists of components in a program: arguments, and results of geometry programs, passed on or returned as a whole.
+
+    Attributes
+    ----------
+    whole : dict
+        The names of those that are used as a whole, by their components.
+    outputs : list
+        The outputs of the program, components of a list that follow each other as one tuple.
+    read : set
+        The components that are used one by one.
+    returned : Call or None
+        The last statement, where it is a call whose results are those of the program.
+    """
+
+    def __init__(self, program: Program) -> None:
+        named: dict[tuple[Operand, ...], str]
+        named = {names: argument for argument, names in program.inputs if names != (argument,)}
+        made: dict[tuple[Operand, ...], str]
+        made = {call.names: call.result for call in program.calls if call.result}
+        named |= made
+        groups = [group for call in program.calls for group in call.groups]
+        self.outputs = list(_with_lists(program.outputs, made))
+        used = [*groups, *self.outputs]
+        self.whole = {group: named[group] for group in used if isinstance(group, tuple) and group in named}
+        self.read: set[Operand] = {arg for step in program.steps for arg in step.args}
+        for group in used:
+            if group not in self.whole:
+                self.read.update(group if isinstance(group, tuple) else (group,))
+
+        *_, last = (None, *program.statements)
+        ends = isinstance(last, Call) and last.result and last.names == program.outputs
+        self.returned = last if ends else None
+
+    def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
+        """Yield an assignment to those of some names that are read, or nothing."""
+        if self.read.intersection(names):
+            shown = [name if name in self.read else "_" for name in names]
+            yield f"{', '.join(shown)}{',' * (len(shown) == 1)} = {argument}"
+
+
+def _with_lists(
+    outputs: Sequence[Operand], named: Collection[tuple[Operand, ...]]
+) -> Iterator[Operand | tuple[Operand, ...]]:
+    """Yield outputs, lists of which all components follow each other as one."""
+    lengths = sorted({len(names) for names in named}, reverse=True)
+    place = 0
+    while place < len(outputs):
+        found = next((n for n in lengths if n > 1 and tuple(outputs[place : place + n]) in named), 0)
+        yield tuple(outputs[place : place + found]) if found else outputs[place]
+        place += found or 1
 
 
 def bracket(text: Text, strength: int) -> str:
@@ -129,7 +197,8 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
         args = tuple(map(new, old.args))
         if isinstance(old, Call):
             truths = frozenset(names.get(name, name) for name in old.truths)
-            return replace(old, names=tuple(names.get(name, name) for name in old.names), args=args, truths=truths)
+            results = tuple(names.get(name, name) for name in old.names)
+            return replace(old, names=results, args=args, truths=truths, result=names.get(old.result, old.result))
         return replace(old, name=names.get(old.name, old.name), args=args)
 
     return replace(

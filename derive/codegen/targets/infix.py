@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ..programs.program import FUNCTIONS, Call, Program
-from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Operator, Text, fill, left_associative
-
-Ask = Callable[[Call, str], str]
+from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, left_associative
 
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
@@ -34,52 +32,93 @@ PLAIN = python("m.")
 """Functions of the number type in ``m``, constants as they are."""
 
 
-def of_namespace(call: Call, arguments: str) -> str:
-    """A call of a scalar program that the namespace ``c`` holds."""
+def ask_namespace(call: Call, arguments: str) -> str:
+    """Return the call of a scalar program that the namespace ``c`` holds, or of another geometry program."""
+    if call.result:
+        return f"{call.function}({', '.join(filter(None, (call.context, arguments)))})"
     return f"c.{call.function}(m, {arguments}{f', *{call.rest}' if call.rest else ''})"
 
 
 def body(
-    program: Program, indent: str = "    ", dialect: Dialect = PLAIN, alone: bool = False, ask: Ask = of_namespace
+    program: Program,
+    indent: str = "    ",
+    dialect: Dialect = PLAIN,
+    alone: bool = False,
+    ask: Callable[[Call, str], str] = ask_namespace,
+    first: Iterable[str] = (),
 ) -> str:
-    """Source lines of the program: unpacked arguments, assignments, and the returned tuple.
+    """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
     A program that stands `alone` has its components for parameters: nothing is unpacked. `ask` is the text of a call,
-    from that of its arguments.
+    from that of its arguments; ``first`` are lines of text before the statements.
     """
-    lines = _statements(program, dialect, not alone, ask)
-    return "\n".join(line for statement in lines for line in _wrap(statement, indent))
+    lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement, indent)]
+    return "\n".join([*_docstring(program.contract, indent), *first, *lines])
+
+
+def _docstring(contract: str, indent: str) -> list[str]:
+    if not contract:
+        return []
+    first, *further = contract.split("\n")
+    if not further:
+        return [f'{indent}"""{first}"""']
+    return [f'{indent}"""{first}', *(f"{indent}{line}" for line in further), f'{indent}"""']
 
 
 def unpacked(names: Sequence[str], argument: str) -> str:
-    """An assignment to each of some names."""
+    """Return an assignment to each of some names."""
     return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
 
 
-def _statements(program: Program, dialect: Dialect, unpack: bool, ask: Ask) -> Iterator[str | list[str]]:
-    """Assignments, then the list of outputs."""
-    used = program.operands
+def _statements(
+    program: Program, dialect: Dialect, unpack: bool, ask: Callable[[Call, str], str]
+) -> Iterator[str | list[str]]:
+    """Yield assignments, then the list of outputs or the call that returns them."""
+    lists = Lists(program)
     for argument, names in program.inputs if unpack else ():
-        if names:
-            yield unpacked([name if name in used else "_" for name in names], argument)
-    assignments, outputs = dialect.statements(program)
-    for statement, text in assignments:
-        if isinstance(statement, Call):
-            yield unpacked(statement.names, ask(statement, text))
-        else:
+        if names != (argument,):
+            yield from lists.unpacked(names, argument)
+    statements = dialect.statements(program, lists)
+    for statement, texts in statements[0]:
+        text = ", ".join(t if isinstance(t, str) else f"({', '.join(t)}{',' * (len(t) == 1)})" for t in texts)
+        if not isinstance(statement, Call):
             yield f"{statement.name} = {text}"
-    yield outputs
+        elif not statement.result:
+            yield unpacked(statement.names, ask(statement, text))
+        elif statement is lists.returned:
+            yield f"return {ask(statement, text)}"
+            return
+        elif statement.names in lists.whole:
+            yield f"{statement.result} = {ask(statement, text)}"
+            yield from lists.unpacked(statement.names, statement.result)
+        else:
+            yield unpacked(statement.names, ask(statement, text))
+    yield statements[1]
 
 
 def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
-    """Lines of a statement; a long one goes into brackets and breaks before operators, a long result by outputs."""
+    """Yield lines of a statement; a long one goes into brackets, and breaks before operators or after commas."""
     if isinstance(statement, list):
         yield from _wrap_result(statement, indent)
     elif len(indent + statement) <= WIDTH:
         yield indent + statement
     else:
-        name, value = statement.split(" = ", 1)
-        yield f"{indent}{name} = ("
+        names, _, value = statement.partition("return " if statement.startswith("return ") else " = ")
+        if not names:
+            yield f"{indent}return ("
+            yield from fill(value, indent + "    ")
+            yield f"{indent})"
+            return
+        if len(names) > WIDTH // 2 and "," in names:
+            yield f"{indent}("
+            yield from fill(f"{names},", indent + "    ")
+            names = f"{indent})"
+        else:
+            names = indent + names
+        if len(f"{names} = {value}") <= WIDTH:
+            yield f"{names} = {value}"
+            return
+        yield f"{names} = ("
         yield from fill(value, indent + "    ")
         yield f"{indent})"
 
@@ -90,6 +129,11 @@ def _wrap_result(outputs: list[str], indent: str) -> Iterator[str]:
         yield line
         return
     yield f"{indent}return ("
-    for output in outputs:
-        yield from fill(f"{output},", indent + "    ")
+    line = ""
+    for output in (f"{output}," for output in outputs):
+        if line and len(f"{indent}    {line} {output}") > WIDTH:
+            yield from fill(line, indent + "    ")
+            line = ""
+        line = f"{line} {output}" if line else output
+    yield from fill(line, indent + "    ")
     yield f"{indent})"

@@ -13,16 +13,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ... import about
-from ..facts import Facts
-from ..fingerprint import fingerprint
 from ..lowered import geometry, lower_chart
+from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, Table, inside
 from ..signatures import POSES
 from ..validation import c_text
 from . import c99
 from .c import C
-from .target import Data
 
 PACKAGE = "dualcay_native"
 """Import name of what is built."""

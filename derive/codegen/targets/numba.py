@@ -1,29 +1,28 @@
-"""Compiled loops: cores on scalars, of few outputs each, and the loops that run them.
+"""Compiled loops: geometry programs on scalars, and the loops that run them.
 
-A loop with more than nine stores is no longer vectorised by LLVM, so a larger result is computed in parts. Constants
-are made of the type of the arguments: beside a bare integer Numba computes float32 in double precision.
+A loop with more than nine stores is no longer vectorised by LLVM, so a larger result is computed in parts: each loop
+stores some results, and what the others need is dropped by the compiler. Constants are made of the type of the
+arguments: beside a bare integer Numba computes float32 in double precision.
 """
 
 from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from ...maps.chart import Chart
 from ...output import RefusedError
-from ..facts import Facts
-from ..lowered import Lowered, geometry
-from ..programs.program import Call, Operand, Program, Statement, summary
-from ..programs.registers import results
-from ..rows import Table
+from ..lowered import geometry, printed_geometry, shared_with_poses
+from ..package import Data, Facts
+from ..programs.program import Call, Program
+from ..rows import Function, Table
 from ..signatures import POSES, ROTATIONS
-from ..validation import Choose, Library, everything
+from ..validation import Library
 from . import infix, python
-from .expression import WIDTH
-from .target import Data
+from .expression import WIDTH, Lists
 
 MOST_OUTPUTS = 9
 """Stores in a loop which LLVM still vectorises."""
@@ -35,20 +34,21 @@ DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value <
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
-    """A core of few outputs, and the texts of the loops around it."""
+class Loops:
+    """The texts of the loops around a function: of every part over the columns of arrays, and over one pose."""
 
-    name: str
-    summary: str
-    body: str
-    row: str
-    rows: str
+    row: Function
+    parameters: tuple[str, ...]
+    rows: tuple[str, ...]
+    alone: str
 
 
-def parts(program: Program, prefix: str = "", table: Table = POSES) -> tuple[Part, ...]:
-    """The cores of a program of a geometry, each with the outputs it is for; a prefix stands before their names."""
-    sizes = [array.parts[part] for array in table.kernels[program.name].results for part in array.part_of]
-    return tuple(_part(program, f"{program.name}{i}", group, prefix) for i, group in enumerate(_groups(sizes), 1))
+def loops(row: Function, program: Program) -> Loops:
+    """Return the loops of a kernel function."""
+    sizes = [array.parts[part] for array in row.results for part in array.part_of]
+    parameters = tuple(argument for argument, _ in program.inputs)
+    rows = tuple(_call(program, group, "        ", ", i") for group in _groups(sizes))
+    return Loops(row, parameters, rows, _call(program, range(len(sizes)), "    ", ""))
 
 
 def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
@@ -57,40 +57,20 @@ def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
     return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
 
 
-def _part(program: Program, name: str, group: Sequence[int], prefix: str) -> Part:
-    selected = _select(program, group)
-    return Part(
-        name=name,
-        summary=f"operations {summary(selected.operations)}",
-        body=body(selected),
-        row=_call(prefix + name, program, group, "    ", ""),
-        rows=_call(prefix + name, program, group, "        ", ", i"),
-    )
-
-
-def _select(program: Program, group: Sequence[int]) -> Program:
-    """The program of some of the outputs only."""
-    outputs = tuple(program.outputs[index] for index in group)
-    needed: set[Operand] = set(outputs)
-    statements: list[Statement] = []
-    for statement in reversed(program.statements):
-        if needed.intersection(results(statement)):
-            needed.update(statement.args)
-            statements.append(_needed(statement, needed) if isinstance(statement, Call) else statement)
-    return replace(program, statements=tuple(reversed(statements)), outputs=outputs)
-
-
-def _needed(call: Call, needed: set[Operand]) -> Call:
-    return replace(call, names=tuple(name if name in needed else "_" for name in call.names))
-
-
 def body(program: Program) -> str:
-    """Lines of a function whose arguments are tuples of components, numbers, or the table."""
-    lines = [*_constants(program), *_unpacked(program)]
-    return "\n".join([*lines, infix.body(program, dialect=DIALECT, alone=True, ask=_ask)])
+    """Return lines of a function whose arguments are tuples of components, numbers, or the table."""
+    first = [*_constants(program), *_unpacked(program)]
+    return infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=first)
+
+
+def _printed(program: Program, formula: str = "") -> python.Printed:
+    parameters = tuple(argument for argument, _ in program.inputs)
+    return python.Printed(program.name, parameters, body(program), formula)
 
 
 def _ask(call: Call, arguments: str) -> str:
+    if call.result:
+        return f"{call.function}({arguments})"
     return f"c_{call.function}({arguments}{f', {call.rest}' if call.rest else ''})"
 
 
@@ -101,23 +81,23 @@ def _constants(program: Program) -> Iterator[str]:
 
 
 def _unpacked(program: Program) -> Iterator[str]:
-    used = program.operands
+    lists = Lists(program)
     for argument, names in program.inputs:
         if argument == TABLE:
-            yield from (f"    {name} = {argument}[{i}]" for i, name in enumerate(names) if name in used)
+            yield from (f"    {name} = {argument}[{i}]" for i, name in enumerate(names) if name in lists.read)
         elif names != (argument,):
-            yield "    " + infix.unpacked([name if name in used else "_" for name in names], argument)
+            yield from (f"    {line}" for line in lists.unpacked(names, argument))
 
 
-def _call(name: str, program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
-    """``(out[0], out[1], …) = pose1((v[0], …), …)``, over several lines."""
-    stored = ", ".join(f"out[{index}{suffix}]" for index in group) + "," * (len(group) == 1)
-    lines = [f"{indent}(", *_wrapped(stored, indent), f"{indent}) = {name}("]
+def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
+    """Return ``found = pose((v[0], …), …)`` over several lines, and the stores of some of its results."""
+    lines = [f"{indent}found = {program.name}("]
     for argument, names in program.inputs:
         loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
         components = f"({loaded},)," if len(names) == 1 else f"({loaded}),"
         lines += _wrapped(f"{argument}," if argument == TABLE else components, indent)
-    return "\n".join([*lines, f"{indent})"])
+    stores = (f"{indent}out[{index}{suffix}] = found[{index}]" for index in group)
+    return "\n".join([*lines, f"{indent})", *stores])
 
 
 def _wrapped(text: str, indent: str) -> list[str]:
@@ -127,15 +107,16 @@ def _wrapped(text: str, indent: str) -> list[str]:
     return [f"{indent}    {line}".replace("\0", " ") for line in lines]
 
 
+def _lines(names: Sequence[str]) -> str:
+    """Return names as lines of a tuple."""
+    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8))
+
+
 def _called(texts: Iterable[str]) -> list[str]:
     """The functions of ``_compiled`` in some texts."""
     text = "".join(texts)
     names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]
-
-
-def _cores(printed: Iterable[python.Printed]) -> list[str]:
-    return [part.body for program in printed for part in program.forms]
 
 
 def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
@@ -144,10 +125,6 @@ def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
 
 
 WORDS = python.Words(
-    value="ArrayLike",
-    array_like="array_like",
-    array="ndarray",
-    kept="float32 and float64",
     options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
     passed="axis, out, parallel",
     passed_alone="axis, None, False",
@@ -168,8 +145,9 @@ class Numba(python.PythonTarget):
         return {
             **self.package(),
             **self.per_table(),
+            "_branches.py": {},
             "_chart.py": {},
-            "_checks.py": {"words": WORDS},
+            "_checks.py": {},
             "_compiled.py": {},
             "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
             "_runtime.py": {},
@@ -177,21 +155,22 @@ class Numba(python.PythonTarget):
         }
 
     def geometry(self, table: Table) -> Data:
-        programs = [python.printed(program, parts(program, table=table)) for program in geometry(table).values()]
-        calls = sorted(["prange", *_called(_cores(programs))])
-        return {"programs": programs, "rows": table.kernels, "calls": calls}
+        same = shared_with_poses(table)
+        programs = [_printed(program) for name, program in printed_geometry(table).items() if name not in same]
+        kernels = [loops(row, geometry(table)[name]) for name, row in table.kernels.items()]
+        calls = sorted(["prange", *_called(program.forms for program in programs)])
+        names = _lines([*(program.name for program in programs), *sorted(same)])
+        return {"programs": programs, "kernels": kernels, "calls": calls, "names": names, "same": sorted(same)}
 
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        named = lowered.scalars.items()
-        scalars = [python.printed(program, body(program)) for name, program in named if name not in known]
-        own = [python.printed(program, parts(program, "_own_", lowered.table)) for program in lowered.own.values()]
-        calls = ["prange"] * bool(own) + _called([*(program.forms for program in scalars), *_cores(own)])
-        return {"scalars": scalars, "own": own, "rows": lowered.table.kernels, "calls": sorted(calls)}
+    def programs(self, facts: Facts) -> Data:
+        programs = facts.lowered.scalars.items()
+        scalars = [_printed(program, python.formula_of(name, facts.chart)) for name, program in programs]
+        return {"scalars": scalars, "calls": sorted(_called(program.forms for program in scalars))}
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Run the source of a package which wants its compiler even so."""
         try:
-            return super().validate(folder, chart, choose)
+            return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 

@@ -1,13 +1,12 @@
-"""What the targets in Python share: one documented interface, and the words in which they differ."""
+"""Base class of the targets in Python: one documented interface, and the keyword parameters in which they differ."""
 
 from __future__ import annotations
 
 import ast
 import re
-import textwrap
 from abc import ABC, abstractmethod
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,40 +14,40 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..facts import Facts, comment, numbers, operations, theorem_lines
-from ..lowered import Lowered, lower_chart
-from ..programs.program import Program, summary
+from ..lowered import Lowered, lower_chart, shared_with_poses
+from ..lowered import printed_geometry as lowered_geometry
+from ..lowering.scalars import FORMULAS
+from ..package import Data, Facts, comment, numbers
+from ..programs.program import Program
 from ..rows import Function, Table, inside
-from ..signatures import ANGLE, BY_V_OF_POINT, JACOBIAN, POSES, QUATERNION, TENSOR, V
-from ..validation import NUMPY, Choose, Library, Machinery, everything, replay, validate
-from .expression import WIDTH
-from .said import SAID
-from .target import Data, require_functions
+from ..signatures import JACOBIAN, POSES
+from ..validation import NUMPY, Library, Machinery, replay, validate
+from . import infix
+from .target import require_functions
 
 INTERFACE = "_interface.py"
 
 CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
-"""The classes of kernels, by table."""
+"""Classes of the documented interfaces, by table."""
 
-SHAPES = {
-    "vector": V, "quaternion": QUATERNION, "tensor": TENSOR, "jacobian": JACOBIAN, "angle": ANGLE,
-    "by_point": BY_V_OF_POINT,
-}  # fmt: skip
-"""Arrays whose shapes docstrings tell, by what they call them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """How a target speaks of arrays, what it keeps of them, and the keyword parameters of its functions.
+    """Keyword parameters of a target's functions, as its templates spell them.
 
-    ``passed`` is what a function passes on of them, ``passed_alone`` one that does more with the result; ``placed`` is
-    where that result goes. ``makes`` says that there are arrays without arguments: the identity, random poses.
+    Parameters
+    ----------
+    options : str
+        Keyword parameters of functions that return one array.
+    passed, passed_alone : str
+        Arguments that a method passes on for them, and without a place for the result.
+    placed : str
+        Arguments that place a result.
+    makes : bool
+        True where arrays are made without arguments: the identity, random poses.
     """
 
-    value: str
-    array_like: str
-    array: str
-    kept: str
     options: str
     passed: str
     passed_alone: str
@@ -68,16 +67,16 @@ class Words:
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters of its function, operations, and what the printer makes of it."""
+    """A program as its template shows it: parameters, text of the body, and its formula as a comment."""
 
     name: str
-    summary: str
     parameters: tuple[str, ...]
     forms: Any
+    formula: str = ""
 
 
 class PythonTarget(ABC):
-    """What the rows of these targets share."""
+    """A target whose kernels are Python modules."""
 
     extension = "py"
     entry = "__init__.py"
@@ -85,49 +84,55 @@ class PythonTarget(ABC):
     machinery = Machinery()
     tables: Sequence[Table] = (POSES,)
     uncompiled: tuple[str, ...] = ()
-    """Functions that run as they are even where compiled ones are installed; empty where nothing uses those."""
+    """Functions without a compiled form in ``dualcay-native``."""
+    imports_bases = False
     name: str
     words: Words
 
     def package(self) -> Mapping[str, Data]:
-        """The files by which a package is imported and run."""
+        """Return the files by which a package is imported and run."""
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
         packages = [table.name for table in self.tables if table.name]
-        said: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
+        common: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
         inner = {
-            inside(table, self.entry): {**said, "packages": [], "package": table.name, "class": CLASSES[table.name]}
+            inside(table, self.entry): {**common, "packages": [], "package": table.name, "class": CLASSES[table.name]}
             for table in self.tables
         }
         init = {**inner[self.entry], "version": about.__version__, "packages": packages}
         return {**inner, self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def per_table(self) -> Mapping[str, Data]:
-        """Geometry and interface of every table, in its folder."""
+        """Return geometry, interface and list of functions of every table, in its folder."""
         found: dict[str, Data] = {}
         for table in self.tables:
             found[inside(table, "_geometry.py")] = self.geometry(table)
             found[inside(table, INTERFACE)] = interface(self.words, table)
+            functions = sorted((*table.public, *self.words.plain))
+            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table.name], "functions": functions}
         return found
 
     @abstractmethod
     def geometry(self, table: Table) -> Data:
-        """What the template of a geometry is given."""
+        """Return what fills the template of a geometry."""
 
     @abstractmethod
-    def programs(self, facts: Facts, lowered: Lowered, known: Container[str] = ()) -> Data:
-        """What the template of a chart is given of its programs, but of the scalars that are known already."""
+    def programs(self, facts: Facts) -> Data:
+        """Return what fills the template of a chart with its scalar programs."""
+
+    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+        """Return what fills the template of a chart for rotations, besides its description."""
+        return {}
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts, self.words), **self.programs(facts, facts.lowered)}
+        return {**described(facts), **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """The modules of the chart for further tables, which take the scalars of that for poses."""
+        """Return the modules of the chart for further tables; they use the scalar programs of the module for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
-            told = described_part(facts, lowered, self.words)
-            data = {**told, **self.programs(facts, lowered, facts.lowered.scalars)}
+            data = {**described_rotations(facts, lowered), **self.rotations(facts, lowered)}
             found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
         return found
 
@@ -135,14 +140,14 @@ class PythonTarget(ABC):
         for table in self.tables:
             require_complete(texts, self.words, table)
 
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        return validate(folder, chart, choose, self.tables)
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), self.tables, all_ways=all_ways)
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
 
     def libraries(self) -> Sequence[Library]:
-        """Whose arrays the functions are given in a replay."""
+        """Return the array libraries of a replay."""
         return (NUMPY,)
 
     def test(self, folder: Path, chart: Chart) -> int:
@@ -150,23 +155,23 @@ class PythonTarget(ABC):
 
 
 def interface(words: Words, table: Table) -> Data:
-    """What the template of the interface of a table is given."""
-    theorems = {"theorems": comment(theorem_lines(), "#")} if table is POSES else {}
-    return theorems | {
-        "words": words,
+    """Return what fills the template of the interface of a table."""
+    jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+    return asdict(words) | {
         "definitions": DEFINITIONS,
         "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
-        "poses": table is POSES,
-        "class": CLASSES[table.name],
-        "said": SAID[table.name],
-        "shape": {what: (array if table is POSES else array.of_rotation).shape for what, array in SHAPES.items()},
+        "rotations": table is not POSES,
+        "up": ".." if table.name else ".",
+        "n": jacobian[0],
+        "jacobian": f"(..., {', '.join(map(str, jacobian))})",
     }
 
 
-def described(facts: Facts, words: Words) -> dict[str, Any]:
-    """What every Python module says of its chart."""
+def described(facts: Facts) -> dict[str, Any]:
+    """Return constants and formulas of a chart for its module for poses."""
     chart = facts.chart
-    return _exports(chart, POSES, words) | {
+    return {
+        "aliases": POSES.aliases(chart),
         "title": chart.title,
         "parameter": chart.parameter,
         "branches": chart.branches,
@@ -182,41 +187,60 @@ def described(facts: Facts, words: Words) -> dict[str, Any]:
     }
 
 
-def described_part(facts: Facts, lowered: Lowered, words: Words) -> dict[str, Any]:
-    """What the module of a chart for another table says: of the chart what differs from that for poses."""
+def described_rotations(facts: Facts, lowered: Lowered) -> dict[str, Any]:
+    """Return constants of a chart for its module for rotations."""
     chart = facts.chart
-    return _exports(chart, lowered.table, words) | {
+    return {
+        "aliases": lowered.table.aliases(chart),
         "name": chart.name,
         "order": chart.order,
         "title": chart.title,
         "parameter": chart.parameter,
         "branches": chart.branches,
         "singular": facts.singular,
-        "operations": comment(operations(lowered), "#"),
     }
 
 
-def _exports(chart: Chart, table: Table, words: Words) -> dict[str, Any]:
-    """The names that a module exports."""
-    exported = table.aliases(chart) | {name: name for name in (*table.public, *words.plain)}
-    return {"exports": _quoted(exported), "exported": dict(sorted(exported.items()))}
+def printed_geometry(table: Table) -> list[Printed]:
+    """Return the geometry programs of a table as plain functions; those that users call all take ``m`` and ``c``."""
+    return [
+        Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+        for name, program in lowered_geometry(table).items()
+        if name not in shared_with_poses(table)
+    ]
 
 
-def _quoted(names: Iterable[str]) -> str:
-    """Names as lines of a list."""
-    lines = textwrap.wrap(" ".join(f'"{name}",' for name in sorted(names)), WIDTH - 4)
-    return "\n".join(f"    {line}" for line in lines)
+def geometry(table: Table) -> Data:
+    """Return what fills the template of a geometry of plain functions; rotations import programs that are the same."""
+    return {"programs": printed_geometry(table), "rows": table.kernels, "same": sorted(shared_with_poses(table))}
 
 
-def printed(program: Program, forms: Any, parameters: tuple[str, ...] = ()) -> Printed:
-    """A program of a geometry, whose parameters are its arguments, or another with the parameters given."""
-    arguments = tuple(argument for argument, _ in program.inputs)
-    return Printed(program.name, f"operations {summary(program.operations)}", parameters or arguments, forms)
+def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
+    context = ("m: Any", "c: Any")[: 2 if kernel else len(program.context.split(", ")) if program.context else 0]
+    numbers = (names == (argument,) for argument, names in program.inputs)
+    given = (f"{argument}: {'Any' if n else 'Components'}" for n, (argument, _) in zip(numbers, program.inputs))
+    return (*context, *given)
 
 
-def components(program: Program) -> tuple[str, ...]:
-    """The parameters of a scalar program."""
-    return tuple(name for _, names in program.inputs for name in names)
+def printed_scalars(facts: Facts) -> list[Printed]:
+    """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
+    return [
+        Printed(
+            name,
+            tuple(name for _, names in program.inputs for name in names),
+            infix.body(program, alone=True),
+            formula_of(name, facts.chart),
+        )
+        for name, program in facts.lowered.scalars.items()
+    ]
+
+
+def formula_of(scalar: str, chart: Chart) -> str:
+    """Return the formula of a scalar program as a comment: for every chart, then of order n, with equation numbers."""
+    general, of_order, maps = FORMULAS[scalar]
+    texts = [general, of_order] if of_order and chart.cayley else [general]
+    equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:
@@ -238,7 +262,7 @@ def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSE
 
 
 def _require_parameters(where: str, row: Function, found: ast.arguments, words: Words) -> None:
-    """Arguments as in the table; after them the keywords of every function, or of those that return several arrays."""
+    """Require the arguments of the table, then the keywords of functions with one result or with several."""
     given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
     expected = [array.name for array in row.arguments] + ["branch"] * row.branch
     if given != expected:
@@ -250,7 +274,7 @@ def _require_parameters(where: str, row: Function, found: ast.arguments, words: 
 
 
 def _methods(text: str, kernels: str) -> Iterator[ast.FunctionDef]:
-    """Public methods of the class of kernels."""
+    """Yield the public methods of a class."""
     for node in ast.parse(text).body:
         if isinstance(node, ast.ClassDef) and node.name == kernels:
             for item in node.body:

@@ -1,76 +1,49 @@
-"""What a target is: a language, its files, its texts, and how what was printed is executed again."""
+"""Protocol of a target: a language, its files and texts, and how printed text is executed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from ...maps.chart import Chart
-from ..facts import Facts
+from ..package import Printer
 from ..rows import Table
-from ..validation import Choose, everything
-
-Data = Mapping[str, Any]
-"""What fills the holes of a template, by name, but for ``header``."""
 
 
-class Target(Protocol):
-    """A language kernels are printed in; `name` is its template folder too."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def extension(self) -> str:
-        """Of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
-
-    @property
-    def entry(self) -> str:
-        """The shared file that is read before any other."""
-
-    @property
-    def comment(self) -> str:
-        """What begins a comment line."""
+class Target(Printer, Protocol):
+    """A language in which kernels are printed."""
 
     @property
     def unproved(self) -> str:
-        """What of its text is not executed when it is validated."""
+        """Parts of the text that validation does not execute."""
 
     @property
     def tables(self) -> Sequence[Table]:
-        """Whose functions it prints, a module of every chart for each, that of poses first."""
+        """Tables whose functions are printed, poses first; every chart has a module for each."""
 
-    def shared(self) -> Mapping[str, Data]:
-        """Files that every package of the target holds, each from the template of its name."""
+    @property
+    def imports_bases(self) -> bool:
+        """True if the module of a multiple imports the module of its base chart."""
 
-    def module(self, facts: Facts) -> Data:
-        """What the module of a chart says."""
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Execute the text of a module in a folder; return how many calls equal the formula.
 
-    def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Further files of a chart: by name, the template and what it is given."""
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Compare the functions in the shared texts with the table; `ValueError` if they differ."""
-
-    def validate(self, folder: Path, chart: Chart, choose: Choose = everything) -> int:
-        """Execute the text of a module in a folder; how many calls equal the formula.
-
-        ``choose`` leaves out what other charts of the package have shown of its shared text.
+        With ``geometry`` all functions are executed, and so the text that charts share; else the chart's own ones.
         """
 
-    def replay(self, folder: Path, chart: Chart, all_ways: bool) -> int:
-        """Call the functions of a module on floats; how many calls agree with the formula, 0 where nothing is called.
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Call the functions of a module on floats; return how many calls agree with the formula.
 
-        ``all_ways`` asks for those too that do not depend on the chart.
+        With ``geometry`` all functions are called, in all ways; else the chart's own ones.
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests among its companions: how many calls agree, None where nothing compiles them."""
+        """Compile and run the tests among its companions; return how many calls agree, None without a compiler."""
 
 
 def require_functions(where: str, found: Iterable[str], table: Table) -> None:
-    """Compare the functions that a text defines with the public ones of a table.
+    """Compare the functions of a text with the public ones of a table.
 
     Raises
     ------

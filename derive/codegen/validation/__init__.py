@@ -1,40 +1,32 @@
-"""Translation validation: what was printed is executed as text on disk, and its results equal the formula's.
+"""Translation validation: the text on disk is executed, and its results equal those of the formula.
 
-============= ========================================================================================
+============= ==========================================================================================
+vectors       vectors of a chart and their branches, from φ alone
+formulas      expected values of algebraic functions, on symbols or at numbers
+inverse_maps  expected values of all other functions, at numbers of 50 digits
+decimals      numbers of 50 digits as kernels take them, and how near they have to be
+screws        seeded screws on which every side of every selection is taken
+samples       cases with expected values for exact validation
+float_cases   cases in floats, for replays and for compiled tests
 loading       load a package from disk under a name of its own
-run           call its public functions, in both layouts
-offered       the names and constants of a module, which are its own text
-refusals      wrong calls, which a package must refuse as documented
-sample        what of a chart has not been shown by another of the package
-c_text        interpret a C header, in all the ways its functions may be called
-c_calls       C functions called on flat components
-c_interpreter a preprocessor, parser and interpreter of C on numbers of any type
+run           run a Python package on exact numbers
+c_text        run a C header on exact numbers, in all the ways its functions may be called
+c_interpreter a preprocessor, parser and translator of the C that headers are made of
 compiled      compile the differential test beside a C header, and run it
-replay        call a package on floats, in all the ways its functions may be called
-helpers       matrix6, identity and random poses
-ways          those that are the same for every function: broadcasting, ``out``, layouts, calls at the same time
-calls         a call whose results are known, and how they compare
-known         results to many digits, and how far rounding may move them
-rounding      running error analysis of programs
-============= ========================================================================================
-
-What results must be is said by ``codegen.cases``.
+replay        call a package on floats, one by one and in arrays
+============= ==========================================================================================
 """
 
-from .calls import NUMPY, Library
 from .errors import ValidationFailed
-from .replay import Machinery, replay, replay_package
-from .run import validate
-from .sample import Choose, Seen, everything
+from .replay import NUMPY, Library, Machinery, replay, replay_package
+from .run import own_functions, validate
 
 __all__ = [
     "NUMPY",
-    "Choose",
     "Library",
     "Machinery",
-    "Seen",
     "ValidationFailed",
-    "everything",
+    "own_functions",
     "replay",
     "replay_package",
     "validate",

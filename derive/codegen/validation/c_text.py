@@ -1,10 +1,11 @@
-"""Execute a C header as text: every function on exact elements and at 50 digits, in all the ways it may be called."""
+"""Run the functions of a C header on exact numbers, in all the ways its functions may be called."""
 
 from __future__ import annotations
 
+import itertools
 import random
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,136 +13,152 @@ from typing import Any
 import mpmath
 
 from ...maps.chart import Chart
-from ..cases import Batch, batches, decimals
-from ..cases.batches import Agree, same
-from ..cases.decimals import Decimal
-from ..rows import Table, inside
+from ..rows import Function, Table, inside
 from ..signatures import POSES
-from .c_calls import Flat, Kernel
+from . import decimals
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
+from .decimals import Decimal
 from .errors import ValidationFailed
+from .run import chosen
+from .samples import Batch, compare, same
+from .vectors import Flat
 
 SEED = 1863
 
 
-def validate(folder: Path, chart: Chart, tables: Sequence[Table] = (POSES,)) -> int:
-    """Interpret the headers of a chart, one for each table; return how many calls equal the formula.
+def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
+    """Run the headers of a chart, one for each table; return how many calls equal the formula.
 
-    Both forms are called: the rational functions on symbols, the others on numbers of 50 digits. On such numbers
-    results are then laid over arguments, at every distance and row by row, and must not change by a bit.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, or the line that is no C, divides integers, leaves an array, reads what was not written.
+    Rational functions run on symbols, the others on numbers of 50 digits. With ``geometry`` all functions are called,
+    with results laid over arguments too. Otherwise functions are called that read the chart's own scalars.
+    `ValidationFailed` names the function, or the line that divides integers, leaves an array or reads an unset cell.
     """
     headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:
         unit = load("".join(f'#include "{header}"\n' for header in headers), folder)
-        _constants(unit, chart)
-        for table in tables:
-            _aliases(unit, chart, table)
-        calls = sum(check(unit, chart, batches(chart, table), table) for table in tables)
-        if unit.idle:
-            raise ValidationFailed(f"nothing calls {', '.join(unit.idle)}, so nothing says what they compute")
+        _require_macros(unit, chart, tables)
+        calls = sum(check(unit, chart, chosen(chart, table, geometry), table, geometry) for table in tables)
+        if geometry and unit.idle:
+            raise ValidationFailed(f"nothing calls {', '.join(unit.idle)}, so their results are unknown")
     except (CError, ValidationFailed) as error:
         raise ValidationFailed(f"{', '.join(headers)}: {error}") from error
     return calls
 
 
-def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES) -> int:
-    """Compare all forms of the functions with what they must return; how many calls that takes."""
-
-    def kernel(batch: Batch) -> Kernel:
-        """The function of a batch, with its branch; branch 0 where none is given."""
-        default = (0,) if batch.row.branch else ()
-        return Kernel(unit, prefix(chart, table), batch.row, batch.branch or default)
-
+def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
+    """Compare both forms of functions with their expected values, perhaps in all layouts; return the call count."""
+    count = 0
     with mpmath.workdps(decimals.DIGITS):
-        return sum(_values(kernel(batch), batch) for batch in given) + sum(
-            _layouts(kernel(batch), chart, rows) for batch, rows in _samples(given)
-        )
+        for batch in given:
+            branch = batch.branch or ((0,) if batch.row.branch else ())
+            kernel = Kernel(unit, f"{prefix(chart, table)}_{batch.function}", batch.row, branch)
+            cases = [case.arguments for case in batch.cases]
+            for case, row in zip(batch.cases, kernel.rows(cases), strict=True):
+                for found in (kernel.plain(case.arguments), row):
+                    compare(kernel.name, found, case.result, batch.agree)
+            count += 1 + len(cases) + (_layouts(kernel, chart, _samples(batch)) if layouts else 0)
+    return count
 
 
 def prefix(chart: Chart, table: Table) -> str:
-    """What the names of functions begin with, before a further underscore."""
+    """Return the beginning of function names, before a further underscore."""
     return "_".join(filter(None, ("dualcay", table.name, chart.name)))
 
 
-def _values(kernel: Kernel, batch: Batch) -> int:
-    """Compare both forms of a function with what it must return."""
-    for case in batch.cases:
-        _compare(kernel.name, kernel.plain(case.arguments), case.result, batch.agree)
-    for row, case in zip(kernel.rows([case.arguments for case in batch.cases]), batch.cases, strict=True):
-        _compare(f"{kernel.name}, rows", row, case.result, batch.agree)
-    return len(batch.cases) + 1
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A function of a header, with its row of a table and perhaps a branch: flat arguments in, the flat result out."""
+
+    unit: Unit
+    name: str
+    row: Function
+    branch: tuple[int, ...] = ()
+
+    @property
+    def sizes(self) -> list[int]:
+        """Components of each result."""
+        return [array.size for array in self.row.results]
+
+    def plain(self, arguments: Sequence[Flat]) -> Flat:
+        """Call the form for one value, every array in its own memory."""
+        return self._one([Pointer.to(list(argument)) for argument in arguments], list(map(_unset, self.sizes)))
+
+    def overlapping(self, arguments: Sequence[Flat], start: int) -> Flat:
+        """Call the form for one value, with all arrays in one memory and results from cell ``start`` on."""
+        space = [UNSET] * sum(self.sizes)
+        cells = [*space, *(c for argument in arguments for c in argument), *space]
+        given = _consecutive(cells, len(space), [len(argument) for argument in arguments])
+        return self._one(given, _consecutive(cells, start, self.sizes))
+
+    def rows(self, batch: Sequence[Sequence[Flat]]) -> list[Flat]:
+        """Call the form for several values, in arrays of components whose rows are a stride of their own apart."""
+        sizes = [*map(len, batch[0]), *self.sizes]
+        strides = range(len(batch) + 1, len(batch) + 1 + len(sizes))
+        arrays = [_unset(size * stride) for size, stride in zip(sizes, strides, strict=True)]
+        for j, arguments in enumerate(batch):
+            for pointer, stride, argument in zip(arrays, strides, arguments):
+                pointer.cells[j::stride] = argument
+        passed = [item for pair in zip(arrays, strides, strict=True) for item in pair]
+        split = 2 * len(batch[0])
+        self.unit.call(f"{self.name}_rows", len(batch), *passed[:split], *self.branch, *passed[split:])
+        made = [*zip(arrays, strides, sizes, strict=True)][len(batch[0]) :]
+        if any(value is not UNSET for p, stride, _ in made for value in p.cells[len(batch) :: stride]):
+            raise CError(f"{self.name}_rows writes beyond {len(batch)} values")
+        return [tuple(p[i * stride + j] for p, stride, n in made for i in range(n)) for j in range(len(batch))]
+
+    def _one(self, given: Sequence[Pointer], results: Sequence[Pointer]) -> Flat:
+        self.unit.call(self.name, *given, *self.branch, *results)
+        return tuple(pointer[i] for pointer, size in zip(results, self.sizes, strict=True) for i in range(size))
 
 
-def _layouts(kernel: Kernel, chart: Chart, rows: Sequence[tuple[Flat, ...]]) -> int:
-    """Lay results over arguments, and choose branches by other integers: not a bit of the plain result may change."""
-    expected = [kernel.plain(arguments) for arguments in rows]
+def _unset(size: int) -> Pointer:
+    return Pointer.to([UNSET] * size)
+
+
+def _consecutive(cells: list[Any], start: int, sizes: Sequence[int]) -> list[Pointer]:
+    starts = itertools.accumulate(sizes[:-1], initial=start)
+    return [Pointer(cells, start, 0, len(cells)) for start in starts]
+
+
+def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) -> int:
+    """Call in rows, lay results over arguments, choose branches by other integers: not a bit of a result may change."""
+    expected = [kernel.plain(arguments) for arguments in samples]
     room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):
-        _compare(f"{kernel.name}, overlapping", kernel.shared(rows[-1], start), expected[-1], same)
-    ways = (None, *range(len(rows[0])))
-    for over in ways:
-        for row, result in zip(kernel.rows(rows, over), expected, strict=True):
-            _compare(f"{kernel.name}, rows over argument {over}", row, result, same)
-    turned = [branch + turns * chart.branches for branch in kernel.branch for turns in (-1, 2)]
-    for branch in turned:
-        other = replace(kernel, branch=(branch,))
-        for row, result in zip((other.plain(rows[0]), *other.rows(rows)), (expected[0], *expected), strict=True):
-            _compare(f"{kernel.name}, branch {branch}", row, result, same)
-    return room + len(ways) + 2 * len(turned)
+        compare(f"{kernel.name}, overlapping", kernel.overlapping(samples[-1], start), expected[-1], same)
+    turned = ((k + turns * chart.branches,) for k in kernel.branch for turns in (-1, 2))
+    branches = [kernel.branch, *turned]
+    for branch in branches:
+        other = replace(kernel, branch=branch)
+        for row, result in zip((other.plain(samples[0]), *other.rows(samples)), (expected[0], *expected), strict=True):
+            compare(f"{kernel.name}, branch {branch}", row, result, same)
+    return room + 2 * len(branches)
 
 
-def _samples(given: Sequence[Batch]) -> Iterator[tuple[Batch, list[tuple[Flat, ...]]]]:
-    """Three arguments of 50 digits for every function: seeded ones of two branches, any for a rational function.
-
-    The first and the last of `principal` lie on either side of its selection; the last is laid over results.
-    """
-    closely = [batch for batch in given if not batch.exact]
-    for batch in closely:
-        if batch.branch in ((), (0,), (1,)):
-            cases = batch.cases
-            yield batch, [case.arguments for case in (cases[0], cases[len(cases) // 2], cases[-1])]
-    seen = {(batch.function, batch.branch) for batch in closely}
+def _samples(batch: Batch) -> Sequence[Sequence[Flat]]:
+    """Return three arguments of 50 digits for the layouts of a function: those of its cases, or seeded ones."""
+    if not batch.exact:
+        return [batch.cases[place].arguments for place in (0, len(batch.cases) // 2, -1)]
     draw = random.Random(SEED)
-    for batch in given:
-        if batch.exact and (batch.function, batch.branch) not in seen:
-            sizes = [array.size for array in batch.row.arguments]
-            yield batch, [tuple(_drawn(draw, size) for size in sizes) for _ in range(3)]
+
+    def drawn(size: int) -> Flat:
+        return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
+
+    return [[drawn(array.size) for array in batch.row.arguments] for _ in range(3)]
 
 
-def _drawn(draw: random.Random, size: int) -> Flat:
-    return tuple(Decimal(mpmath.mpf(draw.uniform(-0.5, 0.5))) for _ in range(size))
-
-
-def _aliases(unit: Unit, chart: Chart, table: Table) -> None:
-    """Further names of functions."""
-    begin, named = prefix(chart, table), table.aliases(chart).items()
-    _macros(unit, {f"{begin}_{a}{form}": f"{begin}_{b}{form}" for a, b in named for form in ("", "_rows")})
-
-
-def _macros(unit: Unit, expected: Mapping[str, str]) -> None:
-    for name, text in expected.items():
-        if unit.source.expand(name) != text:
-            raise ValidationFailed(f"{name} is {unit.source.expand(name)}, not {text}")
-
-
-def _constants(unit: Unit, chart: Chart) -> None:
-    """What the macros of a chart stand for, and its singular angles."""
-    begin, count = prefix(chart, POSES), len(chart.singular_angles)
-    _macros(unit, {f"{begin.upper()}_ORDER": str(chart.order), f"{begin.upper()}_SINGULAR_ANGLES": str(count)})
-    angles = [UNSET] * count
-    if unit.call(f"{begin}_singular_angles", Pointer.to(angles)) != count:
-        raise ValidationFailed(f"singular_angles does not return {count}")
+def _require_macros(unit: Unit, chart: Chart, tables: Sequence[Table]) -> None:
+    """Compare the macros of a chart, further names of functions among them, and its singular angles."""
+    begin, angles = prefix(chart, POSES), [UNSET] * len(chart.singular_angles)
+    expected = {f"{begin.upper()}_ORDER": str(chart.order), f"{begin.upper()}_SINGULAR_ANGLES": str(len(angles))}
+    for table, form in itertools.product(tables, ("", "_rows")):
+        name = prefix(chart, table)
+        expected |= {f"{name}_{a}{form}": f"{name}_{b}{form}" for a, b in table.aliases(chart).items()}
+    for macro, text in expected.items():
+        if unit.source.expand(macro) != text:
+            raise ValidationFailed(f"{macro} is {unit.source.expand(macro)}, not {text}")
+    if unit.call(f"{begin}_singular_angles", Pointer.to(angles)) != len(angles):
+        raise ValidationFailed(f"singular_angles does not return {len(angles)}")
     with mpmath.workdps(decimals.DIGITS):
         wanted = [mpmath.mpf(angle.evalf(decimals.DIGITS + 5)) for angle in chart.singular_angles]
-        _compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))
-
-
-def _compare(where: str, found: Sequence[Any], expected: Sequence[Any], agree: Agree) -> None:
-    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
-        if not agree(got, wanted):
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
+        compare("singular_angles", angles, wanted, partial(decimals.close, tolerance=decimals.tolerance(chart)))

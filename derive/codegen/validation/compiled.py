@@ -20,7 +20,7 @@ FLAGS = ("-std=c99", "-O1")
 
 
 def compiler() -> list[str] | None:
-    """The command of a C compiler: what CC says, else the first that is found; None without any."""
+    """Return the command of a C compiler: the value of CC, else the first that is found; None without any."""
     named = shlex.split(os.environ.get("CC", ""))
     for command in [named] if named else [[name] for name in COMPILERS]:
         if shutil.which(command[0]):
@@ -29,18 +29,7 @@ def compiler() -> list[str] | None:
 
 
 def test(folder: Path, chart: Chart) -> int | None:
-    """Run the differential test of the module of a chart, in both real types.
-
-    Returns
-    -------
-    int or None
-        How many calls agree with the formula; None where no C compiler is found.
-
-    Raises
-    ------
-    ValidationFailed
-        If the test does not compile, or a result is off.
-    """
+    """Run the differential test of a chart in both real types; return how many calls agree, None without a compiler."""
     command = compiler()
     if command is None:
         return None

@@ -1,59 +1,76 @@
-"""Replay of a package of kernels on floats: what exact validation does not execute.
+"""Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not pass through.
 
-Exact numbers take neither the path of single floats nor scratch memory, blocks and ``out``; here public functions are
-called on floats of several types, in all these ways, and every result array is compared with the formula's results,
-within what rounding may do (see ``rounding``). Kernels of any Python target are replayed, in the arrays of any library.
+Public functions are called on seeded cases, one by one and in arrays, and compared with the formula to half of the
+digits; where a case is ill-conditioned, within its scale. Calls that are the same for every chart are made once for a
+package. Kernels of any Python target are replayed, in the arrays of any library.
 """
 
 from __future__ import annotations
 
 import importlib
-import math
+import itertools
 import warnings
-from collections.abc import Container, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import Any, TypeAlias
 
 import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
 from ...maps.chart import Chart
-from ..cases import far, samples
-from ..lowered import lower_chart
-from ..rows import Table
+from ..rows import Function, Table
 from ..signatures import POSES
-from . import ways
-from .calls import NUMPY, Call, Caller, Library, alone, several
-from .helpers import helpers
-from .known import Analysis, Known, require_sharp
+from .decimals import DIGITS
+from .errors import ValidationFailed
+from .float_cases import Case, cases
 from .loading import loaded, module_of
-from .sample import its_own
+from .run import own_functions
+
+Array: TypeAlias = NDArray[Any]
 
 FEW = 20
 """Size of small batches, where a target has none of its own."""
 
 BLOCK = 7
-"""Of a replay, so that small batches have several blocks, and one of other length."""
+"""Block size of a replay, so that small batches have several blocks and a shorter last one."""
 
-BEYOND = 8
-"""How far beyond an overflow the vectors are which must not give wrong results."""
+CASES_MAX = 4
+"""Cases of a function and branch that are replayed; one takes each row of a rotation matrix."""
+
+TOLERANCE = 1 / 2
+"""Share of the digits of a type in which well-conditioned results agree."""
+
+GATE = 16
+"""Largest error of any result, in units of the machine epsilon and of its scale."""
+
+TOLERANCE_SAME = 1e-6
+"""Relative difference of two calls on the same numbers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """Arrays as a target takes them: how they are made of those of NumPy, and the types replayed in them."""
+
+    name: str
+    make: Callable[[Array], Any]
+    dtypes: tuple[np.dtype[Any], ...]
+
+
+NUMPY = Library("numpy", np.asarray, tuple(map(np.dtype, (np.float64, np.float32, np.longdouble))))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machinery:
-    """What the run-time parts of a target do around its kernels.
+    """Run-time parts of a target around its kernels.
 
-    Parameters
-    ----------
-    out : bool
-        Whether functions take ``out``.
-    silent : bool
-        Whether IEEE results at singular points come without a warning.
-    few, block : str
-        Where the numbers stand, ``module.NAME``, of the largest batch that runs pose by pose, and of the largest block.
+    ``out`` says whether functions take it, ``silent`` whether IEEE results at singular points come without a warning.
+    ``few`` and ``block`` are the places, ``module.NAME``, of the largest batch that runs pose by pose, and of the
+    largest block.
     """
 
     out: bool = True
@@ -69,33 +86,17 @@ def replay(
     libraries: Sequence[Library] = (NUMPY,),
     tables: Sequence[Table] = (POSES,),
     *,
-    all_ways: bool = True,
+    geometry: bool,
 ) -> int:
-    """Call the functions of the modules of a chart on floats; return how many calls agree with its formulas.
+    """Call the functions of a package on floats; return how many calls agree with the formulas of a chart.
 
-    Parameters
-    ----------
-    folder : Path
-        The package.
-    chart : Chart
-    machinery : Machinery
-    libraries : sequence of Library
-        Whose arrays are given.
-    tables : sequence of Table
-        A module each.
-    all_ways : bool
-        Whether to try all that is the same for every chart: once for a package is enough. Else functions are called
-        which read its scalars or are its own, one of them in all ways.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, how it was called, and the first component that is off.
+    With ``geometry`` all functions are called, and some in all ways that are the same for every chart. Otherwise
+    functions are called that read the chart's own scalars. `ValidationFailed` names the first component that is off.
     """
     if not libraries:
         return 0
     with loaded(folder) as package:
-        return replay_package(package, chart, machinery, libraries, tables, all_ways=all_ways)
+        return replay_package(package, chart, machinery, libraries, tables, geometry=geometry)
 
 
 def replay_package(
@@ -105,114 +106,189 @@ def replay_package(
     libraries: Sequence[Library],
     tables: Sequence[Table] = (POSES,),
     *,
-    all_ways: bool,
+    geometry: bool,
 ) -> int:
-    """The same for a package that can be imported."""
-    return sum(_replay(package, chart, table, machinery, libraries, all_ways) for table in tables)
-
-
-def _replay(
-    package: str, chart: Chart, table: Table, machinery: Machinery, libraries: Sequence[Library], all_ways: bool
-) -> int:
-    dtypes = tuple(dict.fromkeys(dtype for library in libraries for dtype in library.dtypes))
-    analysis, chosen, found = _analysed(chart, table, dtypes, all_ways)
+    """Replay a package that can be imported."""
+    count = 0
     with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
-        module = module_of(package, chart, table)
-        few = _number(package, machinery.few) if machinery.few else FEW
-        callers = [Caller(module, library) for library in libraries]
-        with _small_blocks(package, machinery.block) if machinery.block else nullcontext():
-            for caller in callers:
-                _every_function(caller, found, chart, few)
-                _overflow(caller, chart, table, analysis, chosen, few)
+        for table, library in itertools.product(tables, libraries):
+            module = module_of(package, chart, table)
+            with _small_blocks(package, machinery) as few:
+                caller = Caller(module, library, machinery.out, few)
                 # run-time parts do for a further library what they do for the first
-                _ways(caller, found, chart, machinery, few, all_ways and caller is callers[0])
-        beside = helpers(importlib.import_module(package), module, table) if all_ways else 0
-    return beside + sum(caller.count for caller in callers)
-
-
-@lru_cache(maxsize=2)
-def _analysed(
-    chart: Chart, table: Table, dtypes: tuple[np.dtype[Any], ...], every: bool
-) -> tuple[Analysis, Container[str], Sequence[Known]]:
-    """The functions that are called, and what they return; a package may be replayed again."""
-    lowered = lower_chart(chart, table)
-    analysis, chosen = Analysis(chart, lowered, dtypes), set(table.functions) if every else its_own(lowered)
-    found = [analysis.known(group) for group in samples(chart, table, chosen)]
-    for known in found:
-        require_sharp(known)
-    return analysis, chosen, found
-
-
-def _every_function(caller: Caller, found: Sequence[Known], chart: Chart, few: int) -> None:
-    """Single poses, few, many in several blocks; components last and first; under every name, keyword and branch."""
-    for known in found:
-        for dtype in caller.library.dtypes:
-            plain = dtype == np.float64
-            for combination in range(len(known.results) if plain else 1):
-                caller.check(Call(known, alone(known, combination), dtype))
-            for axis in (-1, 0):
-                for count in (few // 2, few + BLOCK):
-                    caller.check(Call(known, several(known, count), dtype, axis))
-            if known.row.keywords:
-                ways.keywords(caller, known, dtype, few)
-            if known.has_zeros:
-                ways.zeros(caller, known, dtype, few)
-        if not known.row.real and caller.library is NUMPY:
-            ways.complex_numbers(caller, known)
-        first = Call(known, several(known, 1), caller.library.dtypes[0])
-        for name in known.row.aliases if chart.cayley else ():
-            caller.check(replace(first, name=name))
-        for turns in (-1, 2) if known.branch else ():
-            caller.check(replace(first, branch=(known.branch[0] + turns * chart.branches,)))
-
-
-def _overflow(caller: Caller, chart: Chart, table: Table, analysis: Analysis, chosen: Container[str], few: int) -> None:
-    """Where forward maps overflow, in another type where x does, results are right or not finite.
-
-    The widest type is left out: bounds overflow with it.
-    """
-    dtypes = (dtype for dtype in caller.library.dtypes if dtype != np.longdouble)
-    for dtype, everywhere in zip(dtypes, (False, True), strict=False):
-        largest = float(np.finfo(dtype).max)
-        size = BEYOND * mpmath.mpf(math.sqrt(largest) if everywhere else chart.overflow(largest)[1])
-        for known in map(analysis.known, far(chart, size, table, chosen)):
-            for picks in (alone(known, 0), several(known, few + BLOCK)):
-                call = Call(known, picks, dtype)
-                caller.compare(call, caller.run(call), overflow=True)
-
-
-def _ways(caller: Caller, found: Sequence[Known], chart: Chart, machinery: Machinery, few: int, all_ways: bool) -> None:
-    """What the run-time parts do, on a function of each kind; or on one, which the chart decides, in one type."""
-    kinds, dtypes = ways.kinds(found), caller.library.dtypes
-    sample = chart.branches % len(kinds)
-    for known in kinds if all_ways else [kinds[sample]]:
-        for dtype in dtypes if all_ways else [dtypes[sample % len(dtypes)]]:
-            ways.broadcasting(caller, known, dtype, few)
-            ways.spoilt(caller, known, dtype, few)
-            ways.layouts(caller, known, dtype, few)
-            if machinery.out and len(known.row.results) == 1:
-                ways.out(caller, known, dtype, few)
-    if all_ways:
-        ways.interrupted(caller, kinds[sample], dtypes[0], few)
-
-
-def _place(package: str, place: str) -> tuple[Any, str]:
-    name, _, attribute = place.rpartition(".")
-    return importlib.import_module(f"{package}.{name}"), attribute
-
-
-def _number(package: str, place: str) -> int:
-    return int(getattr(*_place(package, place)))
+                caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
+                count += caller.count
+    return count
 
 
 @contextmanager
-def _small_blocks(package: str, place: str) -> Iterator[None]:
-    """Blocks of few poses while this lasts."""
-    module, attribute = _place(package, place)
+def _small_blocks(package: str, machinery: Machinery) -> Iterator[int]:
+    """Run kernels in blocks of few poses; provide the size of the largest batch that runs pose by pose."""
+
+    def found(place: str) -> tuple[ModuleType, str]:
+        name, _, attribute = place.rpartition(".")
+        return importlib.import_module(f"{package}.{name}"), attribute
+
+    few = int(getattr(*found(machinery.few))) if machinery.few else FEW
+    if not machinery.block:
+        yield few
+        return
+    module, attribute = found(machinery.block)
     size = getattr(module, attribute)
     setattr(module, attribute, BLOCK)
     try:
-        yield
+        yield few
     finally:
         setattr(module, attribute, size)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Cases of one function and branch, with their numbers as the widest floats."""
+
+    row: Function
+    branch: tuple[int, ...]
+    cases: tuple[Case, ...]
+
+    @cached_property
+    def arguments(self) -> list[Array]:
+        columns = zip(*(case.arguments for case in self.cases), strict=True)
+        kinds = self.row.arguments
+        return [_long(rows).reshape(-1, *kind.shape) for rows, kind in zip(columns, kinds, strict=True)]
+
+    @cached_property
+    def results(self) -> Array:
+        return _long([case.result for case in self.cases])
+
+    def given(self, index: Array, dtype: np.dtype[Any], axis: int) -> list[Array]:
+        """Return the arguments of the cases at an index, components last or first."""
+        return [_turned(array[index].astype(dtype), index.ndim, axis) for array in self.arguments]
+
+
+def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
+    """Return the cases of all functions on all branches, or of a chart's own ones on the first two."""
+    names = table.public if geometry else own_functions(chart, table)
+    found: dict[tuple[str, int | None], list[Case]] = {}
+    for case in cases(chart, table):
+        if case.function in names and (geometry or case.branch in (None, 0, 1)):
+            found.setdefault((case.function, case.branch), []).append(case)
+    return [Group(g[0].row, () if k is None else (k,), tuple(g[:CASES_MAX])) for (_, k), g in found.items()]
+
+
+@dataclass
+class Caller:
+    """Calls functions of a module, compares their results, and counts."""
+
+    module: ModuleType
+    library: Library
+    out: bool
+    few: int
+    count: int = 0
+
+    def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
+        """Call every function; perhaps also one of every kind, as run-time parts tell them apart, in all ways."""
+        kinds: dict[tuple[Any, ...], Group] = {}
+        for group in groups:
+            row, count = group.row, len(group.cases)
+            kinds[len(row.arguments), len(row.results), bool(row.constants), row.branch, row.real] = group
+            many = np.arange(self.few + BLOCK) % count
+            for index in (*map(np.array, range(count)), np.arange(self.few // 2) % count, many):
+                self.check(group, index)
+            self.check(group, many, axis=0)
+            for name in row.aliases_in(chart):
+                self.check(group, np.array(0), name=name)
+            for turns in (-1, 2) if group.branch else ():
+                self.check(group, np.array(0), branch=(group.branch[0] + turns * chart.branches,))
+        for group in kinds.values() if in_all_ways else ():
+            for count, axis in ((3, -1), (self.few + BLOCK, 0)):
+                for dtype in self.library.dtypes:
+                    self.check(group, np.arange(count) % len(group.cases), dtype, axis)
+                self._ways(group, np.arange(count) % len(group.cases), axis)
+
+    def check(
+        self, group: Group, index: Array, dtype: np.dtype[Any] | None = None, axis: int = -1, **named: Any
+    ) -> list[Array]:
+        """Call a function on the cases at an index and compare the results with the formula; return them."""
+        dtype = dtype or self.library.dtypes[0]
+        results = self._run(group, group.given(index, dtype, axis), axis, **named)
+        kinds = [kind.shape for kind in group.row.results]
+        shapes = [kind + index.shape if axis == 0 else index.shape + kind for kind in kinds]
+        if [(got.shape, got.dtype) for got in results] != [(shape, dtype) for shape in shapes]:
+            raise self._failure(group, f"results of {dtype} are {[(got.dtype, got.shape) for got in results]}")
+        parts = [_turned(got, got.ndim - index.ndim, axis).reshape(*index.shape, -1) for got in results]
+        found, wanted = np.concatenate(parts, axis=-1), group.results[index]
+        with np.errstate(all="ignore"):
+            size = np.max(abs(wanted), axis=-1, keepdims=True)
+            off = ~(abs(found - wanted) <= np.finfo(dtype).eps ** TOLERANCE * np.maximum(size, 1))
+        for place in map(tuple, np.argwhere(off & ~(np.isnan(wanted) & np.isnan(found)))):
+            scale = max(group.cases[index[place[:-1]]].scales)
+            if not abs(found[place] - wanted[place]) <= GATE * np.finfo(dtype).eps * scale:
+                raise self._failure(group, f"component {place[-1]} is {found[place]}, not {wanted[place]}, of {dtype}")
+        return results
+
+    def _run(
+        self, group: Group, given: Sequence[Array], axis: int, name: str = "", branch: Any = (), **options: Any
+    ) -> list[Array]:
+        """Return the results of a call; an exception or a warning is a failure."""
+        function = getattr(self.module, name or group.row.name)
+        try:
+            found = function(*map(self.library.make, given), *(branch or group.branch), axis=axis, **options)
+        except (ArithmeticError, TypeError, ValueError, Warning) as error:
+            raise self._failure(group, repr(error)) from error
+        self.count += 1
+        return list(map(np.asarray, found if isinstance(found, tuple) else (found,)))
+
+    def _ways(self, group: Group, index: Array, axis: int) -> None:
+        """Compare calls with strided, broadcast and overlapping arrays with the plain call on the same numbers."""
+        given, plain = group.given(index, self.library.dtypes[0], axis), self.check(group, index, axis=axis)
+
+        def same(how: str, arrays: Sequence[Array], wanted: Sequence[Array] = plain, **options: Any) -> list[Array]:
+            found = self._run(group, arrays, axis, **options)
+            near = (np.allclose(a, b, rtol=TOLERANCE_SAME, equal_nan=True) for a, b in zip(found, wanted, strict=True))
+            if [a.shape for a in found] != [b.shape for b in wanted] or not all(near):
+                raise self._failure(group, f"with {how} arrays, axis {axis}, it differs from the plain call")
+            return found
+
+        same("strided", [_strided(array) for array in given])
+        for place, array in enumerate(given):
+            before, after = given[:place], given[place + 1 :]
+            if len(given) > 1:
+                single = array[(..., slice(1)) if axis == 0 else (slice(1), ...)]
+                copies = np.repeat(single, len(index), axis=-1 if axis == 0 else 0)
+                same("broadcast", [*before, single, *after], self._run(group, [*before, copies, *after], axis))
+            if self.out and len(plain) == 1:
+                memory = np.full(max(array.size, plain[0].size), np.nan, array.dtype)
+                moved, target = (memory[: part.size].reshape(part.shape) for part in (array, plain[0]))
+                moved[...] = array
+                if same("overlapping", [*before, moved, *after], out=target)[0] is not target:
+                    raise self._failure(group, "the array returned is not out")
+
+    def _failure(self, group: Group, what: str) -> ValidationFailed:
+        name = f"{self.module.__name__.rpartition('.')[2]}.{group.row.name}"
+        branch = "".join(f", branch {k}" for k in group.branch)
+        return ValidationFailed(f"{name}{branch}, in {self.library.name}: {what}")
+
+
+def _long(rows: Sequence[Sequence[Any]]) -> Array:
+    """Return numbers of many digits as the widest floats."""
+    with mpmath.workdps(DIGITS):
+        numbers = [[mpmath.mpf(number) for number in row] for row in rows]
+        heads = np.array([[float(number) for number in row] for row in numbers], np.longdouble)
+        tails = [[float(n - float(n)) if mpmath.isfinite(n) else 0.0 for n in row] for row in numbers]
+    return heads + np.array(tails, np.longdouble)
+
+
+def _turned(array: Array, leading: int, axis: int) -> Array:
+    """Return an array with its leading axes moved behind the others for ``axis=0``."""
+    if axis == -1:
+        return array
+    return np.ascontiguousarray(np.moveaxis(array, range(leading), range(array.ndim - leading, array.ndim)))
+
+
+def _strided(array: Array) -> Array:
+    """Return a read-only array with the same numbers and gaps between them."""
+    wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
+    wide[..., ::2] = array
+    wide.flags.writeable = False
+    return wide[..., ::2]

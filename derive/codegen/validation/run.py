@@ -1,111 +1,121 @@
-"""Compare the public functions of a package on disk with their expectations."""
+"""Run the functions of a package on disk on exact numbers, and compare their results with the expected ones."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+import sys
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeAlias
+from typing import Any
 
 import mpmath
 import numpy as np
 
 from ...maps.chart import Chart
-from ..cases import Batch, batches
-from ..cases.decimals import DIGITS
-from ..cases.exact import Expectation
-from ..lowered import lower_chart
+from ..lowered import geometry, lower_chart
 from ..rows import Table
 from ..signatures import POSES
+from .decimals import DIGITS
 from .errors import ValidationFailed
 from .loading import loaded, module_of
-from .offered import offered
-from .refusals import refuse
-from .sample import Choose, everything
+from .samples import Batch, batches, compare
 
-Objects: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
+MAKERS = ("identity", "random")
+"""Functions that have no program."""
+
+WIRED = ("quaternion", "shadow", "principal")
+"""Functions that read a scalar program, the turns and the returns of a chart."""
+
+ANGLE_ROUNDING = 2 * sys.float_info.epsilon
+"""Relative error of an angle: a multiple of π is one product of rounded numbers, rounded."""
 
 
-def validate(folder: Path, chart: Chart, choose: Choose = everything, tables: Sequence[Table] = (POSES,)) -> int:
-    """Check the modules of a chart in a folder, one for each table; return how many function calls were compared.
+def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
+    """Compare the modules of a chart, one for each table, with its formulas; return how many calls agree.
 
-    ``choose`` leaves out what other charts of the package have shown of its geometry.
-
-    Raises
-    ------
-    ValidationFailed
-        Naming the function, the layout and the first component that differs.
+    With ``geometry`` all functions are called, which shows the geometry that all charts share. Otherwise functions are
+    called that read the chart's own scalars. `ValidationFailed` names the function and the first wrong component.
     """
-    with loaded(folder) as package, mpmath.workdps(DIGITS):
-        return sum(_validate(module_of(package, chart, table), chart, table, choose) for table in tables)
+    with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
+        return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
 
 
-def _validate(module: ModuleType, chart: Chart, table: Table, choose: Choose) -> int:
-    offered(module, chart, table)
-    chosen = choose(lower_chart(chart, table), batches(chart, table))
-    compared = sum(_check(module, batch, (-1, 0) if whole else (-1,)) for batch, whole in chosen)
-    return compared + refuse(module, table)
+def _validate(module: ModuleType, chart: Chart, table: Table, whole: bool) -> int:
+    require_module(module, chart, table)
+    return sum(_check(module, batch) for batch in chosen(chart, table, whole))
 
 
-def _check(module: ModuleType, batch: Batch, layouts: Sequence[int]) -> int:
-    """Call one function on a batch in some layouts, and on its poses alone; return the number of calls.
+def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
+    """Return the cases of all functions, or of those that are a chart's own."""
+    names = table.public if whole else own_functions(chart, table)
+    return [batch for batch in batches(chart, table) if batch.function in names]
 
-    Objects in a batch run the in-place form of the kernel, those of a single pose its plain form.
+
+def own_functions(chart: Chart, table: Table) -> Collection[str]:
+    """Return functions that together read every result of a chart's scalar programs, and those that return v itself.
+
+    A module for rotations takes the scalars of that for poses: there functions are called that show that it does.
     """
+    lowered, programs = lower_chart(chart, table), geometry(table)
+    shown = {} if table is POSES else lower_chart(chart, POSES).scalars
+    found = dict.fromkeys(WIRED if shown else ())
+    read: set[tuple[str, int]] = set()
+    for name, row in table.public.items():
+        program = programs[row.kernel]
+        called = (call for call in program.calls if call.function not in shown)
+        pairs = ((call.function, place, name) for call in called for place, name in enumerate(call.names))
+        results = {(function, place) for function, place, name in pairs if name in program.operands}
+        if row.kernel not in lowered.operations or results - read:
+            found[name] = None
+            read |= results
+    return found
+
+
+def _check(module: ModuleType, batch: Batch) -> int:
+    """Call one function on all cases of a batch at once, and on each alone; return the number of calls."""
     function = getattr(module, batch.function)
     columns = zip(*(case.arguments for case in batch.cases), strict=True)
-    kinds = batch.row.arguments
-    arguments = [_array(rows, array.shape) for rows, array in zip(columns, kinds, strict=True)]
-    place = f"{_name(module)}.{batch.function}"
-    for axis in layouts:
-        where = f"{place}(axis={axis})"
-        given = [_components_first(a) if axis == 0 else a for a in arguments]
-        parts = _call(function, given, batch.branch, axis, where)
-        rows = [_batch_first(part) if axis == 0 else part for part in parts]
-        results = np.concatenate([row.reshape(len(batch.cases), -1) for row in rows], axis=-1)
-        for row, case in zip(results, batch.cases, strict=True):
-            _compare(row, case, batch.agree, where)
+    arguments = [_array(rows, array.shape) for rows, array in zip(columns, batch.row.arguments, strict=True)]
+    where = f"{module.__name__.rpartition('.')[2]}.{batch.function}"
+    parts = [part.reshape(len(batch.cases), -1) for part in _call(function, arguments, batch.branch, where)]
+    for row, case in zip(np.concatenate(parts, axis=-1), batch.cases, strict=True):
+        compare(where, row, case.result, batch.agree)
     for pose, case in zip(zip(*arguments, strict=True), batch.cases, strict=True):
-        parts = _call(function, pose, batch.branch, -1, place)
-        _compare(np.concatenate([part.ravel() for part in parts]), case, batch.agree, place)
-    return len(layouts) + len(batch.cases)
+        alone = _call(function, pose, batch.branch, where)
+        compare(where, np.concatenate([np.ravel(part) for part in alone]), case.result, batch.agree)
+    return 1 + len(batch.cases)
 
 
-def _call(function: Any, arrays: Sequence[Objects], branch: tuple[int, ...], axis: int, where: str) -> tuple[Any, ...]:
+def _call(function: Callable[..., Any], arrays: Sequence[Any], branch: Sequence[int], where: str) -> tuple[Any, ...]:
     try:
-        found = function(*arrays, *branch, axis=axis)
-    except (ArithmeticError, TypeError, ValueError) as error:
+        found = function(*arrays, *branch)
+    except (ArithmeticError, AttributeError, NameError, TypeError, ValueError) as error:
         raise ValidationFailed(f"{where}, no component: {error}") from error
     return found if isinstance(found, tuple) else (found,)
 
 
-def _compare(row: Any, case: Expectation, agree: Any, where: str) -> None:
-    if len(row) != len(case.result):
-        raise ValidationFailed(f"{where}: {len(row)} components, expected {len(case.result)}")
-    for index, (got, expected) in enumerate(zip(row, case.result, strict=True)):
-        try:
-            right = agree(got, expected)
-        except TypeError as error:
-            raise ValidationFailed(f"{where}, component {index}: {error}") from error
-        if not right:
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {expected}")
-
-
-def _name(module: ModuleType) -> str:
-    return module.__name__.rpartition(".")[2]
-
-
-def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Objects:
-    """The components of a batch as an object array, in the shape of the argument."""
+def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
+    """Return the components of a batch as an object array, in the shape of the argument."""
     array = np.empty((len(rows), len(rows[0])), object)
     for index, row in enumerate(rows):
         array[index] = row
     return array.reshape(len(rows), *shape)
 
 
-def _components_first(array: Objects) -> Objects:
-    return np.moveaxis(array, 0, -1)
-
-
-def _batch_first(array: Objects) -> Objects:
-    return np.moveaxis(array, -1, 0)
+def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
+    """Compare names and constants of a module with its table and chart."""
+    own = (*table.public, "singular_angles", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
+    names = {name: name for name in own} | table.aliases(chart)
+    for name, method in names.items():
+        function = getattr(module, name, None)
+        if (getattr(function, "__self__", None), getattr(function, "__name__", None)) != (module.KERNELS, method):
+            raise ValidationFailed(f"{module.__name__}.{name} is not the function {method} of KERNELS")
+    if sorted(module.__all__) != sorted(names):
+        raise ValidationFailed(f"{module.__name__}.__all__ holds other names than {', '.join(names)}")
+    if chart.order != module.ORDER:
+        raise ValidationFailed(f"{module.__name__}.ORDER is {module.ORDER}, not {chart.order}")
+    found, stated = module.singular_angles(), [float(angle.evalf(DIGITS)) for angle in chart.singular_angles]
+    near = [math.isclose(a, b, rel_tol=ANGLE_ROUNDING, abs_tol=0) for a, b in zip(found, stated, strict=False)]
+    if not all(near) or len(found) != len(stated):
+        raise ValidationFailed(f"{module.__name__}.singular_angles() is {found}, not {stated}")

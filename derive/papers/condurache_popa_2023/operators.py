@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector
-from derive.proof.ratio import Ratio
+from derive.algebra.element import Element
 
 from ..language import values
 from ..language.evaluation import Env
@@ -24,7 +24,7 @@ def _positive(env: Env, a: Any) -> bool:
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
 no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
-                 lambda env, a, b: isinstance(a, Ratio) or a >= b)
+                 lambda env, a, b: isinstance(a, Element) or a >= b)
 """``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
 
 

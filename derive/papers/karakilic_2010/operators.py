@@ -8,8 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
+from derive.algebra.element import NotExactError
 from derive.algebra.mixed import MeaninglessError
-from derive.proof.ratio import NotExactError
 
 from ..language.evaluation import Env
 from ..language.notation import cos, define, norm, sin, tan

@@ -12,8 +12,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
+from derive.algebra.element import NotExactError
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.proof.ratio import NotExactError
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values

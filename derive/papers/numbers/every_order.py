@@ -17,7 +17,7 @@ from itertools import product
 from typing import Any
 
 from derive.algebra import Dual, Quaternion, Structure
-from derive.proof.ratio import NotExactError, Ratio
+from derive.algebra.element import Element, NotExactError
 
 from .fields import Exact, one_over
 
@@ -48,7 +48,7 @@ class EveryOrder(Exact):
         return size * cosine, size * sine / X
 
     def power(self, base: Any, exponent: Any) -> Any:
-        if not isinstance(exponent, Ratio):
+        if not isinstance(exponent, Element):
             return super().power(base, exponent)
         if isinstance(base, Quaternion):
             return self._quaternion(base, exponent)
@@ -65,12 +65,12 @@ class EveryOrder(Exact):
         raise NotExactError("powers with exponent n of numbers other than 1 + v²")
 
     @property
-    def secant(self) -> Ratio:
+    def secant(self) -> Element:
         """Return the root of 1 + X²."""
-        secant: Ratio = 1 / super()._cos(self.theta)
+        secant: Element = 1 / super()._cos(self.theta)
         return secant
 
-    def _quaternion(self, base: Quaternion, exponent: Ratio) -> Quaternion:
+    def _quaternion(self, base: Quaternion, exponent: Element) -> Quaternion:
         """Return a power of c + v = c (1 + X u), or the n-th root of a unit quaternion cos ψ + u sin ψ."""
         if not self._is_linear(exponent):  # c/n
             turn = self._integer((exponent * self.n).combination((self.functions.constant(1),))[0]) * self.theta
@@ -88,7 +88,7 @@ class EveryOrder(Exact):
         size = self.power(base.norm2(), exponent / 2)
         return Quaternion(size * cosine, size * sine / X * base.vector)
 
-    def turn(self, exponent: Ratio, X: Any) -> tuple[Any, Any]:
+    def turn(self, exponent: Element, X: Any) -> tuple[Any, Any]:
         """Return cosine and sine of ``exponent · arctan X``."""
         if isinstance(X, Dual):
             slope = X.du / (1 + X.re * X.re)
@@ -109,18 +109,18 @@ class EveryOrder(Exact):
 
     def _parts(self, angle: Any) -> list[tuple[Any, Any]]:
         """Return (cos, sin) of the two parts of an angle ``a ψ + b θ``, where ψ may be written nθ."""
-        a, also, b = self._ratio(angle).combination((self.psi, self.theta * self.n, self.theta))
+        a, also, b = self._element(angle).combination((self.psi, self.theta * self.n, self.theta))
         parts = ((a + also) * self.psi, b * self.theta)
         return [(super(EveryOrder, self)._cos(part), super(EveryOrder, self)._sin(part)) for part in parts]
 
-    def _is_linear(self, exponent: Ratio) -> bool:
+    def _is_linear(self, exponent: Element) -> bool:
         try:
             self._linear(exponent)
         except NotExactError:
             return False
         return True
 
-    def _linear(self, exponent: Ratio) -> tuple[Fraction, Fraction]:
+    def _linear(self, exponent: Element) -> tuple[Fraction, Fraction]:
         """Return (a, b) of an exponent ``a n + b``."""
         a, b = exponent.combination((self.n, self.functions.constant(1)))
         return a, b

@@ -1,8 +1,8 @@
-"""The two kinds of numbers a printed formula is executed on, and their elementary functions.
+"""Two kinds of numbers on which printed formulas are executed, and their elementary functions.
 
-`Decimal60` has 60-digit floating numbers: they refute, and where nothing better is possible they are evidence.
-`Exact` has rational functions of independent symbols: they decide for all values at once. Dual numbers over either
-(nested ones too) take every function by ``f(a) + ε a° f'(a)``.
+`Decimal60` has 60-digit floating-point numbers, which refute a formula or are evidence for it. `Exact` has rational
+functions of independent symbols, which decide it for all values at once. Dual numbers over either, also nested ones,
+take every function by ``f(a) + ε a° f'(a)``.
 """
 
 from __future__ import annotations
@@ -16,25 +16,26 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
+from derive.algebra.angles import AngleField
+from derive.algebra.element import Element, NotExactError
 from derive.maps.polynomials import pair
-from derive.proof.ratio import NotExactError, Ratio, RationalFunctions
 
 DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above the rounding of 60 digits, far below any difference that matters
-_NOTHING = mpmath.mpf(10) ** -55  # what is left of a sine at a multiple of π
+_NOTHING = mpmath.mpf(10) ** -55  # bound on the rounding error of a sine at a multiple of π
 
 
 class UndefinedError(ArithmeticError):
-    """The formula has no value at this point."""
+    """Error: the formula has no value at this point."""
 
 
 class Field(ABC):
-    """Numbers with elementary functions; subclasses say what those are on plain coefficients, if they have them.
+    """Numbers with elementary functions; subclasses define them on plain numbers, or refuse.
 
     Attributes
     ----------
     name : str
-        How a method names it.
+        Name in descriptions of methods.
     ordered : bool
         Whether every number has a sign; where not, a symbol is taken on the side at hand.
     """
@@ -43,34 +44,34 @@ class Field(ABC):
     ordered: bool = False
 
     def sin(self, a: Any) -> Any:
-        """Sine of a plain or dual number."""
+        """Return the sine of a plain or dual number."""
         return a.apply(self.sin, self.cos) if isinstance(a, Dual) else self._sin(a)
 
     def cos(self, a: Any) -> Any:
-        """Cosine."""
+        """Return the cosine."""
         return a.apply(self.cos, lambda b: -self.sin(b)) if isinstance(a, Dual) else self._cos(a)
 
     def exp(self, a: Any) -> Any:
-        """Exponential."""
+        """Return the exponential."""
         return a.apply(self.exp, self.exp) if isinstance(a, Dual) else self._exp(a)
 
     def log(self, a: Any) -> Any:
-        """Natural logarithm."""
+        """Return the natural logarithm."""
         return a.apply(self.log, lambda b: 1 / b) if isinstance(a, Dual) else self._log(a)
 
     def atan(self, a: Any) -> Any:
-        """Principal arc tangent."""
+        """Return the principal arc tangent."""
         return a.apply(self.atan, lambda b: 1 / (1 + b * b)) if isinstance(a, Dual) else self._atan(a)
 
     def atan2(self, y: Any, x: Any) -> Any:
-        """The angle, between −π and π, whose sine and cosine are in the ratio of y and x."""
+        """Return the angle of the point (x, y), between −π and π."""
         if not (isinstance(x, Dual) or isinstance(y, Dual)):
             return self._atan2(y, x)
         (a, da), (b, db) = ((c.re, c.du) if isinstance(c, Dual) else (c, 0) for c in (x, y))
         return Dual(self.atan2(b, a), (a * db - b * da) / (a * a + b * b))
 
     def sqrt(self, a: Any) -> Any:
-        """Square root; that of a zero divisor other than 0 is undefined."""
+        """Return the square root; that of a zero divisor other than 0 is undefined."""
         if not isinstance(a, Dual):
             return self._sqrt(a)
         if a == 0:
@@ -80,7 +81,7 @@ class Field(ABC):
         return a.apply(self.sqrt, lambda b: 1 / (2 * self.sqrt(b)))
 
     def magnitude(self, v: Vector) -> Any:
-        """Magnitude of a vector; ``ε |a°|`` for a dual one whose real part is zero."""
+        """Return the magnitude of a vector; ``ε |a°|`` for a dual one with real part zero."""
         square = v.dot(v)
         if isinstance(square, Dual) and self._vanishes(square.re):
             return Dual(0 * square.re, self.magnitude(v.du))
@@ -90,13 +91,13 @@ class Field(ABC):
         return bool(a == 0) if isinstance(a, Dual) else self.vanishes(a)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """Integer powers of anything with a product; roots of numbers; other powers in the subclasses."""
+        """Return an integer power of a value with a product, or half a power of a number; subclasses have more."""
         if isinstance(exponent, Fraction) and exponent.denominator == 1:
             exponent = int(exponent)
         if isinstance(exponent, int):
             base = Quaternion(0, base) if isinstance(base, Vector) else base
             if exponent < 0 and self.vanishes(innermost(_size(base))):
-                raise UndefinedError("the inverse of what has none")
+                raise UndefinedError("the inverse of a zero divisor")
             return integer_power(base, exponent)
         if isinstance(exponent, Fraction) and isinstance(base, Quaternion):
             return self._quaternion_power(base, exponent)
@@ -105,7 +106,7 @@ class Field(ABC):
         raise NotExactError(f"{base!r} to the power {exponent!r}")
 
     def _quaternion_power(self, q: Quaternion, r: Fraction) -> Quaternion:
-        """``|q|^r (cos rθ + u sin rθ)`` with ``0 ≤ θ < π``: the principal value."""
+        """Return the principal value ``|q|^r (cos rθ + u sin rθ)``, ``0 ≤ θ < π``."""
         size = self.power(q.norm2(), r / 2)
         w = q.vector
         if real_part(w.dot(w)) == 0:  # then w² = 0
@@ -117,7 +118,7 @@ class Field(ABC):
         return Quaternion(size * self.cos(angle), size * self.sin(angle) / length * w)
 
     def pair(self, n: Any, x: Any) -> tuple[Any, Any]:
-        """The polynomials ``p_n`` and ``q_n`` at x."""
+        """Return the polynomials ``p_n`` and ``q_n`` at x."""
         return pair(n, x)
 
     @abstractmethod
@@ -132,7 +133,7 @@ class Field(ABC):
         """Return whether the rest of a power series can be left off after a term with these parts."""
         raise NotExactError("an infinite sum")
 
-    # what a field does not have it refuses
+    # functions that a field lacks raise NotExactError
 
     def _sin(self, a: Any) -> Any:
         raise NotExactError("sine")
@@ -162,7 +163,7 @@ class Field(ABC):
 
 
 class Decimal60(Field):
-    """60-digit real numbers; to be used inside ``mpmath.workdps(DIGITS)``."""
+    """Real numbers of 60 digits, for use inside ``mpmath.workdps(DIGITS)``."""
 
     name = "60 digits"
     ordered = True
@@ -217,49 +218,49 @@ class Exact(Field):
     name = "exact"
 
     def __init__(self, names: Sequence[str] = (), angles: Mapping[str, int] | None = None) -> None:
-        self.functions = RationalFunctions(names, angles)
+        self.functions = AngleField(names, angles)
 
-    def symbol(self, name: str) -> Ratio:
-        """A generator."""
+    def symbol(self, name: str) -> Element:
+        """Return a generator."""
         return self.functions.symbol(name)
 
     def same(self, a: Any, b: Any) -> bool:
         return bool(a == b)
 
     def _sin(self, a: Any) -> Any:
-        return self._ratio(a).sin()
+        return self.functions.sin(self._element(a))
 
     def _cos(self, a: Any) -> Any:
-        return self._ratio(a).cos()
+        return self.functions.cos(self._element(a))
 
     def _sqrt(self, a: Any) -> Any:
-        return self._ratio(a).sqrt()
+        return self._element(a).sqrt()
 
     def _atan2(self, y: Any, x: Any) -> Any:
-        return self._ratio(y).angle(self._ratio(x))
+        return self.functions.atan2(self._element(y), self._element(x))
 
     @property
     def pi(self) -> Any:
         return self.symbol("pi")
 
-    def _ratio(self, a: Any) -> Ratio:
-        return a if isinstance(a, Ratio) else self.functions.constant(Fraction(a))
+    def _element(self, a: Any) -> Element:
+        return a if isinstance(a, Element) else self.functions.constant(Fraction(a))
 
 
 def innermost(a: Any) -> Any:
-    """The real part of a number however deeply it is nested."""
+    """Return the real part of a nested dual number."""
     while isinstance(a, Dual):
         a = a.re
     return a
 
 
 def _size(a: Any) -> Any:
-    """What is 0 of something that has no inverse, up to its dual part."""
+    """Return a number with real part 0 exactly if the value has no inverse."""
     return a.det() if isinstance(a, Tensor) else a.norm2() if isinstance(a, Quaternion) else a
 
 
 def integer_power(base: Any, exponent: int) -> Any:
-    """``base`` multiplied by itself, with the product of its type; negative exponents invert."""
+    """Return an integer power with the product of the base's type; negative exponents invert."""
     if exponent < 0:
         inverse = base.inverse() if isinstance(base, Quaternion | Tensor) else one_over(base)
         return integer_power(inverse, -exponent)
@@ -276,10 +277,10 @@ def _product(a: Any, b: Any) -> Any:
 
 
 def one_over(a: Any) -> Any:
-    """Reciprocal that keeps integers exact."""
+    """Return the reciprocal, exact for integers."""
     return Fraction(1) / a if isinstance(a, int | Fraction) else 1 / a
 
 
 def chopped(a: Any) -> Any:
-    """A plain number of 60 digits, or 0 for what rounding makes of it."""
+    """Return a plain number of 60 digits, or 0 if it is rounding error."""
     return mpmath.mpf(0) if abs(a) < _NOTHING else a

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from typing import Any, Protocol
 
 from derive.algebra import Dual, Quaternion, Vector
-from derive.proof.ratio import NotExactError
+from derive.algebra.element import NotExactError
 
 from .draw import sphere
 from .every_order import EveryOrder

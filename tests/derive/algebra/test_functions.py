@@ -49,7 +49,7 @@ def test_dual_part_is_the_derivative(f) -> None:
 
 @pytest.mark.parametrize("f", [expm1, log1p])
 def test_dual_parts_near_0_too(f) -> None:
-    """Of functions that SymPy has not: by a difference of 50 digits in the middle, to its square."""
+    """Compare functions that SymPy lacks with central differences of 50 digits."""
     for at in ("0.6", "1e-20"):
         with mpmath.workdps(50):
             x, step = mpmath.mpf(at), mpmath.mpf("1e-16")

@@ -1,4 +1,4 @@
-"""What the command prints is tested here, not whether kernels are right (commands in processes see to it)."""
+"""Commands run in this process write kernels without validating them; commands in processes validate."""
 
 from __future__ import annotations
 
@@ -7,4 +7,4 @@ import pytest
 
 @pytest.fixture(autouse=True)
 def _printed_only(without_validation: None) -> None:
-    """For every test of this room."""
+    """Skip validation in every test of this folder."""

@@ -1,4 +1,4 @@
-"""The command as a person runs it: output, exit codes, messages, no traceback."""
+"""The commands: output, exit codes and messages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 import tomllib
 from pathlib import Path
 
@@ -18,8 +17,10 @@ import derive
 from derive import about
 from derive.__main__ import NEEDED
 from derive.cli import commands, display, options
-from derive.codegen import Difference, catalogue
-from derive.codegen.module import shared_texts
+from derive.codegen import Difference
+from derive.codegen.package import command as header
+from derive.codegen.package import shared_texts
+from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
@@ -39,7 +40,7 @@ def test_generate_writes_a_package_and_says_what_was_proved(tmp_path: Path):
     assert names == {"cayley2.py", "rotation/cayley2.py", *TARGETS["numpy"].shared()}
 
 
-def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path: Path, without_validation):
+def test_check_reports_a_stale_file_and_the_command_that_accepts_it(tmp_path: Path, without_validation):
     folder = str(tmp_path / "k")
     dualcay("generate", "-n", "2", "-o", folder)
     assert dualcay("generate", "-n", "2", "-o", folder, "--check").returncode == 0
@@ -54,18 +55,19 @@ def test_check_passes_and_names_a_stale_file_with_the_accepting_command(tmp_path
 
 
 @pytest.mark.parametrize("options", [(), ("--target", "array-api", "--max-n", "9", "--force")])
-def test_the_advice_repeats_every_option_that_was_given(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
+def test_accepting_command_repeats_every_option(tmp_path: Path, monkeypatch, options: tuple[str, ...]):
+    stale = Difference(tmp_path / "f.py", "stale")
     given = ("generate", "-n", "6", *options, "-o", str(tmp_path / "the user's kernels"))
-    monkeypatch.setattr("derive.cli.generate.check_folder", lambda *_, **__: [Difference(tmp_path / "f.py", "stale")])
+    monkeypatch.setattr("derive.codegen.publish.check_charts", lambda *_, **__: [stale])
     done = dualcay(*given, "--check")
     assert done.returncode == 1
     assert done.stderr == f"1 file(s) differ; accept with:  {shlex.join(('dualcay', *given))}\n"
 
 
-def test_a_user_is_called_back_by_the_name_that_was_typed(monkeypatch):
+def test_accepting_command_begins_as_typed(monkeypatch):
     for started, name in (("/usr/bin/dualcay", "dualcay"), ("/x/derive/__main__.py", "python -m derive")):
         monkeypatch.setattr("sys.argv", [started, "generate", "--check"])
-        assert options.unchecked() == f"{name} generate"
+        assert options.without_check() == f"{name} generate"
 
 
 @pytest.mark.parametrize(
@@ -84,7 +86,7 @@ def test_a_user_is_called_back_by_the_name_that_was_typed(monkeypatch):
         (["generate", "-n", "2", "-o", ""], 2, "expected a name, got an empty one"),
     ],
 )
-def test_bad_input_gets_a_message_and_its_exit_code(tmp_path: Path, arguments, code, message):
+def test_bad_input_has_a_message_and_an_exit_code(tmp_path: Path, arguments, code, message):
     done = dualcay(*arguments, cwd=tmp_path)
     assert done.returncode == code
     assert message in done.stderr
@@ -92,7 +94,7 @@ def test_bad_input_gets_a_message_and_its_exit_code(tmp_path: Path, arguments, c
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_foreign_file_is_not_overwritten_unless_forced(tmp_path: Path, without_validation):
+def test_foreign_file_is_overwritten_only_if_forced(tmp_path: Path, without_validation):
     (tmp_path / "cayley2.py").write_text("mine = 1\n")
     done = dualcay("generate", "-n", "2", "-o", str(tmp_path))
     assert done.returncode == 3
@@ -109,15 +111,15 @@ def hook(event, arguments):
         os.kill(os.getpid(), signal.SIGKILL)
 sys.addaudithook(hook)
 from derive.__main__ import main
-from derive.codegen import compiler
+from derive.codegen import publish
 from tests.support.packages import unvalidated
-compiler.TARGETS = {"numpy": unvalidated(compiler.TARGETS["numpy"])}
+publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
 sys.exit(main())
 """
-"""Dies when all is ready, the notice and one other file are in place, and the next is about to be."""
+"""Command that is killed when the notice and one other file are in place."""
 
 
-def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path, without_validation):
+def test_import_of_a_half_written_package_says_how_to_finish_it(tmp_path: Path, without_validation):
     folder = tmp_path / "the kernels"
     assert in_a_process("generate", "-n", "1", "-o", str(folder), code=KILLED).returncode == -signal.SIGKILL
     load = [sys.executable, "-c", "import sys, importlib; importlib.import_module('the kernels.cayley1')"]
@@ -134,9 +136,8 @@ def test_a_package_half_written_says_at_import_how_to_finish_it(tmp_path: Path, 
 
 
 @pytest.mark.parametrize("target", [target for target in TARGETS if target != "numpy"])
-def test_a_second_target_in_a_folder_is_refused(tmp_path: Path, target: str, monkeypatch):
-    """Before anything is proved."""
-    monkeypatch.setattr("derive.codegen.compiler.prove", lambda chart: pytest.fail("proved in vain"))
+def test_second_target_in_a_folder_is_refused_before_any_proof(tmp_path: Path, target: str, monkeypatch):
+    monkeypatch.setattr("derive.codegen.build.prove", lambda chart: pytest.fail("proved in vain"))
     write(tmp_path, shared_texts(TARGETS["numpy"]))
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     done = dualcay("generate", "-n", "1", "--target", target, "-o", str(tmp_path))
@@ -145,7 +146,7 @@ def test_a_second_target_in_a_folder_is_refused(tmp_path: Path, target: str, mon
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
-def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path, without_validation):
+def test_check_regenerates_only_modules_that_match_their_header(tmp_path: Path, without_validation):
     folder = tmp_path / "k"
     derive.generate([1], output=folder)
     head = "# python -m derive generate -n {} --target {}\n"
@@ -171,14 +172,14 @@ def test_check_regenerates_only_what_a_header_can_have_made(tmp_path: Path, with
     assert f"{len(forged) + 2} file(s) differ" in done.stderr
 
 
-def test_a_header_names_the_command_that_makes_it():
-    assert catalogue.command("c") == "python -m derive generate --target c"
-    assert catalogue.command("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
-    both = catalogue.command("numpy", Cayley(6), Cayley(65))
+def test_command_in_a_header():
+    assert header("c") == "python -m derive generate --target c"
+    assert header("numpy", Cayley(6)) == "python -m derive generate -n 6 --target numpy"
+    both = header("numpy", Cayley(6), Cayley(65))
     assert both == "python -m derive generate -n 6,65 --target numpy --max-n 65"
 
 
-def test_the_cap_can_be_raised(tmp_path: Path):
+def test_cap_on_orders_can_be_raised(tmp_path: Path):
     assert dualcay("generate", "-n", "6", "--max-n", "5", "-o", str(tmp_path / "k")).returncode == 2
     assert dualcay("show", "-n", "66", "--max-n", "66", "--what", "p").returncode == 0
 
@@ -203,7 +204,7 @@ def test_show_prints_json():
     assert found[0] == {"n": 1, "q": "1", "tangent": {"I": "2/(1 + x)", "skew(v)": "2/(1 + x)", "v⊗v": "0"}}
 
 
-def test_list_names_what_there_is():
+def test_list_prints_every_catalogue():
     done = dualcay("list")
     assert done.returncode == 0
     for word in ("numpy", "committed: 1, 2, 3, 4, 5, 8", "tangent_inv", "transform_line"):
@@ -213,20 +214,21 @@ def test_list_names_what_there_is():
 # --- what help says before anything is loaded ---------------------------------------------------------------------
 
 
-def test_names_of_the_command_are_those_of_what_they_name():
+def test_about_matches_the_tables_it_names():
     assert tuple(TARGETS) == about.TARGETS
+    assert tuple(PUBLIC) == about.FUNCTIONS
     assert tuple(paper.slug for paper in PAPERS) == about.PAPERS
     assert tuple(FORMATS) == about.FORMATS
     assert all(hasattr(Cayley, name) for name in about.FORMULAS)
 
 
-def test_what_the_command_needs_is_what_the_extra_installs():
+def test_needed_libraries_are_those_of_the_extra():
     extra = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     installed = {re.split(r"[>=\[]", requirement)[0] for requirement in extra["derive"]}
     assert installed - {"python-flint"} == set(NEEDED)
 
 
-def test_every_option_says_what_it_is_for():
+def test_every_option_has_help():
     for command in commands.cli.commands.values():
         for parameter in command.params:
             assert getattr(parameter, "help", ""), f"{command.name} {parameter.opts}"
@@ -244,16 +246,14 @@ def test_tables_fit_the_screen(tmp_path: Path, monkeypatch):
     assert max(map(len, dualcay("list").stdout.splitlines())) <= 40
 
 
-def test_a_long_run_on_a_pipe_says_how_far_it_is_and_a_short_one_nothing(monkeypatch, capsys):
+def test_progress_on_a_pipe_is_silent_for_short_runs_and_sparse_for_long_ones(monkeypatch, capsys):
     with display.progress(2) as step:
         step("first")
     assert capsys.readouterr().err == ""
-    monkeypatch.setattr(display, "SPARSE", 0.05)
-    with display.progress(3) as step:
-        step("first")
-        step("second")
-        time.sleep(0.25)
-    lines = capsys.readouterr().err.splitlines()
-    assert lines
-    assert set(lines) == {"0 s: 1/3  second"}
-    assert len(lines) <= 3  # after 0.05, 0.15 and, on a slow machine, 0.35 s
+    monkeypatch.setattr(display, "FIRST_PAUSE", 10.0)
+    clock = iter([0.0, 9.0, 12.0, 20.0, 33.0])
+    monkeypatch.setattr(display.time, "monotonic", lambda: next(clock))
+    with display.progress(4) as step:
+        for line in ("first", "second", "third", "fourth"):
+            step(line)
+    assert capsys.readouterr().err == "12 s: 1/4  second\n33 s: 3/4  fourth\n"

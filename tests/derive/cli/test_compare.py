@@ -1,4 +1,4 @@
-"""``dualcay compare``: figures side by side, the page made of them, and a plot."""
+"""``dualcay compare``: figures, page and plot."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from derive.cli import compare, compared
-from derive.cli.compared import MEASURED, MEASUREMENTS, TIMED, Compared
+from derive import about
+from derive.cli import compare
+from derive.cli.compare import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
 from tests.support.command import ROOT, dualcay
 
@@ -24,10 +25,10 @@ def test_figures_of_some_charts():
     assert found["phi"]["singular_angles"] == pytest.approx([6.283185307, 6.32455532])
     assert found["cayley3"]["operations"]["pose"] < found["phi"]["operations"]["pose"]
     assert found["phi"]["measured"] is None
-    assert found["lambert"]["measured"] == json.loads(MEASUREMENTS.read_text(encoding="utf-8"))["lambert"]
+    assert found["lambert"]["measured"] == json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))["lambert"]
 
 
-def test_text_fits_a_line():
+def test_tables_are_at_most_120_wide():
     done = dualcay("compare", "-n", "1", "--family", "exponential")
     assert done.returncode == 0
     assert "exponential" in done.stdout
@@ -35,7 +36,7 @@ def test_text_fits_a_line():
     assert max(map(len, done.stdout.splitlines())) <= 120
 
 
-def test_what_no_kernel_computes_is_compared_without_operations(monkeypatch):
+def test_chart_without_kernels_is_compared_without_operations(monkeypatch):
     monkeypatch.setenv("COLUMNS", "120")  # narrower screens have lines in place of a table
     (chart,) = catalogue.charts(phi="alpha*(5 + tan(pi/2 - 1 - alpha**2/100))", name="mine")  # its cotangent, to SymPy
     row = Compared(chart)
@@ -68,12 +69,12 @@ def test_refusals_are_usage_errors(arguments: tuple[str, ...], reason: str):
     assert reason in done.stderr
 
 
-def test_the_page_is_what_the_command_prints():
+def test_committed_page_is_current():
     done = dualcay("compare", "--format", "markdown")
     assert done.stdout == (ROOT / "docs" / "parameterizations.md").read_text(encoding="utf-8")
 
 
-def test_every_committed_chart_was_measured_where_it_reaches_and_within_its_gate():
+def test_measurements_cover_every_committed_chart_within_the_gate():
     for row in map(Compared, catalogue.committed()):
         found = row.measured
         assert found is not None, f"{row.chart.name}: make parameterizations"
@@ -84,12 +85,12 @@ def test_every_committed_chart_was_measured_where_it_reaches_and_within_its_gate
         assert list(found["nanoseconds"]) == list(TIMED)
 
 
-def test_without_a_checkout_nothing_was_measured(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
-    monkeypatch.setattr(compared, "MEASUREMENTS", tmp_path / "none.json")
-    compared.measurements.cache_clear()
+def test_no_measurements_outside_a_checkout(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(about, "checkout", lambda: None)
+    compare.measurements.cache_clear()
     try:
         chart, *_ = catalogue.charts((2,))
         assert Compared(chart).measured is None
-        assert compared.errors([Compared(chart)])[1] == compared.times([Compared(chart)])[1] == []
+        assert compare.errors([Compared(chart)])[1] == compare.times([Compared(chart)])[1] == []
     finally:
-        compared.measurements.cache_clear()
+        compare.measurements.cache_clear()

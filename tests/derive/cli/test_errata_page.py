@@ -1,4 +1,4 @@
-"""The page of errata: what stands in its columns, and how readings are counted."""
+"""The page of errata: its columns, and how readings are counted."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def results() -> list[Result]:
     return verify("karakilic-2010", ["14", "20", "half-angle", "5"])
 
 
-def test_at_a_glance_what_is_printed_stands_left_of_what_is_right(results: list[Result]) -> None:
+def test_errata_table_has_printed_formula_left_of_corrected(results: list[Result]) -> None:
     page = FORMATS["markdown"](Report.of(PAPERS, results, (), ".."))
     errata = [result for result in results if result.status is Status.ERRATUM]
     assert errata
@@ -27,7 +27,7 @@ def test_at_a_glance_what_is_printed_stands_left_of_what_is_right(results: list[
         assert f"| $`{printed}`$ | $`{right}`$ |" in row
 
 
-def test_the_first_table_counts_what_is_of_each_paper(results: list[Result]) -> None:
+def test_first_table_counts_statuses_by_paper(results: list[Result]) -> None:
     report = Report.of(PAPERS, results, (), "..")
     lines = FORMATS["markdown"](report).splitlines()
     (head,) = (line for line in lines if line.startswith("| paper |"))

@@ -1,4 +1,4 @@
-"""``dualcay generate --phi``: a module of one's own, checked again by its header; refusals are usage errors."""
+"""``dualcay generate --phi``: the module, its check by the header, and refusals as usage errors."""
 
 from __future__ import annotations
 

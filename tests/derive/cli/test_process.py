@@ -1,4 +1,4 @@
-"""What only a process of the command shows: its end, its streams and their encoding, what it loads."""
+"""The command as a process: exit code, streams, encoding, imports."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.__main__ import NEEDED
 from tests.support.command import ROOT, in_a_process
 
 
-def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
+def test_process_has_exit_code_and_separate_streams():
     done = in_a_process("show", "-n", "2", "--what", "tensor", LC_ALL="C.UTF-8")
     assert (done.returncode, done.stderr) == (0, "")
     assert "v⊗v" in done.stdout
@@ -23,7 +23,7 @@ def test_a_process_ends_with_the_code_and_keeps_its_streams_apart():
 
 
 @pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
-def test_an_interrupted_process_says_so_in_one_line(place: str):
+def test_interrupt_ends_with_one_line_and_130(place: str):
     module, _, name = place.rpartition(".")
     code = (
         "import importlib, os, signal, sys, time\n"
@@ -37,19 +37,19 @@ def test_an_interrupted_process_says_so_in_one_line(place: str):
 
 
 @pytest.mark.parametrize("encoding", ["cp1252", ""])
-def test_output_is_utf8_whatever_the_locale(encoding: str):
+def test_output_is_utf8_in_any_locale(encoding: str):
     variables = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "PYTHONIOENCODING": encoding}
     done = in_a_process("show", "-n", "2", "--what", "tensor", **variables)
     assert (done.returncode, done.stderr) == (0, "")
     assert "v⊗v" in done.stdout
 
 
-def test_a_folder_whose_name_is_no_utf8_is_printed_as_it_is():
+def test_folder_name_that_is_not_utf8_is_printed_unchanged():
     name = os.fsdecode(b"k\xff")
     code = (
-        "import os, sys, derive.cli.generate as module\n"
+        "import os, sys, derive.codegen.publish as module\n"
         "from derive.codegen import Difference\n"
-        "module.check_folder = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
+        "module.check_charts = lambda folder, *_, **__: [Difference(folder, 'missing')]\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"
     )
@@ -68,8 +68,8 @@ def test_help_and_version_load_nothing_heavy(arguments: list[str]):
     assert in_a_process(*arguments, code=code).returncode == 0
 
 
-def test_help_takes_little_more_time_than_python():
-    """Processor time, the least of three runs, since others use the machine too."""
+def test_help_takes_at_most_150_ms_more_than_python():
+    """Compare the least processor time of three runs."""
 
     def least(*command: str) -> float:
         def once() -> float:
@@ -100,14 +100,14 @@ WITHOUT = (
 )
 
 
-def test_without_its_libraries_the_command_says_what_to_install():
+def test_missing_libraries_are_named_with_the_installation():
     done = in_a_process("list", code=WITHOUT.format(missing=("sympy", "jinja2")))
     assert done.returncode == 3
     assert done.stderr == 'dualcay: needs jinja2, sympy: install with  pip install "dualcay[derive]"\n'
 
 
 @pytest.mark.parametrize("arguments", [(), ("--help",), ("-h",), ("generate", "--help"), ("--version",), ("-V",)])
-def test_without_its_libraries_help_and_version_are_there(arguments: tuple[str, ...]):
+def test_help_and_version_need_no_libraries(arguments: tuple[str, ...]):
     done = in_a_process(*arguments, code=WITHOUT.format(missing=NEEDED))
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("dualcay")

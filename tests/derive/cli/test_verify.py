@@ -1,4 +1,4 @@
-"""``dualcay verify`` as a person runs it."""
+"""``dualcay verify``: report, exit codes and files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ K10 = ("verify", "--paper", "karakilic-2010")
 
 
 @pytest.mark.smoke
-def test_text_on_stdout_and_silence_on_stderr() -> None:
+def test_report_is_on_stdout_and_stderr_is_silent() -> None:
     done = dualcay(*K10, "--eq", "14,22")
     assert done.returncode == 0
     assert done.stderr == ""
@@ -26,7 +26,7 @@ def test_text_on_stdout_and_silence_on_stderr() -> None:
     assert "(22)" in done.stdout
 
 
-def test_strict_fails_for_an_erratum_only() -> None:
+def test_strict_fails_for_errata_only() -> None:
     assert dualcay(*K10, "--eq", "14", "--strict").returncode == 1
     assert dualcay(*K10, "--eq", "22", "--strict").returncode == 0
 
@@ -79,14 +79,14 @@ def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
 
 
 def test_two_processes_write_the_same_page(tmp_path: Path) -> None:
-    """Under another seed of hashes; whole pages are compared so by ``make check``."""
+    """Compare pages under two hash seeds."""
     some = (*K10, "--eq", "1,7,14,20,22,ring,rhombus,zero-components", "--format", "markdown", "-o")
     dualcay(*some, str(tmp_path / "a.md"))
     in_a_process(*some, str(tmp_path / "b.md"), PYTHONHASHSEED="1")
     assert (tmp_path / "a.md").read_bytes() == (tmp_path / "b.md").read_bytes()
 
 
-def test_an_entry_that_cannot_be_decided_is_exit_1(monkeypatch, capsys) -> None:
+def test_undecided_entry_is_exit_1(monkeypatch, capsys) -> None:
     import derive.cli.verify as verify
     from derive.cli import commands
 
@@ -116,7 +116,7 @@ def test_one_equation_is_decided_alone() -> None:
 
 
 @pytest.mark.parametrize("width", [40, 71, 72, 200])
-def test_the_report_fits_the_screen(monkeypatch, width: int) -> None:
+def test_report_fits_the_screen(monkeypatch, width: int) -> None:
     monkeypatch.setenv("COLUMNS", str(width))
     lines = dualcay(*K10, "--eq", "14,22", "--format", "text").stdout.splitlines()
     assert max(map(len, lines)) <= min(width, 120)

@@ -11,12 +11,12 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.codegen.cases import decimals, digits
-from derive.codegen.cases.decimals import Decimal
-from derive.codegen.cases.exact import Expectation
 from derive.codegen.lowered import Lowered, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
-from derive.codegen.signatures import FUNCTIONS
+from derive.codegen.signatures import FUNCTIONS, POSES
+from derive.codegen.validation import decimals, samples
+from derive.codegen.validation.decimals import Decimal
+from derive.codegen.validation.formulas import Expectation
 from derive.maps import Cayley
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -28,7 +28,7 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
 COMPARISONS = ("lt", "eq")
 
 Sides = Mapping[tuple[str, str], set[bool]]
-"""By program and name of a comparison: the sides it was seen to take."""
+"""Truth values that each comparison took, by program and name."""
 
 
 class Watched:
@@ -37,7 +37,7 @@ class Watched:
     def __init__(self, chart: Cayley) -> None:
         self.chart = chart
         self.lowered: Lowered = lower_chart(chart)
-        self.programs = {**geometry(), **self.lowered.own}
+        self.programs = geometry()
         self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
 
     def call(self, case: Expectation) -> None:
@@ -69,10 +69,10 @@ class Watched:
 
 
 def sides(n: int, some: slice = slice(None)) -> Sides:
-    """Of all comparisons, by some cases of each function and branch."""
+    """Return the truth values of all comparisons, in some cases of each function and branch."""
     watched = Watched(Cayley(n))
     with mpmath.workdps(decimals.DIGITS):
-        for batch in digits.expectations(watched.chart):
+        for batch in samples._by_function(watched.chart, POSES):
             for case in batch[some]:
                 watched.call(case)
     return watched.sides
@@ -83,20 +83,20 @@ def one_sided(found: Sides) -> list[tuple[str, str]]:
 
 
 @pytest.mark.parametrize("n", [3, 4, 8])
-def test_every_comparison_is_seen_both_ways(n: int) -> None:
-    """Of smaller orders some sides lie on the edge of the chart."""
+def test_every_comparison_is_true_and_false_in_some_case(n: int) -> None:
+    # in lower orders some sides lie on the edge of the chart
     found = sides(n)
     assert len(found) > 15
     assert one_sided(found) == []
 
 
-def test_with_fewer_cases_some_are_not() -> None:
+def test_fewer_cases_leave_comparisons_one_sided() -> None:
     assert len(one_sided(sides(3, slice(1)))) > 5
 
 
 def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
-    """Of each kind a chart needs some: |v| = 1, √2, √3, with both signs."""
-    squares = sorted(sum(c * c for c in u) for u in digits.LATTICE)
+    """Lattice vectors have |v| = 1, √2 and √3, with both signs."""
+    squares = sorted(sum(c * c for c in u) for u in samples.LATTICE)
     assert squares == [1, 1, 2, 3, 3]
-    assert len({frozenset((u, tuple(-c for c in u))) for u in digits.LATTICE}) == len(squares)
-    assert {c for u in digits.LATTICE for c in u} == {-1, 0, 1}
+    assert len({frozenset((u, tuple(-c for c in u))) for u in samples.LATTICE}) == len(squares)
+    assert {c for u in samples.LATTICE for c in u} == {-1, 0, 1}

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 import derive
-from derive.codegen import catalogue, compiler
+from derive.codegen import catalogue, publish
 
 
-def test_who_names_no_chart_asks_for_the_committed_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_default_charts_are_the_committed_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[object] = []
-    monkeypatch.setattr(compiler, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
+    monkeypatch.setattr(publish, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
     derive.generate(output=tmp_path)
     assert asked == catalogue.committed()
 

@@ -1,4 +1,4 @@
-"""What NumPy kernels do with an installed package of compiled functions: loaded from the template, nothing is built."""
+"""NumPy kernels use an installed package of compiled functions if its programs are the same."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from types import ModuleType, SimpleNamespace
 
 import pytest
 
-from derive.codegen.module import shared_texts
+from derive.codegen.package import shared_texts
 from derive.codegen.targets import TARGETS
 
 MODULE, COMPILED = "dualcay.cayley3", "dualcay_native.cayley3"
@@ -16,7 +16,7 @@ OTHER, OTHER_COMPILED = "dualcay.cayley2", "dualcay_native.cayley2"
 
 @pytest.fixture
 def native(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """The module that looks for them, as it is emitted, which has not warned yet."""
+    """Return a fresh module ``_native``, as it is printed."""
     monkeypatch.delenv("DUALCAY_NATIVE", raising=False)
     module = ModuleType("dualcay._native")
     module.__package__ = "dualcay"
@@ -25,7 +25,7 @@ def native(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return module
 
 
-def test_what_holds_the_same_programs_is_taken(native: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_compiled_functions_of_the_same_programs_are_used(native: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, COMPILED, SimpleNamespace(PROGRAMS="these", DIRECT={"pose": None}, pose=max))
     assert native.functions(MODULE, "these") == {"pose": (max, None)}
     monkeypatch.setenv("DUALCAY_NATIVE", "0")
@@ -37,7 +37,7 @@ def test_what_holds_the_same_programs_is_taken(native: ModuleType, monkeypatch: 
     [SimpleNamespace(PROGRAMS="others", DIRECT={"pose": None}, pose=max), SimpleNamespace(PROGRAMS="these", pose=max)],
     ids=["others", "of a former release"],
 )
-def test_what_holds_others_is_left_aside_with_one_warning(
+def test_compiled_functions_of_other_programs_are_ignored_with_one_warning(
     found: SimpleNamespace, native: ModuleType, monkeypatch: pytest.MonkeyPatch, recwarn: pytest.WarningsRecorder
 ) -> None:
     for name in (COMPILED, OTHER_COMPILED):
@@ -51,6 +51,6 @@ def test_what_holds_others_is_left_aside_with_one_warning(
     )
 
 
-def test_nothing_installed_is_no_reason_to_warn(native: ModuleType, recwarn: pytest.WarningsRecorder) -> None:
+def test_no_warning_without_compiled_functions(native: ModuleType, recwarn: pytest.WarningsRecorder) -> None:
     assert native.functions("dualcay.nothing", "these") == {}
     assert not recwarn

@@ -1,4 +1,4 @@
-"""Numbers of 50 digits: their arithmetic is that of real numbers, and IEEE's where there is none."""
+"""Numbers of 50 digits follow real arithmetic, and IEEE rules where that is undefined."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.codegen.cases.decimals import DIGITS, Decimal, close
+from derive.codegen.validation.decimals import DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 
@@ -41,7 +41,7 @@ def test_operations_are_rounded_to_these_digits(operation: Callable[..., Any], a
 
 
 @given(a=RATIONALS, b=RATIONALS)
-def test_order_and_sign(a: Fraction, b: Fraction) -> None:
+def test_comparison_negation_and_absolute_value_are_exact(a: Fraction, b: Fraction) -> None:
     first, second = Decimal(a), Decimal(b)
     assert ((first < second), (first > second), (first == second)) == ((a < b), (a > b), (a == b))
     assert (first < b, first > b, first == b) == (a < b, a > b, a == b)
@@ -57,7 +57,7 @@ def test_numbers_of_mpmath_are_taken_as_they_are(bits: int, shift: int) -> None:
 
 
 class Limb:
-    """An integer that is no int, as mantissas are where mpmath finds another library."""
+    """An integer type other than int, such as mpmath takes from gmpy2."""
 
     def __init__(self, value: int) -> None:
         self.value = value
@@ -78,11 +78,11 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
     assert Decimal(10**5000).value.adjusted() == 5000
     assert exactly(Decimal(10**60 + 1)) == 10**60
     with mpmath.workdps(DIGITS):
-        for number in (10**7, 10**12):  # powers of 2 with so many digits would never be done
+        for number in (10**7, 10**12):  # exact powers of 2 would take forever
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
         assert Decimal(10**5000).tan().value.is_finite()
-        tiny = Decimal(decimal.Decimal("1e-3000000"))  # as a fraction it would have as many digits
+        tiny = Decimal(decimal.Decimal("1e-3000000"))  # a fraction would have three million digits
         assert abs(tiny.tan() / tiny - 1) < Fraction(1, 10**48)
 
 
@@ -102,7 +102,7 @@ def test_the_angle_of_a_vector_is_that_of_mpmath() -> None:
             assert close(found, mpmath.atan2(y, x), Decimal(mpmath.mpf(10) ** -48))
 
 
-def test_what_is_not_defined() -> None:
+def test_undefined_results_are_nan() -> None:
     one, zero = Decimal(1), Decimal(0)
     outside = [zero / zero, Decimal(-1).sqrt(), Decimal(-2).log1p(), INFINITE - INFINITE]
     for number in (*outside, NAN * 0, NAN + one, NAN.log1p()):

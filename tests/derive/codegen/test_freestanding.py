@@ -1,20 +1,20 @@
-"""Headers without math.h: what is left of them calls nothing that has been left out."""
+"""Headers without math.h call only functions they define."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 
-from derive.codegen.compiler import print_charts
+from derive.codegen.build import print_package
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.c_interpreter.source import parse
 from derive.maps import Cayley
 from derive.output import files
 
 
-def test_what_needs_a_turn_is_left_out_with_it(tmp_path: Path) -> None:
-    """Of n = 1 the way back from rotations needs no root, and the turn to another branch does."""
-    files.write(tmp_path, print_charts([Cayley(1)], TARGETS["c"]).texts)
+def test_freestanding_header_calls_only_what_it_defines(tmp_path: Path) -> None:
+    """Check n = 1, where `tensor` needs no function of math.h and `from_tensor` does."""
+    files.write(tmp_path, print_package([Cayley(1)], TARGETS["c"]).texts)
     for header in ("cayley1.h", "rotation/cayley1.h"):
         text = parse(f'#include "{header}"\n', tmp_path, {"DUALCAY_FREESTANDING": ""}).text
         defined = set(re.findall(r"static inline \w+ (\w+)\(", text))

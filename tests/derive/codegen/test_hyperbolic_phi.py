@@ -14,15 +14,14 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
-from derive.maps.elementary import evaluate
+from derive.maps.any_phi.elementary import evaluate
+from derive.maps.any_phi.lowering import Lowering
 from derive.maps.families import alpha
-from derive.maps.lowered_phi import Lowering
 from derive.output import files
 from derive.proof import prove
 from tests.support import families
@@ -40,12 +39,12 @@ PHI: dict[str, tuple[str, Share]] = {
 """By name: φ, and φ/α as a function of α²."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
-"""Angles; the last but two meets the hand-over. The oracle counts no turns."""
+"""Ranges of angles, below whole turns; one contains the limit between both ranges of the chart."""
 GATE = 8
 
 
 QUICK = ("steep", "bounded")
-"""What they are divided by is no series, which the oracle sums."""
+"""Charts whose oracle sums no series."""
 
 
 @pytest.fixture(
@@ -61,7 +60,7 @@ def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / f"with_{name}", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
@@ -92,7 +91,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, r
 
 
 DIGITS = 350
-"""Of 1 + 1e-300."""
+"""Digits of 1 + 1e-300."""
 ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 
 
@@ -108,10 +107,10 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
     ],
     ids=str,
 )
-def test_functions_are_right_to_the_last_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
+def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
     """On floats, near 0 and on either side of it, in eps."""
     for a in arguments:
-        got = Lowering(a, PLAIN, "f").at(function)
+        got = Lowering(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):
             exact = evaluate(function, alpha, mpmath.mpf(a))
             assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)

@@ -1,4 +1,4 @@
-"""φ = c α, whose scalars are constants, and constant angles that are no whole multiple of π."""
+"""Multiples of the exponential chart, refusals of φ with a small edge, and constant angles in C."""
 
 from __future__ import annotations
 
@@ -10,28 +10,25 @@ import pytest
 import sympy
 
 from derive.codegen import generate
-from derive.codegen.facts import Facts, _multiple_of_pi
-from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.build import print_package
+from derive.codegen.package import _multiple_of_pi
 from derive.codegen.programs.trace import Trace
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
 from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.loading import loaded, module_of
-from derive.maps import PhiError, parameterization
+from derive.maps import PhiError, family, parameterization
 from derive.output import files
 from derive.proof import prove
 from dualcay import exponential
 
 
-def test_the_exponential_in_other_units_is_validated_and_agrees(tmp_path: Path) -> None:
+def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
     """An integer over an integer would be a float on 50 digits; squares of a(0) would overflow in single precision."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
-    proved = prove(chart)
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
-    files.write(tmp_path / "of_units", {**shared_texts(target), **text})
-    assert validate(tmp_path / "of_units", chart) > 1000
+    files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
+    assert validate(tmp_path / "of_units", chart, geometry=True) > 500
     w = np.random.default_rng(1).normal(size=(50, 6))
     w[0] = 0
     with loaded(tmp_path / "of_units") as package:
@@ -58,7 +55,7 @@ def test_a_multiple_of_pi_is_the_same_number_in_c(share: Fraction) -> None:
     assert load(f"double f(double pi) {{ return {text}; }}").call("f", Fraction(22, 7)) == share * Fraction(22, 7)
 
 
-def test_a_choice_between_the_same_is_none() -> None:
+def test_selection_between_equal_values_is_removed() -> None:
     trace = Trace()
     (x,) = trace.inputs("x", ["x"])
     for same in (1, Fraction(2, 3), x):

@@ -1,4 +1,4 @@
-"""What generated packages say of themselves: the command, the licence, the version, what they run on."""
+"""Headers of generated packages: command, licence, version; and the backend a package names."""
 
 from __future__ import annotations
 
@@ -11,9 +11,8 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.codegen.facts import LICENCE, Facts
 from derive.codegen.lowered import lower_chart
-from derive.codegen.module import companion_texts, notices, shared_texts
+from derive.codegen.package import LICENCE, Facts, module_texts, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
@@ -25,14 +24,14 @@ FACTS = Facts(prove(CHART), lower_chart(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
-    """Files of a package by name, and what may stand in their places."""
+    """Yield the files of a package by name, and the notices that may stand in for them."""
     row = TARGETS[target]
-    yield from (shared_texts(row) | companion_texts(FACTS, row)).items()
+    yield from (shared_texts(row) | module_texts(FACTS, row)).items()
     yield from notices([CHART], row).items()
 
 
 def heads(text: str) -> list[str]:
-    """The comment that a file begins with, without marks."""
+    """Return the lines of the comment at the head of a file, without marks."""
     lines = text.splitlines()
     mark = lines[0].split()[0]
     return [line.removeprefix(mark).strip() for line in lines if line.startswith(mark)]
@@ -46,18 +45,18 @@ def test_every_header_names_the_licence(target: str) -> None:
         assert licence == LICENCE, name
 
 
-def test_committed_modules_too() -> None:
+def test_every_committed_header_names_the_licence() -> None:
     for path in (ROOT / "generated" / "dualcay").rglob("*.py"):
         assert heads(path.read_text(encoding="utf-8"))[1] == LICENCE
 
 
-def test_the_licence_is_that_of_the_project() -> None:
+def test_licence_is_that_of_the_project() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert f"SPDX-License-Identifier: {project['license']}" == LICENCE
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_the_version_stands_in_the_header_of_one_file(target: str) -> None:
+def test_version_is_in_the_header_of_one_file(target: str) -> None:
     row = TARGETS[target]
     with_version = [name for name, text in shared_texts(row).items() if f"Version {about.__version__}." in heads(text)]
     assert with_version == [row.entry]
@@ -67,11 +66,11 @@ def test_the_version_stands_in_the_header_of_one_file(target: str) -> None:
 def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
     row = TARGETS[target]
     assert any(name.startswith("rotation/") and "geometry" in name for name in shared_texts(row))
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in companion_texts(FACTS, row))
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in module_texts(FACTS, row))
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_a_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
     before = dict(shared_texts(TARGETS[target]))
     monkeypatch.setattr(about, "__version__", "99.1.2")
     after = shared_texts(TARGETS[target])
@@ -82,7 +81,7 @@ def test_a_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch
 
 
 @pytest.mark.parametrize("target", ["numpy", "array-api", "numba"])
-def test_a_package_says_what_it_runs_on_and_how_a_module_is_added(tmp_path: Path, target: str) -> None:
+def test_package_names_its_backend_and_how_to_add_a_module(tmp_path: Path, target: str) -> None:
     write(tmp_path / "kernels", shared_texts(TARGETS[target]))
 
     def run(*command: str) -> subprocess.CompletedProcess[str]:

@@ -1,4 +1,4 @@
-"""A φ of a user's own: from text to kernels, which agree with first principles on floats."""
+"""Charts of a user's φ: kernels agree with first principles on floats."""
 
 from __future__ import annotations
 
@@ -13,15 +13,13 @@ import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
-from derive.codegen.cases import samples
-from derive.codegen.cases.vectors import Vectors
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import lower
-from derive.codegen.module import module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation.rounding import long
+from derive.codegen.validation.float_cases import cases
+from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw
@@ -32,7 +30,7 @@ from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0), (6.2, 6.324))
-"""Angles: the third but one meets the hand-over, the last ends before √40."""
+"""Ranges of angles: one contains the limit between both ranges of the chart, the last ends before √40."""
 GATE = 8
 
 
@@ -53,7 +51,7 @@ def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """As printed; generated ones are validated besides."""
     target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
-    text = {module_name(proved.formulas, target): module_text(Facts(proved, lower(proved)), target)}
+    text = module_texts(Facts(proved, lower(proved)), target)
     files.write(folder / "of_phi", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
@@ -84,7 +82,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, reg
 
 
 @pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
-def test_steps_next_to_the_fold_lose_nothing(kernels: ModuleType, oracle: Oracle, angle: float):
+def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle, angle: float):
     """The oracle counts no turns: so steps are short beside what is left to 2π."""
     steps = sampling.dual_vectors(f"steps at {angle}", count=4)
     v, delta = families.vectors(oracle, angle, angle, 4), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
@@ -92,7 +90,7 @@ def test_steps_next_to_the_fold_lose_nothing(kernels: ModuleType, oracle: Oracle
         assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
 
 
-def test_branches_that_there_are_not_are_nan(kernels: ModuleType):
+def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
     """The chart ends at √40: at 1 rad one turn on is no vector, one turn back is."""
     v = np.array([1 / (1 + 1 / 40), 0, 0, 0.1, 0.2, 0.3])
     assert np.isnan(kernels.shadow(v, 1)).all()
@@ -112,10 +110,9 @@ def test_beyond_a_fold_there_is_no_vector():
         found = [next(iter(at.at(Screw(Dual(mpmath.mpf(angle), mpmath.mpf(0)), axis)).re)) for angle in ("3.2", "3.23")]
     assert float(found[0]) == pytest.approx(np.sin(1.6) + 0.064, rel=1e-15)
     assert mpmath.isnan(found[1])
-    assert np.isnan(long(found)[1])
-    replayed = {group.branch for group in samples(chart, chosen=("from_pose", "from_quaternion"))}
-    assert (0,) in replayed
-    assert (-1,) not in replayed
+    replayed = {case.branch for case in cases(chart) if case.function in ("from_pose", "from_quaternion")}
+    assert 0 in replayed
+    assert -1 not in replayed
 
 
 def test_complex_steps_go_through_the_origin(kernels: ModuleType):
@@ -128,7 +125,7 @@ def test_complex_steps_go_through_the_origin(kernels: ModuleType):
         np.testing.assert_allclose(q_dot, expected, rtol=0, atol=64 * np.finfo(float).eps * 5)
 
 
-def test_the_sides_of_the_hand_over_agree():
+def test_both_ranges_agree_at_their_limit():
     """Within the sum of what both are off by: the proved remainder, and what is left after Newton's last step."""
     from derive.algebra.arithmetic import PLAIN
 
@@ -142,7 +139,7 @@ def test_the_sides_of_the_hand_over_agree():
     assert chart.remainder < 1e-18
 
 
-def test_a_multiple_of_a_sine_stays_algebraic():
+def test_multiples_of_known_charts_are_algebraic():
     assert parameterization("sin(alpha/6)", "mine").algebraic
     assert parameterization("4*tan(alpha/4)", "mine").algebraic
 

@@ -1,29 +1,26 @@
-"""What functions of printed modules say of their arguments can be looked up, as a reader's editor does."""
+"""Annotations of printed modules can be resolved."""
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import typing
 from pathlib import Path
 
-import pytest
-
-from derive.codegen.catalogue import charts
-from derive.codegen.compiler import print_charts
+from derive.codegen import catalogue
+from derive.codegen.build import print_package
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.loading import loaded, module_of
 from derive.output import files
 
 
-@pytest.mark.parametrize("which", ["own programs alone", "scalars alone"])
-def test_every_name_in_an_annotation_is_known(tmp_path: Path, which: str) -> None:
-    (chart,) = charts([1]) if which == "own programs alone" else charts((), ["breusing"])
-    files.write(tmp_path, print_charts([chart], TARGETS["numpy"]).texts)
+def test_annotations_can_be_resolved(tmp_path: Path) -> None:
+    charts = [*catalogue.charts([1]), *catalogue.charts((), ["breusing"])]
+    files.write(tmp_path, print_package(charts, TARGETS["numpy"]).texts)
     with loaded(tmp_path) as package:
-        for table in (POSES, ROTATIONS):
-            module = module_of(package, chart, table)
-            own = [value for value in vars(module).values() if inspect.isfunction(value)]
-            assert [function for function in own if function.__module__ == module.__name__]
-            for function in own:
+        modules = [module_of(package, chart, table) for chart in charts for table in (POSES, ROTATIONS)]
+        geometries = [importlib.import_module(f"{package}{place}._geometry") for place in ("", ".rotation")]
+        for module in (*modules, *geometries):
+            for function in filter(inspect.isfunction, vars(module).values()):
                 typing.get_type_hints(function)

@@ -1,4 +1,4 @@
-"""The tracer: what is recorded, folded, shared, dropped and named."""
+"""Tracing: values are recorded, folded, shared, dropped and named."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Vector
-from derive.codegen.lowered import geometry, is_worth, lower_chart
+from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.trace import Trace, UnnamedValueError
-from derive.codegen.signatures import KERNELS
+from derive.codegen.signatures import ROTATIONS
 from derive.codegen.targets import infix
 from derive.maps import Cayley
 from derive.maps.named import family, parameterization
@@ -35,7 +35,7 @@ def test_equal_operations_are_recorded_once():
     assert ops(trace, product + b * a) == ["mul", "add"]
 
 
-def test_what_no_output_needs_is_dropped():
+def test_unused_values_are_dropped():
     trace, a, b = traced()
     trace.name("unused", a / b)
     assert ops(trace, a + b) == ["add"]
@@ -60,20 +60,20 @@ def test_constants_are_folded(make, expected):
     assert sorted(ops(trace, make(a))) == sorted(expected) or ops(trace, make(a)) == ["mul", "sub"] == expected
 
 
-def test_selection_on_constants_is_decided_while_tracing():
+def test_selection_on_constants_is_folded():
     trace, a, b = traced()
     assert trace.where(trace.less(0, 1), a, b) is a
     assert trace.both(trace.equal(1, 2), trace.less(a, b)) is False
     assert trace.either(False, True) is True
 
 
-def test_division_by_the_constant_zero_is_an_error():
+def test_division_by_constant_0_is_an_error():
     _, a, _ = traced()
     with pytest.raises(ZeroDivisionError, match="divides by the constant 0"):
         a / 0
 
 
-def test_a_shared_value_needs_a_name_and_a_name_is_given_once():
+def test_shared_value_needs_a_name_that_is_unique():
     trace, a, b = traced()
     shared = a + b
     with pytest.raises(UnnamedValueError, match="'f' uses unnamed values more than once or in a call: add"):
@@ -112,7 +112,7 @@ def test_printing_keeps_the_order_of_evaluation():
         assert infix.body(trace.program("f", (value,))).splitlines()[-1] == f"    return {text},"
 
 
-def test_a_call_gives_named_results_once_and_its_arguments_need_names():
+def test_call_is_recorded_once_and_needs_named_arguments():
     trace, a, b = traced()
     first, second = trace.call("scalars", (a, b), ("f", "g"))
     again, _ = trace.call("scalars", (a, b), ("f", "g"))
@@ -127,17 +127,7 @@ def test_a_call_gives_named_results_once_and_its_arguments_need_names():
         trace.program("f", (result,))
 
 
-@pytest.mark.parametrize("chart", CHARTS, ids=lambda chart: chart.name)
-def test_geometry_with_its_calls_looked_into_is_what_the_chart_traces_itself(chart):
-    """Scalars are counted rightly, and where a chart is not traced itself, it would not have been worth it."""
-    lowered = lower_chart(chart)
-    for function, row in KERNELS.items():
-        if function in lowered.operations and function not in lowered.own:
-            alone = row.traced(chart).operations.total()
-            assert not is_worth(alone, lowered.operations[function].total()), function
-
-
-def test_long_statements_are_wrapped_and_mean_the_same():
+def test_wrapped_statement_computes_the_same():
     trace, *inputs = traced(12)
     value = trace.name("total", sum((a * a * a * a for a in inputs[1:]), inputs[0]))
     program = trace.program("f", (value, *(a + value for a in inputs)))
@@ -151,14 +141,14 @@ def test_long_statements_are_wrapped_and_mean_the_same():
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 6, 7, 8, 9, 16, 33])
-def test_every_recipe_speaks_in_named_values(order):
+def test_every_recipe_names_its_values(order):
     lowered = lower_chart(Cayley(order))
-    for name, program in (*lowered.scalars.items(), *lowered.own.items(), *geometry().items()):
+    for name, program in (*lowered.scalars.items(), *printed_geometry().items(), *printed_geometry(ROTATIONS).items()):
         assert program.name == name
         assert not [step.name for step in program.steps if not step.inline and step.name.startswith("t_")]
 
 
-def test_forward_maps_have_no_trigonometry_and_small_powers_of_two_none_at_all():
+def test_forward_maps_have_no_trigonometry():
     forward = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "transform_point")
     inverse = ("from_quaternion", "from_tensor", "from_pose", "shadow", "turn", "compose")
     for order in (1, 2, 3, 4, 5, 8):

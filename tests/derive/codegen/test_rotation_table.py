@@ -1,4 +1,4 @@
-"""Rotations alone are no second derivation: the recipes of poses traced with real vectors, validated as those are."""
+"""Rotations alone: the recipes of poses, traced with real vectors and validated."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, catalogue
-from derive.codegen.cases import batches, digits, exact
-from derive.codegen.facts import Facts
 from derive.codegen.lowered import geometry, lower_chart
-from derive.codegen.lowering.real import narrowed
+from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalars import SQUARES
-from derive.codegen.module import companion_texts, module_name, module_text, shared_texts
+from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, validate
+from derive.codegen.validation import NUMPY, Machinery, replay, samples, validate
+from derive.codegen.validation import formulas as exact
+from derive.codegen.validation.samples import batches
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
@@ -24,7 +24,7 @@ from derive.proof import prove
 ONLY_OF_POSES = {"pose", "from_pose", "transform_line", "transform_line_jacobians"}
 
 
-def test_the_table_says_which_functions_there_are_and_their_shapes() -> None:
+def test_functions_of_rotations_and_their_shapes() -> None:
     assert POSES.functions.keys() - {row.source for row in ROTATIONS.functions.values()} == ONLY_OF_POSES
     assert {row.source: name for name, row in ROTATIONS.functions.items() if row.source != name} == {
         "from_screw": "from_angle_axis",
@@ -38,7 +38,7 @@ def test_the_table_says_which_functions_there_are_and_their_shapes() -> None:
 
 
 @pytest.mark.parametrize("name", ROTATIONS.functions)
-def test_what_is_embedded_is_restricted_to_itself(name: str) -> None:
+def test_restriction_undoes_embedding(name: str) -> None:
     row = ROTATIONS.functions[name]
     given = tuple(tuple(range(1, array.size + 1)) for array in row.arguments)
     embedded = row.embedded(given, 0)
@@ -48,14 +48,14 @@ def test_what_is_embedded_is_restricted_to_itself(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ROTATIONS.kernels)
-def test_of_the_recipe_of_poses_the_half_that_is_not_needed_is_gone(name: str) -> None:
+def test_rotation_programs_drop_dual_parts(name: str) -> None:
     program, pose = geometry(ROTATIONS)[name], geometry()[ROTATIONS.functions[name].source]
     assert program.operations.total() <= 0.6 * pose.operations.total()
     assert {step.name for step in program.steps} <= program.operands
     assert all(narrowed(call) == call for call in program.calls)
 
 
-def test_a_call_asks_for_no_more_slopes_than_are_read() -> None:
+def test_calls_ask_only_for_slopes_that_are_read() -> None:
     names = ("f", "g", "_", "_", "_", "_")
     found = narrowed(Call(names, "tangent", SQUARES))
     assert found == Call(("f", "g", "_"), "pose", SQUARES)
@@ -64,16 +64,17 @@ def test_a_call_asks_for_no_more_slopes_than_are_read() -> None:
 
 
 @pytest.mark.parametrize("name", ["quaternion", "tangent_dot", "from_angle_axis", "to_angle_axis", "compose_jacobians"])
-def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_function_without_expected_values_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     def of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
         return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
-    for source in (exact, digits):
+    for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+        original = getattr(source, attribute)
 
-        def without(*given, original=source.expectations):
+        def without(*given, original=original):
             return (found for found in original(*given) if of(found) != name)
 
-        monkeypatch.setattr(source, "expectations", without)
+        monkeypatch.setattr(source, attribute, without)
     with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
         batches.__wrapped__(Cayley(3), ROTATIONS)
 
@@ -82,48 +83,38 @@ def test_a_function_without_an_expectation_is_not_generated(name: str, monkeypat
 def texts() -> dict[str, str]:
     chart, target = Cayley(1), TARGETS["numpy"]
     facts = Facts(prove(chart), lower_chart(chart))
-    module = {module_name(chart, target): module_text(facts, target)}
-    return {**shared_texts(target), **companion_texts(facts, target), **module}
+    return shared_texts(target) | module_texts(facts, target)
 
 
-GEOMETRY, INTERFACE, OWN = "rotation/_geometry.py", "rotation/_interface.py", "rotation/cayley1.py"
+GEOMETRY, INTERFACE = "rotation/_geometry.py", "rotation/_interface.py"
 
 
 @pytest.mark.parametrize(
     ("file", "function", "old", "new"),
     [
-        (GEOMETRY, "tensor", "gvv1 - fv3", "gvv1 + fv3"),
-        (GEOMETRY, "rate_blocks", "sub(", "add("),
-        (GEOMETRY, "from_tensor", "Q32 - Q23", "Q23 - Q32"),
+        (GEOMETRY, "tensor_at", "gvv1 - fv3", "gvv1 + fv3"),
+        (GEOMETRY, "quaternion_of", "Q32 - Q23", "Q23 - Q32"),
         (GEOMETRY, "to_angle_axis", "x, 0, r", "x, 0, 2 * r"),
-        (OWN, "_own_tangent", "* v3", "* v2"),
         (INTERFACE, "body_tangent_inv", '"body_tangent_inv", axis', '"tangent_inv", axis'),
     ],
 )
-def test_what_is_wrong_in_the_text_of_rotations_is_noticed(texts, tmp_path: Path, file, function, old, new) -> None:
+def test_wrong_text_of_rotations_fails_validation(texts, tmp_path: Path, file, function, old, new) -> None:
     head, rest = texts[file].split(f"def {function}(", 1)
     assert old in rest
     files.write(tmp_path, {**texts, file: f"{head}def {function}({rest.replace(old, new, 1)}"})
     with pytest.raises(ValidationFailed):
-        validate(tmp_path, Cayley(1), tables=(ROTATIONS,))
+        validate(tmp_path, Cayley(1), geometry=True, tables=(ROTATIONS,))
 
 
-def test_floats_are_replayed_too(texts, tmp_path: Path) -> None:
+def test_wrong_wiring_of_rotations_fails_replay(texts, tmp_path: Path) -> None:
     wrong = texts[INTERFACE].replace('"to_angle_axis", axis', '"to_angle_axis", -1', 1)
     assert wrong != texts[INTERFACE]
     files.write(tmp_path, {**texts, INTERFACE: wrong})
     with pytest.raises(ValidationFailed, match="to_angle_axis"):
-        replay(tmp_path, Cayley(1), Machinery(few="_runtime.FEW"), (NUMPY,), (ROTATIONS,), all_ways=False)
-
-
-def test_programs_are_own_where_those_of_poses_are() -> None:
-    for n in (1, 3):
-        own = lower_chart(Cayley(n), ROTATIONS).own
-        assert {ROTATIONS.functions[name].source for name in own} <= lower_chart(Cayley(n)).own.keys()
-        assert bool(own) == (n == 1)
+        replay(tmp_path, Cayley(1), Machinery(few="_runtime.POINTWISE_MAX"), (NUMPY,), (ROTATIONS,), geometry=True)
 
 
 @pytest.mark.parametrize("name", ["rotation", "rotation_mine"])
-def test_no_phi_takes_the_name_of_the_folder(name: str) -> None:
+def test_name_of_the_folder_of_rotations_is_reserved(name: str) -> None:
     with pytest.raises(ValueError, match=f"'{name}' is the name of the folder of rotations"):
         catalogue.charts(phi="alpha", name=name)

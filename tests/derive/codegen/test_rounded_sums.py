@@ -1,4 +1,4 @@
-"""What rounding takes from a sum is known where its terms are, and the exponential puts it back."""
+"""Rounding errors of sums are recovered from their terms, and the exponential corrects for them."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ EPS = 2.0**-52
 
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
-    """Of arguments of one component each."""
+    """Return a program as a function of numbers."""
     space: dict[str, Any] = {"m": Sharp}
     inputs = ", ".join(name for name, _ in program.inputs)
     exec(f"def f({inputs}):\n{infix.body(program)}", space)
-    return lambda *numbers: space["f"](*([number] for number in numbers))
+    return space["f"]
 
 
 def traced(sum_of: Callable[[Trace, Sequence[Any]], Any], count: int = 3) -> Callable[..., tuple[float, ...]]:
-    """A sum, and what rounding took from it."""
+    """Return the function that computes a sum and its rounding error."""
     trace = Trace()
     terms = [value for i in range(count) for value in trace.inputs(f"v{i}{i}", [f"v{i}{i}"])]
     total = sum_of(trace, terms)
@@ -42,7 +42,7 @@ def drawn(count: int) -> list[list[float]]:
     return [[generator.uniform(-1, 1) * 2.0 ** generator.randint(-30, 30) for _ in range(count)] for _ in range(300)]
 
 
-def test_of_two_terms_it_is_told_exactly():
+def test_error_of_two_terms_is_exact():
     of = traced(lambda trace, terms: trace.name("x", terms[0] + terms[1]), 2)
     found = [of(*terms) for terms in drawn(2)]
     assert any(rest for _, rest in found)
@@ -57,8 +57,8 @@ def test_of_two_terms_it_is_told_exactly():
         lambda trace, terms: terms[0] + (terms[1] + terms[2]),
     ],
 )
-def test_of_more_it_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any]):
-    """Both rests are exact; their sum is off by half an eps of it, and they are at most an eps of the largest term."""
+def test_error_of_three_terms_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any]):
+    """Both errors are exact and at most an eps of the largest term; their sum is rounded."""
     of, lost = traced(sum_of), 0.0
     for terms in drawn(3):
         total, rest = of(*terms)
@@ -68,7 +68,7 @@ def test_of_more_it_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any
     assert lost > EPS / 4
 
 
-def test_nothing_is_told_of_what_is_no_sum():
+def test_error_of_anything_but_a_sum_is_0():
     trace = Trace()
     a, b = trace.inputs("v", ["a", "b"])
     assert [trace.rounded_off(value) for value in (a, a * b, a - b, 7)] == [0, 0, 0, 0]
@@ -76,15 +76,15 @@ def test_nothing_is_told_of_what_is_no_sum():
 
 
 def off(x: Fraction, f: float, g: float) -> float:
-    """Of ``sin α`` and ``1 − cos α``, in eps."""
+    """Return the larger error of ``sin α`` and ``1 − cos α``, in eps."""
     with mpmath.workdps(40):
         xx = mpmath.mpf(x.numerator) / x.denominator
         angle = mpmath.sqrt(xx)
         return float(max(abs(f * angle - mpmath.sin(angle)), abs(g * xx - 1 + mpmath.cos(angle))) / EPS)
 
 
-def test_the_exponential_is_that_of_the_squares_and_not_of_their_rounded_sum():
-    """Within 2 eps, as where x itself is given (test_exponential_scalars); a sum of three would cost another."""
+def test_exponential_corrects_for_the_rounded_sum_of_squares():
+    """The error stays within 2 eps, as for an exact x; the rounded sum alone would exceed it."""
     of, generator, worst, lost = compiled(scalar_program("pose", Exponential())), random.Random(7), 0.0, 0.0
     for _ in range(500):
         squares = [generator.uniform(0, 13) for _ in SQUARES]

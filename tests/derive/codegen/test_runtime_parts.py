@@ -1,4 +1,4 @@
-"""Parts of the run time that results do not show: of the templates, not of a checkout."""
+"""Properties of the NumPy run-time parts that results do not show."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.codegen.module import shared_texts
+from derive.codegen.package import shared_texts
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.loading import loaded
 from derive.output import files
@@ -21,7 +21,7 @@ LINE = 64
 
 @pytest.fixture(scope="module")
 def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Any]]:
-    """A module of the NumPy target's run time, by name."""
+    """Provide the run-time modules of the NumPy target, by name."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numpy"]))
     with loaded(folder) as package:
@@ -29,8 +29,8 @@ def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], A
 
 
 @pytest.mark.parametrize("spoilt", [0, 4])  # both violations are NaN, or the second one
-def test_no_number_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
-    """What is said is the first element that is wrong, and its largest violation."""
+def test_nan_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
+    """Messages name the first wrong element and its largest violation."""
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
@@ -41,7 +41,7 @@ def test_no_number_is_the_largest_violation(part: Callable[[str], Any], spoilt: 
         q[1, spoilt] = np.nan
 
 
-def test_the_first_element_that_is_wrong_is_said_whatever_is_wrong_of_it(part: Callable[[str], Any]) -> None:
+def test_first_wrong_element_is_named_whichever_law_it_breaks(part: Callable[[str], Any]) -> None:
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
@@ -67,14 +67,14 @@ def test_rows_of_scratch_begin_on_a_cache_line(part: Callable[[str], Any]) -> No
 
 
 @pytest.mark.parametrize("shape", [(6,), (2, 3)])
-def test_poses_are_taken_one_by_one_from_components_that_stand_first(part: Callable[[str], Any], shape: Any) -> None:
+def test_single_poses_are_read_with_components_first_or_last(part: Callable[[str], Any], shape: Any) -> None:
     last = np.arange(30.0).reshape(5, *shape)
     first = np.moveaxis(last, 0, -1)
     for array, axis in ((last, -1), (first, 0)):
         assert part("_runtime")._poses(array, shape, (5,), axis) == last.reshape(5, 6).tolist()
 
 
-def test_rows_are_read_where_they_lie_if_they_are_dense_or_one_value(part: Callable[[str], Any]) -> None:
+def test_dense_or_broadcast_rows_are_read_without_copying(part: Callable[[str], Any]) -> None:
     is_read, dtype = part("_kernel")._unit_stride, np.dtype(np.float64)
     dense, one = np.ones((6, 10)), np.broadcast_to(np.ones((6, 1)), (6, 10))
     spread, same = np.ones((6, 20))[:, ::2], np.broadcast_to(np.ones(20)[::2], (6, 10))

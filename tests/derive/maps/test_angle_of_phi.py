@@ -1,4 +1,4 @@
-"""Any φ at 0, and φ⁻¹ near 0 and beyond: what is fitted is as near as it says, by what it was fitted before."""
+"""Inverse of any φ, near 0 and beyond: fits are within their bounds, and as pinned."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import PhiError, first_guess, parameterization
-from derive.maps.edges import DIGITS, angle_of, edge_of
-from derive.maps.families import Family, alpha
-from derive.maps.first_guess import Fitted, Guarded, Guess
-from derive.maps.general import General
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import first_guess
+from derive.maps.any_phi.edges import DIGITS, angle_of, edge_of
+from derive.maps.any_phi.first_guess import Fitted, Guarded, Guess
+from derive.maps.any_phi.general import General
+from derive.maps.families import alpha
 
 FITTED = {
     "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",
@@ -39,7 +40,7 @@ def chart(phi: str) -> General:
     return found
 
 
-def test_it_is_fitted_as_before(phi, chart) -> None:
+def test_fits_are_pinned(phi, chart) -> None:
     near, far = chart.near, chart.far
     assert f"{_degree(chart)} {near.limit} {near.remainder:.3g} {_called(far)} {far.steps}" == FITTED[phi]
 
@@ -53,7 +54,7 @@ def _called(guess: Guess) -> str:
     return f"{name} by {guess.count}" if isinstance(guess, Guarded) else name
 
 
-def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) -> None:
+def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None:
     edge = edge_of(chart.phi)
 
     def ratio(x):
@@ -70,7 +71,7 @@ def test_near_0_the_ratio_and_its_derivatives_are_within_the_remainder(chart) ->
 
 
 @pytest.mark.parametrize("phi", ["40*sinh(alpha)", "1/40*(sin(alpha/2) + alpha/50)"])
-def test_units_of_v_make_no_difference(phi) -> None:
+def test_fits_do_not_depend_on_the_unit_of_v(phi) -> None:
     """But for limits of x, which are rounded down, by up to a quarter: remainders are less than a factor of two."""
     scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
     assert _degree(scaled) == _degree(alone)
@@ -83,19 +84,19 @@ def test_units_of_v_make_no_difference(phi) -> None:
     ("1e6*sinh(alpha)", "too large near 0, 8.13e+4: take a multiple of it"),
     ("sinh(30*alpha)", "nothing proves that the inverse of phi = sinh(30*alpha) is analytic near 0"),
 ])  # fmt: skip
-def test_what_is_not_fitted_near_0_is_refused(phi, reason) -> None:
+def test_phi_without_a_fit_near_zero_is_refused(phi, reason) -> None:
     with pytest.raises(PhiError, match=re.escape(reason)):
         _ = parameterization(phi, "of_user").near
 
 
-def test_without_bounds_a_wavy_phi_is_not_inverted(monkeypatch) -> None:
+def test_wavy_phi_needs_guarded_steps(monkeypatch) -> None:
     """Its slope falls to a tenth: from what is fitted Newton's method runs away."""
-    monkeypatch.setattr(first_guess, "GUARDED", ())
+    monkeypatch.setattr(first_guess, "GUARDED_STEPS", ())
     with pytest.raises(PhiError, match=re.escape("alpha + 9*sin(alpha)/10 is not inverted near alpha = ")):
         _ = parameterization("alpha + 9*sin(alpha)/10", "of_user").far
 
 
-def test_bounds_lead_back_from_any_start() -> None:
+def test_guarded_steps_converge_at_every_angle() -> None:
     """Floats, to 4 eps of the length, also next to the least slope."""
     chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
     assert isinstance(chart.far, Guarded)
@@ -106,7 +107,7 @@ def test_bounds_lead_back_from_any_start() -> None:
 
 
 @pytest.mark.parametrize("phi", ["10*tanh(alpha/10)", "alpha/sqrt(1 + alpha**2/40)"])
-def test_beyond_the_edge_nothing_is_raised(phi) -> None:
+def test_lengths_beyond_the_edge_raise_nothing(phi) -> None:
     """Where the closed form is no real number."""
     chart = parameterization(phi, "of_user")
     size = 1.5 * float(chart.phi.subs(alpha, 1000))
@@ -114,11 +115,13 @@ def test_beyond_the_edge_nothing_is_raised(phi) -> None:
 
 
 def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
-    of_series = Family("of user", 1, chart.phi, chart.scale, "").series(1)
-    assert chart.limits == tuple(tuple(coefficients[0] for coefficients in part) for part in of_series)
+    first, third = (sympy.series(chart.phi, alpha, 0, 4).removeO().coeff(alpha, k) for k in (1, 3))
+    sixth = sympy.Rational(1, 6)
+    assert chart.limits[0] == (1 / first, 1 / (2 * first**2), (sixth - 2 * third / first) / first**3)
+    assert chart.limits[1] == (first, -sympy.Rational(1, 2), 2 * third / first**2 + sixth / (2 * first))
 
 
-def test_at_a_known_angle_next_to_a_fold_no_digit_is_lost() -> None:
+def test_known_angle_near_a_fold_keeps_all_digits() -> None:
     """To 4 eps. From x, of which a rounding moves the angle by its root, 1e-6 before the fold h_i is off by 1e-9."""
     chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
     angle = float(40**0.5) - 1e-6

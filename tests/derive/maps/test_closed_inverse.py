@@ -1,4 +1,4 @@
-"""φ⁻¹ in closed form leads back from a length to its angle, up to the edge; where there is none, none is found."""
+"""φ⁻¹ in closed form returns the angle of a length, up to the edge."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import pytest
 import sympy
 
 from derive.maps import parameterization
-from derive.maps.closed_inverse import closed_inverse
-from derive.maps.edges import DIGITS, real_value
+from derive.maps.any_phi.closed_inverse import closed_inverse
+from derive.maps.any_phi.edges import DIGITS, real_value
 from derive.maps.families import alpha
 
 INVERSES = {
@@ -25,11 +25,11 @@ INVERSES = {
     "alpha*sqrt(1 + alpha**2)": None,
     "alpha*sqrt((1 + alpha**2)/(3 + alpha**2))": None,
 }
-"""By φ; what the root of a quadratic looks like is not said."""
+"""Closed inverses by φ; None where the form of the root is not compared."""
 
 
 @pytest.mark.parametrize("phi", list(INVERSES))
-def test_it_leads_back_up_to_the_edge(phi: str) -> None:
+def test_inverse_returns_the_angle_up_to_the_edge(phi: str) -> None:
     chart = parameterization(phi, "of_user")
     inverse = chart.closed_inverse
     assert INVERSES[phi] in (None, str(inverse))
@@ -45,9 +45,9 @@ def test_it_leads_back_up_to_the_edge(phi: str) -> None:
 @pytest.mark.parametrize(
     "phi", ["alpha + sin(alpha)/2", "alpha*cosh(alpha)", "alpha + alpha**3", "sin(alpha + alpha**3)"]
 )
-def test_where_there_is_none_none_is_found(phi: str) -> None:
+def test_phi_without_closed_inverse_has_none(phi: str) -> None:
     assert closed_inverse(parameterization(phi, "of_user").phi) is None
 
 
-def test_of_the_angle_itself_it_is_the_length() -> None:
+def test_inverse_of_the_angle_is_the_length() -> None:
     assert closed_inverse(alpha) == alpha

@@ -1,4 +1,4 @@
-"""Where φ ends: its kind, its exact name, and angles below it."""
+"""Edges of φ: kind, exact value, and angles below."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps import edges
-from derive.maps.edges import DIGITS, Edge, angle_of, edge_of
+from derive.maps.any_phi import edges
+from derive.maps.any_phi.edges import DIGITS, Edge, angle_of, edge_of
 from derive.maps.families import alpha
 
 EDGES = [
@@ -34,7 +34,7 @@ LENGTHS = [
 
 
 @pytest.mark.parametrize(("phi", "edge", "lengths"), LENGTHS, ids=str)
-def test_few_steps_to_an_angle_are_taken_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
+def test_angles_take_few_steps_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
     """Floats begin, so that three or four double what they know; next to a pole, which floats may miss, some more."""
     taken = set()
     evaluated = edges.real_value

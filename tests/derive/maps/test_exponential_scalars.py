@@ -1,4 +1,4 @@
-"""Scalars of the exponential beyond its series: what rounding took from the angle is put back."""
+"""Scalars of the exponential beyond its series correct the rounding error of the angle."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tests.support.sharp import Sharp
 
 EPS = 2.0**-52
 SQUARES = [17 + 0.07 * k for k in range(310)]
-"""Of angles from 4 to 2π, where a float is off by up to 2 eps."""
+"""Squares of angles from 4 to 2π, where the root has an error up to 2 eps."""
 
 
 class Lossy(ExponentialScalars):
@@ -33,10 +33,10 @@ def worst(kind: type[ExponentialScalars]) -> float:
 
 
 @pytest.mark.parametrize("kind", [ExponentialScalars, PrincipalScalars])
-def test_a_rounded_root_costs_nothing(kind: type[ExponentialScalars]) -> None:
+def test_rounding_of_the_root_is_corrected(kind: type[ExponentialScalars]) -> None:
     """Within 2 eps: tangent, sum, quotient, correction, quotient, half each; the 2 eps of the angle are not in it."""
     assert worst(kind) <= 2
 
 
-def test_it_would_if_nothing_were_put_back() -> None:
+def test_without_correction_digits_are_lost() -> None:
     assert worst(Lossy) > 2.5

@@ -1,4 +1,4 @@
-"""φ as text: what is understood, what is refused with its reason, and that nothing of it is ever run."""
+"""Text of φ: accepted grammar, reasons of refusals, and no evaluation of user text."""
 
 from __future__ import annotations
 
@@ -6,13 +6,16 @@ import builtins
 import os
 import random
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 
 import pytest
 import sympy
 
-from derive.maps import PhiError, expressions, parameterization
-from derive.maps.expressions import parity, parsed
+from derive.maps import PhiError, parameterization
+from derive.maps.any_phi import expressions, grammar
+from derive.maps.any_phi.expressions import parity, parsed
 from derive.maps.families import alpha
 
 WORDS = (
@@ -34,7 +37,7 @@ WORDS = (
         ("sqrt(2)*sin(alpha/pi)", sympy.sqrt(2) * sympy.sin(alpha / sympy.pi)),
     ],
 )
-def test_what_is_understood(text: str, expected: sympy.Expr):
+def test_accepted_texts(text: str, expected: sympy.Expr):
     assert parsed(text, 3) == expected
     assert parity(expected) == -1
 
@@ -70,26 +73,26 @@ def test_what_is_understood(text: str, expected: sympy.Expr):
         ("alpha*sqrt(alpha**2 - 1)", "no real number"),
     ],
 )
-def test_what_is_refused_says_why(text: str, reason: str):
+def test_refusals_name_their_reason(text: str, reason: str):
     with pytest.raises(PhiError, match=re.escape(reason)):
         parameterization(text, "mine")
 
 
 AT_LIMITS = [
-    (lambda k: f"alpha**{k}", expressions.EXPONENT),
-    (lambda k: f"alpha**(-{k})", expressions.EXPONENT),
-    (lambda k: f"alpha**(1/{k})", expressions.EXPONENT),
-    (lambda k: f"alpha**(-{expressions.EXPONENT - 1}/{k})", expressions.EXPONENT),
-    (lambda k: "1" * k, expressions.DIGITS),
-    (lambda k: f"1.{'1' * (k - 1)}", expressions.DIGITS),
-    (lambda k: f"1e{k}", expressions.DECIMAL_EXPONENT),
-    (lambda k: f"1e-{k}", expressions.DECIMAL_EXPONENT),
-    (lambda k: "alpha".ljust(k), expressions.LENGTH),
+    (lambda k: f"alpha**{k}", expressions.EXPONENT_MAX),
+    (lambda k: f"alpha**(-{k})", expressions.EXPONENT_MAX),
+    (lambda k: f"alpha**(1/{k})", expressions.EXPONENT_MAX),
+    (lambda k: f"alpha**(-{expressions.EXPONENT_MAX - 1}/{k})", expressions.EXPONENT_MAX),
+    (lambda k: "1" * k, grammar.DIGITS_MAX),
+    (lambda k: f"1.{'1' * (k - 1)}", grammar.DIGITS_MAX),
+    (lambda k: f"1e{k}", grammar.DECIMAL_EXPONENT_MAX),
+    (lambda k: f"1e-{k}", grammar.DECIMAL_EXPONENT_MAX),
+    (lambda k: f"alpha{' ' * (k - 7)}+0", grammar.CHARACTERS_MAX),
 ]
 
 
 @pytest.mark.parametrize(("write", "limit"), AT_LIMITS)
-def test_limits_are_as_stated(write: Callable[[int], str], limit: int):
+def test_limits_hold_exactly(write: Callable[[int], str], limit: int):
     assert parsed(write(limit)) is not None
     with pytest.raises(PhiError):
         parsed(write(limit + 1))
@@ -101,7 +104,7 @@ def test_names_are_identifiers(name: str):
         parameterization("alpha/2", name)
 
 
-def test_nothing_is_run(monkeypatch: pytest.MonkeyPatch):
+def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
     """A thousand strings made of words of both kinds: an expression or a `PhiError`, and nothing else happens."""
 
     def called(*_: object, **__: object) -> None:
@@ -117,3 +120,15 @@ def test_nothing_is_run(monkeypatch: pytest.MonkeyPatch):
         except PhiError:
             continue
     assert found > 10
+
+
+def test_wrong_grammar_is_refused_without_sympy() -> None:
+    code = """
+import sys
+from derive.maps.any_phi.grammar import PhiError, syntax_tree
+try:
+    syntax_tree("alpha + beta")
+except PhiError:
+    sys.exit("sympy" in sys.modules)
+"""
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

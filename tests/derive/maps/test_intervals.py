@@ -1,4 +1,4 @@
-"""Bounds on circles hold at points of them, are not far from them, and are refused where φ is not analytic inside."""
+"""Bounds of |φ| on circles hold, are close, and need a φ that is analytic inside."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps import intervals
-from derive.maps.expressions import parsed
+from derive.maps.any_phi import intervals
+from derive.maps.any_phi.expressions import parsed
 from derive.maps.families import alpha
 
 PHI = [
@@ -31,7 +31,7 @@ def at(phi: sympy.Expr, z: mpmath.mpc) -> mpmath.mpc:
 
 
 @pytest.mark.parametrize("text", PHI)
-def test_the_least_of_a_circle_is_below_all_of_it_and_not_by_much(text: str):
+def test_bound_on_a_circle_is_close_and_below_all_points(text: str):
     """Arcs are 1/80 long, and slopes of these φ in proportion to themselves at most 4: bounds are off by some 10 %."""
     phi = parsed(text)
     least = intervals.smallest(phi, RADIUS)
@@ -46,7 +46,7 @@ def test_the_least_of_a_circle_is_below_all_of_it_and_not_by_much(text: str):
      "alpha/(1 + alpha**2)", "alpha*log(1 + alpha**2)", "alpha/(1 - 3*alpha**2/2 + 9*alpha**4/10)", "sin(3*alpha)",
      "alpha + alpha/(100*(4*alpha**2 - 1)**2)"],
 )  # fmt: skip
-def test_what_is_not_analytic_or_turns_back_inside_has_no_bound(text: str):
+def test_phi_not_analytic_or_not_increasing_has_no_bound(text: str):
     phi = parsed(text)
     assert intervals.smallest(phi, RADIUS) is None or not intervals.is_analytic(phi, RADIUS)
 

@@ -1,4 +1,4 @@
-"""Families by name, and what a φ of a known form is."""
+"""Charts by name, and recognition of a φ that is one of them."""
 
 from __future__ import annotations
 
@@ -8,12 +8,13 @@ import sympy
 
 from derive.about import FAMILIES
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import families, family, parameterization
+from derive.codegen.lowering.scalars import scalar_programs
+from derive.maps import Cayley, families, family, parameterization
+from derive.maps.any_phi.expressions import parsed
 from derive.maps.families import alpha
-from derive.maps.named import SYMBOLIC, recognized
+from derive.maps.multiple import POWERS
+from derive.maps.named import SYMBOLIC, described, recognized
 from derive.proof import prove
-
-THIRD = sympy.Rational(1, 3)
 
 
 @pytest.mark.parametrize(
@@ -27,7 +28,7 @@ THIRD = sympy.Rational(1, 3)
         ("reduced_euler_rodrigues", 2 * sympy.sin(alpha / 2)),
     ],
 )
-def test_a_name_stands_for_its_phi(name: str, phi: sympy.Expr):
+def test_family_has_the_phi_of_its_name(name: str, phi: sympy.Expr):
     found = family(name)
     assert (found.name, found.phi, found.selection) == (name, phi, ("--family", name))
 
@@ -38,7 +39,7 @@ def test_other_names_are_refused(name: str):
         family(name)
 
 
-def test_what_is_symbolic_only_is_said_to_be():
+def test_symbolic_families_are_refused_with_advice():
     with pytest.raises(ValueError, match=r"isochoric is symbolic only.*families.isochoric\(\)"):
         family("isochoric")
     assert all(getattr(families, name)().name == name for name in SYMBOLIC)
@@ -49,20 +50,67 @@ def test_committed_families_exist():
 
 
 @pytest.mark.parametrize(
-    ("phi", "order", "scale"),
-    [(sympy.sin(alpha / 6), 3, 1), (4 * sympy.tan(alpha / 4), 2, 4), (sympy.tan(alpha / 10) / 3, 5, THIRD)],
+    ("phi", "name"),
+    [
+        ("sin(alpha/6)", "sine3"),
+        ("4*tan(alpha/4)", "4 cayley2"),
+        ("tan(alpha/10)/3", "1/3 cayley5"),
+        ("tan(alpha/2)", "cayley1"),
+        ("sin(alpha/2)/cos(alpha/2)", "cayley1"),
+        ("(1 - cos(alpha/2))/sin(alpha/2)", "cayley2"),
+        ("3*sin(alpha)/(1 + cos(alpha))", "3 cayley1"),
+        ("4*sin(alpha/4)*cos(alpha/4)", "2 sine1"),
+        ("alpha", "exponential"),
+        ("alpha/2 + alpha/3", "5/6 exponential"),
+        ("sin(alpha/4)/sqrt(cos(alpha/4))", "breusing"),
+    ],
 )
-def test_multiples_of_sine_and_tangent_are_recognized(phi: sympy.Expr, order: int, scale: sympy.Rational):
-    found = recognized(phi, "mine", ("--phi", str(phi)))
+def test_known_charts_are_recognized_in_any_form(phi: str, name: str):
+    found = recognized(parsed(phi))
     assert found is not None
-    assert (found.order, sympy.Rational(found.scale), found.phi) == (order, scale, phi)
+    assert described(found) == name
+    for angle in (sympy.Rational(1, 3), sympy.Rational(7, 5), sympy.Integer(3)):
+        assert abs((found.phi - parsed(phi)).subs(alpha, angle).evalf(30)) < 1e-25
 
 
 @pytest.mark.parametrize(
-    "phi", [alpha, sympy.sin(alpha / 3), -sympy.sin(alpha / 2), sympy.sin(alpha / 2) ** 3, sympy.cos(alpha)]
+    "phi",
+    [
+        "sin(alpha/3)", "-sin(alpha/2)", "sin(alpha/2)**3", "cos(alpha)", "tan(alpha/5)", "sqrt(2)*tan(alpha/4)",
+        "pi*alpha", "alpha + sin(alpha)", "tan(alpha/2)*exp(alpha**2)", "3*sin(alpha/14) - 4*sin(alpha/14)**3",
+        "sin(999*alpha/1000) + sin(alpha)", "123456789*alpha",
+    ],
+)  # fmt: skip
+def test_other_functions_are_not_recognized(phi: str):
+    assert recognized(parsed(phi)) is None
+
+
+@pytest.mark.parametrize(
+    ("phi", "known"), [("tan(alpha/6)", "cayley3"), ("4*tan(alpha/4)", "scaled2"), ("sin(alpha/4)", "lambert")]
 )
-def test_others_are_not(phi: sympy.Expr):
-    assert recognized(phi, "mine", ("--phi", str(phi))) is None
+def test_recognized_charts_have_the_programs_and_proofs_of_the_name(phi: str, known: str):
+    mine = parameterization(phi, "mine")
+    named = Cayley(3) if known == "cayley3" else family(known)
+    assert (mine.name, mine.selection) == ("mine", ("--phi", f"'{phi}' --name mine"))
+    assert scalar_programs(mine) == scalar_programs(named)
+    assert [proof.name for proof in prove(mine).proofs] == [proof.name for proof in prove(named).proofs]
+
+
+def test_a_multiple_names_its_base_and_factor():
+    found = family("scaled3")
+    assert (found.base, found.factor) == (Cayley(3), 6)
+    assert family("wiener_milenkovic").base == Cayley(2)
+    assert (Cayley(3).base, Cayley(3).factor) == (None, 1)
+
+
+@pytest.mark.parametrize("phi", ["6*tan(alpha/6)", "3*sin(alpha/6)", "5*alpha/4"])
+def test_scalars_of_a_multiple_are_those_of_its_base_by_powers_of_the_factor(phi: str):
+    chart = parameterization(phi, "mine")
+    x, K = mpmath.mpf("0.7"), mpmath.mpf(chart.factor.numerator) / chart.factor.denominator
+    here, there = chart.scalars(x, PLAIN), chart.base.scalars(x / K**2, PLAIN)
+    for name, power in POWERS.items():
+        value = mpmath.mpf(0) + mpmath.mpmathify(getattr(here, name))
+        assert abs(value - getattr(there, name) / K**power) < mpmath.mpf(10) ** -45, name
 
 
 @pytest.mark.parametrize("name", ["orthographic", "lambert", "breusing", "scaled3"])
@@ -80,13 +128,12 @@ def test_coefficients_at_no_rotation(name: str):
 
 @pytest.mark.parametrize("phi", [3 * sympy.sin(alpha / 6), sympy.sin(alpha / 4) / 2, 3 * sympy.tan(alpha / 8)])
 def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
-    chart = recognized(phi, "multiple", ("--phi", str(phi)))
-    assert chart is not None
+    chart = parameterization(phi, "multiple")
     assert chart.phi == phi
     assert prove(chart).formulas is chart
 
 
-def test_rounding_of_the_cosine_leaves_the_quaternion_of_breusings_chart_a_unit():
+def test_breusing_quaternion_has_norm_one_for_any_rounding_of_the_cosine():
     """To 64 eps, where 2 c² − 1 and 2 √c³ would make of c its error times 8."""
     for x in (mpmath.mpf("1e-3"), mpmath.mpf(1)):
         at = family("breusing").scalars(x, PLAIN)

@@ -79,7 +79,7 @@ def test_derivatives_and_brackets(n: int) -> None:
     assert polynomials.c(n).subs(x, 0) == sympy.Rational(2 * n * (n**2 - 1), 3)
 
 
-def test_brackets_keep_their_digits_on_a_shadow() -> None:
+def test_brackets_keep_all_digits_on_shadows() -> None:
     n, at = 64, mpmath.tan(mpmath.mpf("1.2")) ** 2
     exact = [polynomials.c(n).subs(x, sympy.Float(at, 60)), polynomials.d(n).subs(x, sympy.Float(at, 60))]
     floats = polynomials.brackets(n, float(at))
@@ -124,12 +124,12 @@ def test_orders_below_one_are_refused(n: int) -> None:
 
 
 @pytest.mark.parametrize("n", [True, 2.0, "3", None, 1.5, Fraction(3)])
-def test_what_is_no_integer_is_refused(n) -> None:
+def test_other_types_are_refused(n) -> None:
     with pytest.raises(TypeError, match=r"the order n must be an integer >= 1, got .* of type"):
         polynomials.pair(n, 1)
 
 
-def test_other_integers_are_taken() -> None:
+def test_integer_types_are_accepted() -> None:
     assert polynomials.require_order(np.int64(3)) == polynomials.require_order(sympy.Integer(3)) == 3
 
 

@@ -8,7 +8,7 @@ import mpmath
 import pytest
 import sympy
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector
+from derive.algebra import Dual, Tensor, Vector
 from derive.maps import closed_forms
 from derive.maps.composition import tensor_from_quaternion
 from derive.maps.pose import (
@@ -16,9 +16,7 @@ from derive.maps.pose import (
     Screw,
     natural_invariants,
     pose_from_tensor,
-    quaternion_from_pose,
     quaternion_from_screw,
-    structural_invariants,
     tensor_from_pose,
     tensor_from_screw,
 )
@@ -67,7 +65,6 @@ def test_natural_invariants_of_any_pose(draw_pose, gap) -> None:
         assert 0 < found.angle.re < mpmath.pi
         assert gap(found.axis.dot(found.axis), Dual(1)) < 1e-45
         assert gap(tensor_from_screw(found), R) < 1e-45
-        assert gap(tensor_from_pose(structural_invariants(found)), R) < 1e-45
         assert gap(tensor_from_quaternion(quaternion_from_screw(found)), R) < 1e-45
 
 
@@ -105,15 +102,5 @@ def test_trace_three() -> None:
     identity = Tensor.identity().map(S)
     found = natural_invariants(tensor_from_pose(Pose(identity, rho)))
     assert found == Screw(Dual(0, 3), Vector.dual((S(2, 3), S(-1, 3), S(2, 3)), (0, 0, 0)))
-    assert structural_invariants(found) == Pose(identity, rho)
     with pytest.raises(ValueError, match="the identity has no axis"):
         natural_invariants(tensor_from_pose(Pose(identity, rho * 0)))
-
-
-def test_quaternion_of_a_pose(gap) -> None:
-    half = mpmath.mpf("0.4")
-    q = Quaternion(mpmath.cos(half), Vector(0, mpmath.sin(half), 0))
-    rho = Vector(mpmath.mpf(1), mpmath.mpf(2), mpmath.mpf(3))
-    dual = quaternion_from_pose(q, rho)
-    assert gap(dual.norm2(), Dual(1)) < 1e-48
-    assert gap(tensor_from_quaternion(dual), tensor_from_pose(Pose(tensor_from_quaternion(q), rho))) < 1e-48

@@ -29,10 +29,10 @@ PHI = {
     "halves": "alpha*acos(alpha**2/500)",
     "arcsine": "asin(alpha/20) + alpha",
 }
-"""A φ of every kind of edge, and of every function that kernels may take of it; that of "arc" has a pole near 0."""
+"""φ with every kind of edge and every function that kernels compute; "arc" has a pole near 0."""
 
 SHARES = ("1e-5", "0.1", "0.3", "0.9")
-"""Of the edge, or of three quarters of a turn where there is none or it is further."""
+"""Shares of the edge, or of three quarters of a turn, whichever is less."""
 
 TOLERANCE = 1e-11
 """Polynomials approximate to 1e-17 or better, with a step of 1e-3 at least between their nodes; two slopes of that.

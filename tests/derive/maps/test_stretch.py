@@ -9,8 +9,8 @@ import pytest
 import sympy
 
 from derive.maps import Cayley, family, parameterization
+from derive.maps.any_phi.stretch import best, bound, stretch
 from derive.maps.families import alpha
-from derive.maps.stretch import best, bound, stretch
 from dualcay import cayley2, exponential, lambert
 
 CHARTS = [(Cayley(2), cayley2), (family("exponential"), exponential), (family("lambert"), lambert)]
@@ -18,7 +18,7 @@ CHARTS = [(Cayley(2), cayley2), (family("exponential"), exponential), (family("l
 
 @pytest.mark.parametrize(("chart", "kernels"), CHARTS)
 @pytest.mark.parametrize("angle", [0.0, 0.7, 2.9])
-def test_they_are_those_of_the_kernels(chart, kernels, angle: float):
+def test_singular_values_are_those_of_the_kernels(chart, kernels, angle: float):
     found = stretch(chart.phi, angle)
     v = np.array([0.0, found.size, 0, 1, 2, 3])
     values = np.linalg.svd(kernels.tangent(v)[0], compute_uv=False)
@@ -27,12 +27,12 @@ def test_they_are_those_of_the_kernels(chart, kernels, angle: float):
     assert found.condition == pytest.approx(values[0] / values[-1], rel=1e-12)
 
 
-def test_the_second_order_is_conformal():
+def test_second_order_is_conformal():
     assert all(stretch(Cayley(2).phi, a).condition == pytest.approx(1, rel=1e-14) for a in (0.1, 3.0, 6.0))
 
 
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi])
-def test_what_is_best_is_above_the_bound_and_can_be_generated(angle: float):
+def test_best_phi_is_above_the_bound_and_generates(angle: float):
     """The exponential has the square of the bound, sines and polynomials less; a third degree is enough to see it."""
     tangent, sine, cubic = best(angle, (3,))
     assert tangent.phi == "alpha"
@@ -62,7 +62,7 @@ def test_tangents_of_any_order_are_worse_than_the_exponential(n: int):
     assert stretch(2 * n * sympy.tan(alpha / (2 * n)), 3.0).worst > stretch(alpha, 3.0).worst
 
 
-def test_no_slope_does_better():
+def test_no_multiple_is_better():
     """The bound at π: a φ of slopes that all obey it is too long there, or too short."""
     rng = np.random.default_rng(1)
     least = bound(math.pi)

@@ -1,4 +1,4 @@
-"""Sine and cosine over powers of the angle: series below a limit, by a quarter of the square, and what is cut off."""
+"""Stumpff functions below the limit of their series, and the truncation error."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def exact(k: int, xi: mpmath.mpf) -> mpmath.mpf:
 
 
 @pytest.mark.parametrize("share", ["0", "1e-9", "0.4", "1"])
-def test_they_are_what_they_are_called(share: str):
+def test_series_agree_with_sine_and_cosine(share: str):
     """Within what is cut off of c₇ at a quarter, which nothing magnifies by more than 100."""
     with mpmath.workdps(60):
         xi = mpmath.mpf(share) * stumpff.LIMIT
@@ -26,14 +26,14 @@ def test_they_are_what_they_are_called(share: str):
             assert abs(getattr(whole, f"c{k}") - exact(k, xi)) <= 100 * stumpff.REMAINDER
 
 
-def test_what_is_cut_off_is_what_is_said():
+def test_truncation_error_is_the_bound():
     with mpmath.workdps(60):
         zeta = mpmath.mpf(stumpff.LIMIT) / 4
         miss = abs(stumpff.series(zeta, PLAIN) / 5040 - exact(7, zeta))
         assert stumpff.REMAINDER / 2 < miss < stumpff.REMAINDER
 
 
-def test_the_terms_are_the_fewest_for_long_doubles():
+def test_number_of_terms_is_the_least_for_long_doubles():
     """Of ``7! c₇``, which is 1 at rest, less than an eps is cut off; with one term less it would be more."""
     share = 5040 * stumpff.REMAINDER
     one_less = share * (2 * stumpff.TERMS + 6) * (2 * stumpff.TERMS + 7) / (stumpff.LIMIT / 4)

@@ -1,4 +1,4 @@
-"""Killed at any step, a folder is wholly old or wholly new, or says so; and the next run leaves nothing behind."""
+"""A kill at any step leaves old files, new files or a notice, and the next run repairs the folder."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def folder_with(path: Path, files: dict[str, str]) -> Path:
 
 
 def held(folder: Path) -> dict[str, str]:
-    """All files, but for what a killed run left."""
+    """Return the texts of a folder by name, without leftovers of a killed run."""
     names = (path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
     return {name: (folder / name).read_text() for name in names if name.split("/")[0] not in LEFTOVERS}
 
@@ -52,7 +52,7 @@ def run(*command: object, **options: object) -> subprocess.Popen[str]:
 
 
 def killed_runs(new: dict[str, str], folders: list[Path], root: Path) -> list[list[Path]]:
-    """Copies of each folder, each written by a run that was killed at the next step; the last was not."""
+    """Return copies of each folder, written by runs killed at step 0, 1, 2, ...; the last run was not killed."""
     roots = [root / str(n) for n in range(len(folders))]
     pairs = itertools.chain(*zip(folders, roots, strict=True))
     assert run(ROOT / "tests" / "support" / "killed.py", json.dumps(new), json.dumps(NOTICE), *pairs).wait() == 0
@@ -70,7 +70,7 @@ def state(folder: Path, old: dict[str, str], new: dict[str, str]) -> str:
 
 @pytest.mark.parametrize("old", [{}, OLD], ids=["first", "again"])
 @pytest.mark.parametrize("new", NEWS, ids=["same entry", "new entry"])
-def test_killed_at_any_step_a_folder_is_old_or_new_or_says_so_and_is_mended_by_the_next_run(tmp_path, old, new):
+def test_kill_leaves_old_or_new_files(tmp_path, old, new):
     (folders,) = killed_runs(new, [folder_with(tmp_path / "old", old | MINE)], tmp_path / "once")
     states = [state(folder, old, new) for folder in folders]
     assert [key for key, _ in itertools.groupby(states)] == ["old", "notice", "new"]  # never back
@@ -89,7 +89,7 @@ def test_killed_at_any_step_a_folder_is_old_or_new_or_says_so_and_is_mended_by_t
         assert held(folder) == new | OTHER | MINE
 
 
-def test_a_failure_while_files_move_says_that_the_folder_is_half_written(tmp_path, monkeypatch):
+def test_failure_between_moves_is_reported_as_half_written(tmp_path, monkeypatch):
     folder, replace = folder_with(tmp_path, OLD), os.replace
 
     def fails(source: Path, target: Path) -> None:
@@ -120,7 +120,7 @@ write(pathlib.Path(sys.argv[1]), json.loads(sys.argv[2]), notices=json.loads(sys
 """
 
 
-def test_a_run_waits_for_another_in_the_same_folder_and_not_for_a_dead_one(tmp_path):
+def test_run_waits_for_a_living_writer_only(tmp_path):
     folder = folder_with(tmp_path / "real", OLD)
     (tmp_path / "link").symlink_to("real")
     holds = run("-c", HOLD, folder, stdout=subprocess.PIPE)
@@ -136,7 +136,7 @@ def test_a_run_waits_for_another_in_the_same_folder_and_not_for_a_dead_one(tmp_p
     assert not leftovers(folder)
 
 
-def test_what_appears_while_a_run_waits_is_looked_at(tmp_path):
+def test_files_that_appear_during_a_wait_are_checked(tmp_path):
     holds = run("-c", HOLD, tmp_path, stdout=subprocess.PIPE)
     assert holds.stdout.readline() == "held\n"
     header = {"a.h": "// python -m derive generate -n 1 --target c\n"}
@@ -164,7 +164,7 @@ for n in range(20):
 """
 
 
-def test_runs_at_once_do_not_mix(tmp_path):
+def test_concurrent_runs_do_not_mix(tmp_path):
     runs = [run("-c", MANY, tmp_path, own) for own in ("one", "two", "three")]
     assert [each.wait(60) for each in runs] == [0, 0, 0]
     assert not leftovers(tmp_path)

@@ -21,7 +21,7 @@ def test_only_changed_files_are_written(tmp_path: Path):
     assert sorted(p.name for p in (tmp_path / "new" / "folder").iterdir()) == ["a.py", "b.py"]
 
 
-def test_a_file_without_our_header_is_refused_and_nothing_else_is_written(tmp_path: Path):
+def test_file_without_header_is_refused_and_nothing_written(tmp_path: Path):
     (tmp_path / "b.py").write_text("mine = True\n")
     with pytest.raises(RefusedError, match=r"not a generated file, so not overwritten: .*b\.py \(--force overwrites\)"):
         files.write(tmp_path, {"a.py": OURS, "b.py": OURS})
@@ -30,7 +30,7 @@ def test_a_file_without_our_header_is_refused_and_nothing_else_is_written(tmp_pa
     assert (tmp_path / "b.py").read_text() == OURS
 
 
-def test_a_full_disk_leaves_the_old_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_full_disk_leaves_old_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     files.write(tmp_path, {"a.py": OURS, "b.py": OURS})
     texts = {"a.py": OURS + "new\n", "b.py": OURS + "new\n"}
     write_text = Path.write_text
@@ -46,14 +46,14 @@ def test_a_full_disk_leaves_the_old_files(tmp_path: Path, monkeypatch: pytest.Mo
     assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.py": OURS, "b.py": OURS}
 
 
-def test_a_folder_that_is_a_file_is_refused(tmp_path: Path):
+def test_folder_that_is_a_file_is_refused(tmp_path: Path):
     (tmp_path / "file").write_text("")
     with pytest.raises(RefusedError, match="cannot write"):
         files.write(tmp_path / "file", {"a.py": OURS})
 
 
 @pytest.mark.parametrize("force", [False, True])
-def test_a_folder_in_a_files_place_and_a_file_in_a_folders_place_are_refused(tmp_path: Path, force: bool):
+def test_folder_in_place_of_a_file_is_refused_and_vice_versa(tmp_path: Path, force: bool):
     (tmp_path / "b.py").mkdir()
     (tmp_path / "sub").write_text(OURS)
     for name in ("b.py", "sub/c.py"):
@@ -62,7 +62,7 @@ def test_a_folder_in_a_files_place_and_a_file_in_a_folders_place_are_refused(tmp
     assert sorted(p.name for p in tmp_path.iterdir()) == ["b.py", "sub"]
 
 
-def test_a_link_to_nowhere_is_not_a_generated_file(tmp_path: Path):
+def test_dangling_link_is_refused(tmp_path: Path):
     (tmp_path / "a.py").symlink_to("nowhere")
     with pytest.raises(RefusedError, match="not a generated file"):
         files.write(tmp_path, {"a.py": OURS})
@@ -70,13 +70,13 @@ def test_a_link_to_nowhere_is_not_a_generated_file(tmp_path: Path):
     assert not (tmp_path / "a.py").is_symlink()
 
 
-def test_a_pipe_is_not_waited_for(tmp_path: Path):
+def test_pipe_is_not_opened(tmp_path: Path):
     os.mkfifo(tmp_path / "a.py")
     with pytest.raises(RefusedError, match="not a generated file"):
         files.write(tmp_path, {"a.py": OURS})
 
 
-def test_a_folder_that_is_a_link_stays_one(tmp_path: Path):
+def test_link_to_a_folder_is_followed(tmp_path: Path):
     (tmp_path / "real").mkdir()
     (tmp_path / "link").symlink_to("real")
     files.write(tmp_path / "link", {"a.py": OURS, "b.py": OURS})
@@ -89,7 +89,7 @@ def test_a_folder_that_is_a_link_stays_one(tmp_path: Path):
     assert not (tmp_path / "nowhere").exists()
 
 
-def test_a_folder_holds_one_target(tmp_path: Path):
+def test_folder_holds_one_target(tmp_path: Path):
     files.write(tmp_path, {"a.py": OURS})
     (tmp_path / "mine.py").write_text("mine = True\n")
     other = {"a.h": "// python -m derive generate -n 1 --target c\n"}
@@ -99,6 +99,8 @@ def test_a_folder_holds_one_target(tmp_path: Path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.py", "mine.py"]
     (tmp_path / "a.py").unlink()
     files.write(tmp_path, other)
+    with pytest.raises(RefusedError, match=r"holds kernels of the target c \(a\.h\).*those of numpy into another"):
+        files.write(tmp_path, {"a.py": OURS})
     files.write(tmp_path, {"report.md": "# no kernel, so of no target\n"})
 
 
@@ -110,7 +112,7 @@ def test_comparison_finds_stale_missing_and_foreign(tmp_path: Path):
     assert "+y = 2" in found[0].diff
 
 
-def test_comparison_finds_forged_headers_further_folders_and_what_a_killed_run_left(tmp_path: Path):
+def test_comparison_finds_forged_headers_folders_and_leftovers(tmp_path: Path):
     texts = {"a.py": OURS, "sub/b.py": OURS}
     files.write(tmp_path, texts)
     (tmp_path / "__pycache__").mkdir()
@@ -133,7 +135,7 @@ def test_comparison_finds_forged_headers_further_folders_and_what_a_killed_run_l
     ]
 
 
-def test_comparison_leaves_aside_what_python_keeps_and_nothing_of_such_a_name(tmp_path: Path):
+def test_comparison_ignores_caches_of_python_only(tmp_path: Path):
     files.write(tmp_path, {"a.py": OURS, "sub/b.py": OURS})
     (tmp_path / "__pycache__").mkdir()
     (tmp_path / "__pycache__2").mkdir()
@@ -142,25 +144,12 @@ def test_comparison_leaves_aside_what_python_keeps_and_nothing_of_such_a_name(tm
     assert found == [("__pycache__2", "foreign"), ("__pycache__", "foreign")]
 
 
-HEADER = "// python -m derive generate -n 1 --target c\n"
-
-
-@pytest.mark.parametrize(("first", "second"), [({"a.py": OURS}, {"a.h": HEADER}), ({"a.h": HEADER}, {"a.py": OURS})])
-def test_whichever_target_was_first_the_other_is_refused(
-    tmp_path: Path, first: dict[str, str], second: dict[str, str]
-):
-    files.write(tmp_path, first)
-    with pytest.raises(RefusedError, match="a folder holds those of one"):
-        files.write(tmp_path, second)
-    assert [path.name for path in tmp_path.iterdir()] == list(first)
-
-
-def test_a_folder_in_a_files_place_is_missing(tmp_path: Path):
+def test_folder_in_place_of_a_file_is_missing(tmp_path: Path):
     (tmp_path / "a.py").mkdir()
     assert [d.kind for d in files.compare(tmp_path, {"a.py": OURS})] == ["missing"]
 
 
-def test_a_header_is_a_comment_with_the_command(tmp_path: Path):
+def test_header_is_a_comment_with_the_command(tmp_path: Path):
     for text, command in [
         (OURS, "python -m derive generate -n 1 --target numpy"),
         ("// python -m derive generate -n 2 --target c\n", "python -m derive generate -n 2 --target c"),

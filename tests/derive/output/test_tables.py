@@ -1,4 +1,4 @@
-"""Tables that fit, as tables or as lines."""
+"""Tables that fit a width, ruled or as lines."""
 
 from __future__ import annotations
 
@@ -16,25 +16,24 @@ def test_no_line_is_wider_than_the_screen(grid: Grid, width: int) -> None:
     assert max(map(len, grid.text(width).splitlines())) <= width
 
 
-def test_a_table_that_does_not_fit_is_lines_with_all_its_cells() -> None:
+def test_table_that_does_not_fit_becomes_lines_with_all_cells() -> None:
     assert COUNTS.text(20) == "counts\ncayley1.py\n  calls made: 12\nb\n  calls made: 3456\n"
     assert WORDS.text(49).startswith("words\nfirst of all\n  a statement: word word")
 
 
-def test_cells_of_a_remark_are_not_told_under_headings() -> None:
+def test_cells_of_remarks_have_no_headings() -> None:
     rows = [("a", "1"), ("why", "it is so")]
     text = Grid("counts", [Column("module"), Column("calls")], rows, least=50, remarks=("why",)).text(20)
     assert text == "counts\na\n  calls: 1\nwhy\n  it is so\n"
 
 
-def test_cells_are_printed_as_they_are() -> None:
-    """Brackets are no styles and colons no pictures."""
+def test_markup_in_cells_is_printed_literally() -> None:
     cells = "[bold]R[1:2][/bold]", ":rocket:"
     text = Grid("[red]title[/red]", [Column("a"), Column("b")], [cells]).text(80)
     assert all(cell in text for cell in (*cells, "[red]title[/red]"))
 
 
-def test_a_table_is_ruled_from_the_least_width_on() -> None:
+def test_table_is_ruled_from_its_least_width_on() -> None:
     ruled = {width for width in range(10, 60) if "━" in WORDS.text(width)}
     assert ruled == set(range(50, 60))
     ruled = {width for width in range(10, 60) if "━" in COUNTS.text(width)}
@@ -42,7 +41,7 @@ def test_a_table_is_ruled_from_the_least_width_on() -> None:
     assert "3456 │" in COUNTS.text(min(ruled))
 
 
-def test_the_width_is_that_of_the_screen_up_to_that_of_files(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_width_is_that_of_the_screen_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     for given, expected in (("40", 40), ("500", WIDTH)):
         monkeypatch.setenv("COLUMNS", given)
         assert columns() == expected

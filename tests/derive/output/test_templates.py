@@ -1,4 +1,4 @@
-"""A template is given exactly what its holes ask for, those of included templates among them."""
+"""A template is given exactly the names it asks for, those of included templates among them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.smoke
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
-    """Write templates into a folder which replaces that of the project."""
+    """Give a function that writes templates into a folder in place of the project's."""
     monkeypatch.setattr(templates, "folder", lambda: tmp_path)
     templates.environment.cache_clear()
     templates.holes.cache_clear()
@@ -23,12 +23,12 @@ def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[
     templates.holes.cache_clear()
 
 
-def test_what_is_asked_for_is_rendered(write):
+def test_template_is_rendered(write):
     write("a", "{{ n }} of {% for x in range(n) %}{{ x }}{{ word }}{% endfor %}")
     assert render("a", n=2, word=",") == "2 of 0,1,"
 
 
-def test_a_superfluous_and_a_missing_key_are_refused_by_name(write):
+def test_superfluous_and_missing_keys_are_named(write):
     write("a", "{% if n %}{{ word }}{% endif %}")
     with pytest.raises(TypeError, match=r"templates/a: holes left open: none; data without a hole: array, out$"):
         render("a", n=1, word="w", out=0, array=0)
@@ -36,7 +36,7 @@ def test_a_superfluous_and_a_missing_key_are_refused_by_name(write):
         render("a", n=0)  # the branch that asks for the word is not taken
 
 
-def test_an_included_template_asks_too_except_for_what_its_reader_defines(write):
+def test_included_template_may_use_macros_of_its_includer(write):
     write("a", '{% macro f(x) %}<{{ x }}>{% endmacro %}{% include "b" %}')
     write("b", '{{ f(n) }}{% include "c" %}')
     write("c", "{{ word }}")
@@ -47,7 +47,7 @@ def test_an_included_template_asks_too_except_for_what_its_reader_defines(write)
         render("a", n=1, word="w", f=print)
 
 
-def test_a_parent_is_asked_too(write):
+def test_names_in_a_parent_template_are_required(write):
     write("parent", "{{ title }}{% block body %}{% endblock %}")
     write("a", '{% extends "parent" %}{% block body %}{{ n }}{% endblock %}')
     assert render("a", title="t", n=1) == "t1"
@@ -55,7 +55,7 @@ def test_a_parent_is_asked_too(write):
         render("a", n=1)
 
 
-def test_a_template_referred_to_by_a_computed_name_is_refused(write):
+def test_computed_template_name_is_refused(write):
     write("a", "{% include name %}")
     with pytest.raises(TypeError, match="a refers to a template by a computed name"):
         render("a", name="b")

@@ -9,11 +9,11 @@ from itertools import pairwise
 import pytest
 import sympy
 
+from derive.algebra.element import Element
 from derive.papers import PAPERS, UndecidedError
 from derive.papers.condurache_popa_2023.definitions import preimages
 from derive.papers.condurache_popa_2023.symbols import LOST
 from derive.papers.decide import decide
-from derive.proof.ratio import Ratio
 
 ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}
 THEOREMS = ("theorem-11-onto", "theorem-12-branches")
@@ -42,7 +42,7 @@ def test_theorem_is_proved_by_its_argument(number: str) -> None:
 
 @pytest.mark.parametrize("number", THEOREMS)
 def test_theorem_fails_without_its_identities(monkeypatch, number: str) -> None:
-    def wrong(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
+    def wrong(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
         return F + t * G, G + t * F
 
     monkeypatch.setattr(preimages, "next_parts", wrong)

@@ -15,29 +15,30 @@ from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
 from derive.papers.equation import Equation as Entry
 from derive.papers.language.terms import Apply, Number, Symbol, Term, walk
-from derive.proof import formulas, marks
-from derive.proof.any_phi import ANY_PHI
+from derive.proof import formulas
+from derive.proof import notation as m
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import COMPOSITION_AT
 from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
+from derive.proof.phi_theorems import ANY_PHI
 from derive.proof.statement import Equation
 
-LETTERS = {
-    "R": marks.R, "I": marks.I, "v": marks.v, "n": marks.n, "q": marks.q_hat, "p_n": marks.p, "q_n": marks.q,
-    "X": sympy.sqrt(marks.x), "alpha": marks.alpha, "u": marks.u, "omega": marks.omega, "omega_B": marks.omega_body,
-    "skew omega_B": marks.skew(marks.omega_body), "dcay_n": marks.dcay, "dcay_n⁻¹": marks.dcay_inv,
-    "dcay_n⁻ᵀ": marks.transpose(marks.dcay_inv), "epsilon": marks.epsilon, "rho": marks.rho, "Q": marks.Q,
-    "scalar": marks.scalar, "vector": marks.vector, "b": marks.b, "b1": marks.b_1, "b2": marks.b_2,
-    "sigma": marks.sigma, "sigma1": marks.sigma_1, "sigma2": marks.sigma_2, "j": marks.j, "infinity": sympy.oo,
+SYMBOLS = {
+    "R": m.R, "I": m.I, "v": m.v, "n": m.n, "q": m.q_hat, "p_n": m.p, "q_n": m.q,
+    "X": sympy.sqrt(m.x), "alpha": m.alpha, "u": m.u, "omega": m.omega, "omega_B": m.omega_body,
+    "skew omega_B": m.skew(m.omega_body), "dcay_n": m.dcay, "dcay_n⁻¹": m.dcay_inv,
+    "dcay_n⁻ᵀ": m.transpose(m.dcay_inv), "epsilon": m.epsilon, "rho": m.rho, "Q": m.Q,
+    "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
+    "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
 }  # fmt: skip
 """Symbol of a paper to that of the theorems."""
 
 FUNCTIONS = {
-    "skew": marks.skew, "transpose": marks.transpose, "rate": marks.rate, "det": marks.det, "vect": marks.vect,
-    "conjugate": marks.conjugate, "dyad": marks.dyad, "cross": marks.cross, "binomial": sympy.binomial,
-    "cos": sympy.cos, "sin": sympy.sin, "exp": marks.exponential, "factorial": sympy.factorial,
+    "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,
+    "conjugate": m.conjugate, "dyad": m.dyad, "cross": m.cross, "binomial": sympy.binomial,
+    "cos": sympy.cos, "sin": sympy.sin, "exp": m.exponential, "factorial": sympy.factorial,
 }  # fmt: skip
 
 
@@ -50,15 +51,15 @@ def converted(term: Term) -> Any:
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
-        if term.name not in LETTERS:
+        if term.name not in SYMBOLS:
             raise OtherWordsError(term.name)
-        return LETTERS[term.name]
+        return SYMBOLS[term.name]
     assert isinstance(term, Apply)
     first = term.arguments[0]
     if term.operator.name == "at":  # p_n(|v|)
         return sandwich(*term.arguments) if first == DELTA else converted(first)
     if term.operator.name == "of two" and isinstance(first, Symbol) and first.name == "R(α, u)":
-        return marks.R
+        return m.R
     arguments = [converted(argument) for argument in term.arguments if not _is_bound(term, argument)]
     return _applied(term.operator.name, arguments)
 
@@ -71,7 +72,7 @@ DELTA = next(
 
 
 def sandwich(_: Term, quaternion: Term) -> Any:
-    return marks.sandwich(converted(quaternion))
+    return m.sandwich(converted(quaternion))
 
 
 def _is_bound(term: Apply, argument: Term) -> bool:
@@ -83,11 +84,11 @@ def _applied(head: str, a: list[Any]) -> Any:
     if head in FUNCTIONS:
         return FUNCTIONS[head](*a)
     if head == "norm":
-        return sympy.sqrt(marks.x if a[0] == marks.v else marks.dot(a[0], a[0]))
+        return sympy.sqrt(m.x if a[0] == m.v else m.dot(a[0], a[0]))
     if head == "root":
         return a[0].base ** (a[0].exp / 2) if a[0].is_Pow else sympy.sqrt(a[0])
     if head == "dot":
-        return a[0] * a[1] if a[0].is_commutative else marks.dot(*a)
+        return a[0] * a[1] if a[0].is_commutative else m.dot(*a)
     if head == "sum":
         return sympy.Sum(a[2], (a[0], a[1], sympy.oo))
     simple = {
@@ -122,7 +123,7 @@ CHAINS = {
     int(entry.number): [set(map(sympy.expand, members)) for members in chains(decided_form(entry))]
     for entry in PAPERS[0].entries() if entry.number.isdecimal()
 }  # fmt: skip
-RENAMED = {marks.R_dual: marks.R}
+RENAMED = {m.R_dual: m.R}
 """Tensor at a dual vector, which is the paper's R."""
 
 

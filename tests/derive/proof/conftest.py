@@ -1,4 +1,4 @@
-"""Copies of Cayley maps with one thing wrong, to see that it is noticed."""
+"""Copies of Cayley maps with one error each."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from derive.maps import Cayley, x
 
 @dataclass(frozen=True)
 class Stated:
-    """A map that claims these coefficients."""
+    """A map with given coefficients."""
 
     coefficients: tuple[sympy.Expr, ...]
 
 
 @dataclass(frozen=True)
 class StatedCayley:
-    """The formulas of an order, each replaceable."""
+    """Formulas of an order, each replaceable."""
 
     order: int
     p: sympy.Expr
@@ -45,7 +45,7 @@ class StatedCayley:
         return self
 
     def __getattr__(self, name: str) -> Any:
-        """What it is as a chart, by which nothing is changed."""
+        """Return an unchanged attribute of the chart."""
         return getattr(Cayley(self.order), name)
 
     def with_map(self, name: str, coefficients: tuple[sympy.Expr, ...]) -> StatedCayley:
@@ -55,18 +55,18 @@ class StatedCayley:
 
 @pytest.fixture
 def stated() -> Callable[[int], StatedCayley]:
-    """The right formulas of an order, in a form that can be changed."""
+    """Right formulas of an order, in a replaceable form."""
     return StatedCayley.of
 
 
 @pytest.fixture
 def mutations() -> Callable[[int], Iterator[tuple[str, str, StatedCayley]]]:
-    """All single-coefficient changes of an order's three tensors."""
+    """All changes of a single coefficient in an order's three tensors."""
     return _mutations
 
 
 def _mutations(n: int) -> Iterator[tuple[str, str, StatedCayley]]:
-    """Every coefficient of every numerator of the three tensors, increased by one: (map, description, copy)."""
+    """Yield (map, description, copy) with each coefficient of each numerator of the three tensors increased by one."""
     right = StatedCayley.of(n)
     for name in ("tensor", "tangent", "tangent_inv"):
         coefficients = getattr(right, name).coefficients

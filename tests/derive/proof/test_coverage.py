@@ -1,18 +1,18 @@
-"""Every kernel function is covered, by theorems that exist and a validation that runs it."""
+"""Every kernel function is covered by existing theorems and by a validation that runs."""
 
 from __future__ import annotations
 
 import pytest
 
 from derive.codegen.signatures import PUBLIC
-from derive.proof import marks as m
+from derive.proof import notation as m
 from derive.proof import theorems
 from derive.proof.coverage import COVERAGE
 
 ALIASES = {alias: name for name, row in PUBLIC.items() for alias in row.aliases}
 
 
-def test_every_kernel_function_is_covered_and_nothing_else() -> None:
+def test_exactly_the_kernel_functions_are_covered() -> None:
     assert set(COVERAGE) == {*PUBLIC, *ALIASES, "singular_angles"}
 
 
@@ -34,18 +34,18 @@ ABOUT = {
     "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
     "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
 }  # fmt: skip
-"""The letters that some theorem on a function must speak of."""
+"""Symbols that a theorem cited for a function must contain."""
 
 
 @pytest.mark.parametrize("name", ABOUT)
-def test_theorems_speak_of_what_they_are_named_for(name: str) -> None:
+def test_cited_theorems_mention_the_operator(name: str) -> None:
     claims = {proof.name: proof.claim for proof in theorems()}
-    spoken = [set().union(*(equation.letters for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
-    assert any(letters >= ABOUT[name] for letters in spoken), (name, spoken)
+    spoken = [set().union(*(equation.symbols for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
+    assert any(symbols >= ABOUT[name] for symbols in spoken), (name, spoken)
 
 
-def test_validations_are_those_of_the_table() -> None:
-    """Which an expectation must serve, exactly or not, before anything is generated."""
+def test_validation_column_matches_the_table() -> None:
+    """Compare with the signature table, where an expectation is exact or not."""
     for name, coverage in COVERAGE.items():
         row = PUBLIC.get(ALIASES.get(name, name))
         if row is None:

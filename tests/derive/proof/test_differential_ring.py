@@ -1,22 +1,23 @@
-"""What divides must be certified: it must vanish identically at no order."""
+"""The differential ring: factors of denominators are certified, and derivation is a derivation."""
 
 from __future__ import annotations
 
 import pytest
 import sympy
 
-from derive.proof.differential_ring import DifferentialRing, Quotient
-from derive.proof.marks import Shifted, dot, n, p, q, v, x
-from derive.proof.setting import Letters, Setting
+from derive.algebra.element import Element
+from derive.proof.differential_ring import DifferentialRing
+from derive.proof.notation import Shifted, dot, n, p, q, v, x
+from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import definition
 
 
 def ring(zeroed: sympy.Expr | None = None) -> DifferentialRing:
     values = (definition(Shifted(p, x, 0), 1), definition(Shifted(q, x, 0), n))
-    return Setting(Letters((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
+    return Setting(Symbols((p, q, x, n), (v,), (x,)), (*values, definition(dot(v, v), x)), zeroed=zeroed).ring
 
 
-def over(divisor: sympy.Expr, at: DifferentialRing) -> Quotient:
+def over(divisor: sympy.Expr, at: DifferentialRing) -> Element:
     value = at.constant(0)
     for term in sympy.Add.make_args(divisor):
         product = at.constant(1)
@@ -31,21 +32,21 @@ def over(divisor: sympy.Expr, at: DifferentialRing) -> Quotient:
 @pytest.mark.parametrize("divisor", [x, 1 + x, q, p, n, p**2 + x * q**2, n + 1, 2 * n * x * q])
 def test_certified(divisor: sympy.Expr) -> None:
     at = ring()
-    assert all(multiplier.nonzero for multiplier in at.multiplier(over(divisor, at).powers))
+    assert all(multiplier.nonzero for multiplier in at.multipliers(over(divisor, at).denominator))
 
 
 @pytest.mark.parametrize("divisor", [n - 3, p - q, q - n, x * (p - 1), n**2 - 5 * n + 6])
-def test_what_vanishes_at_some_order_is_not_certified(divisor: sympy.Expr) -> None:
+def test_factors_vanishing_at_an_order_are_not_certified(divisor: sympy.Expr) -> None:
     at = ring()
-    assert not all(multiplier.nonzero for multiplier in at.multiplier(over(sympy.expand(divisor), at).powers))
+    assert not all(multiplier.nonzero for multiplier in at.multipliers(over(sympy.expand(divisor), at).denominator))
 
 
-def test_a_zeroed_unit_is_not_certified() -> None:
+def test_zeroed_factor_is_not_certified() -> None:
     at = ring(zeroed=1 + x)
-    assert [multiplier.nonzero for multiplier in at.multiplier(over(1 + x, at).powers)] == [False]
+    assert [multiplier.nonzero for multiplier in at.multipliers(over(1 + x, at).denominator)] == [False]
 
 
-def test_zero_divides_nothing() -> None:
+def test_division_by_zero_is_refused() -> None:
     at = ring()
     squares = sum((at.generator(sympy.Symbol(f"v_{i}")) ** 2 for i in (1, 2, 3)), at.constant(0))
     with pytest.raises(ZeroDivisionError):
@@ -65,9 +66,9 @@ def test_quotients_are_numbers() -> None:
 def test_derivation_is_a_derivation() -> None:
     at = ring()
     a, b = at.generator(x), at.generator(p)
-    rates = {a.numerator: at.constant(1), b.numerator: at.generator(q)}
+    rates = {at.symbols[x]: at.constant(1), at.symbols[p]: at.generator(q)}
 
-    def rate(value: Quotient) -> Quotient:
+    def rate(value: Element) -> Element:
         return value.derivative(rates)
 
     f, g = b / (1 + a), a * b / (1 + a) ** 2

@@ -1,4 +1,4 @@
-"""What Cayley maps tend to as their order grows, and how fast."""
+"""The limit of Cayley maps for growing order, and its rate."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from derive.proof.limit_theorems import GROWING_ORDER
 RESTING_ON = (DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL)
 
 
-def test_they_are_proved_and_whatever_is_wrong_is_noticed():
+def test_theorems_hold_and_controls_fail():
     known = {proof.name: proof for proof in decided([*RESTING_ON, *GROWING_ORDER])}
     assert {proof.status for proof in known.values()} == {"proved"}
     found = [*controls(GROWING_ORDER, known)]
@@ -26,8 +26,8 @@ def test_they_are_proved_and_whatever_is_wrong_is_noticed():
     assert [str(control) for control in found if not control.noticed] == []
 
 
-def test_scaled_charts_are_the_solutions_it_speaks_of():
-    """φ′ = 1 + φ²/(2n)², for every n as a symbol, and φ(0) = 0; the chart of order 3 is an instance."""
+def test_scaled_charts_solve_the_differential_equation():
+    """Check φ′ = 1 + φ²/(2n)² and φ(0) = 0 with n as a symbol, and the chart of order 3 as an instance."""
     n = sympy.Symbol("n", positive=True)
     phi = 2 * n * sympy.tan(alpha / (2 * n))
     assert sympy.expand(phi.diff(alpha) - 1 - (phi / (2 * n)) ** 2) == 0
@@ -36,8 +36,8 @@ def test_scaled_charts_are_the_solutions_it_speaks_of():
 
 
 @pytest.mark.parametrize("length", ["0.01", "1.3", "3"])
-def test_the_difference_is_what_is_said(length: str):
-    """Of the scaled charts' own scalars, at n = 1000 and 2000: what is left of it goes with 1/n⁴."""
+def test_difference_to_the_limit_has_the_stated_slope(length: str):
+    """Check that the remainder falls as 1/n⁴, by scalars of the scaled charts at n = 1000 and 2000."""
     with mpmath.workdps(60):
         r = mpmath.mpf(length)
         u = Vector(mpmath.mpf(2) / 7, mpmath.mpf(3) / 7, mpmath.mpf(6) / 7)

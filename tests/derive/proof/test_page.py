@@ -1,4 +1,4 @@
-"""The page of theorems says what is proved and what is taken as given, and counts controls that all fail."""
+"""The page of theorems is current, and all controls fail."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ COUNTS = counts(TEXT)
 
 @pytest.fixture(scope="module")
 def claimed() -> tuple[Proof, ...]:
-    """Everything that is proved once, each given those before it."""
+    """Proofs of all theorems, each given those before it."""
     return decided(command.claims())
 
 
-def test_the_page_says_what_is_proved(claimed: tuple[Proof, ...]) -> None:
+def test_page_is_current(claimed: tuple[Proof, ...]) -> None:
     assert page(claimed, command.at_order(command.SHOWN), COUNTS) == TEXT
 
 
-def test_a_page_that_says_otherwise_is_stale(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_altered_page_is_stale(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     place = tmp_path / "theorems.md"
     assert command._deliver(TEXT, place, check=True) == 1
     assert not place.exists()
@@ -41,7 +41,7 @@ def test_a_page_that_says_otherwise_is_stale(tmp_path: Path, capsys: pytest.Capt
     assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
 
 
-def test_a_control_that_is_not_noticed_is_an_error(
+def test_proved_control_is_an_error(
     claimed: tuple[Proof, ...], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(command, "decided", lambda _: claimed[:1])
@@ -51,27 +51,27 @@ def test_a_control_that_is_not_noticed_is_an_error(
     assert capsys.readouterr().err == "t: nothing altered\n"
 
 
-def test_what_has_no_value_is_no_control() -> None:
+def test_missing_value_is_no_failed_control() -> None:
     def checks() -> Iterator[Check]:
-        raise NoValueError("nothing says what it is")
+        raise NoValueError("no premise defines it")
         yield
 
     assert not Control("t", "a", decide(Claim("t", (), ""), checks)).noticed
 
 
 SAMPLE = 4
-"""One in so many theorems is controlled here, and all of them when the page is made, or compared."""
+"""Every fourth theorem is controlled here; `make check-theorems` runs the controls of all."""
 
 
 @pytest.mark.parametrize("theorem", command.claims()[::SAMPLE], ids=lambda theorem: theorem.name)
-def test_every_control_is_noticed(theorem: Theorem, claimed: tuple[Proof, ...]) -> None:
+def test_controls_fail(theorem: Theorem, claimed: tuple[Proof, ...]) -> None:
     scope = "" if theorem.scope == "all n" else f" [{theorem.scope}]"
     found = [*controls([theorem], {proof.name: proof for proof in claimed})]
     assert unnoticed(found) == []
     assert len(found) == COUNTS[theorem.name + scope] > len(theorem.claim) + len(theorem.premises) - 1
 
 
-def test_every_control_at_an_order_is_noticed() -> None:
+def test_controls_at_an_order_fail() -> None:
     found = command.controlled_at(command.SHOWN)
     assert unnoticed(found) == []
     scope = f" [n = {command.SHOWN}]"

@@ -10,8 +10,8 @@ import sympy
 
 from derive.algebra import Dual
 from derive.maps import Cayley, polynomials
-from derive.proof import marks
-from derive.proof.at_order import LETTERS, instances
+from derive.proof import notation as m
+from derive.proof.at_order import SYMBOLS, instances
 from derive.proof.at_point import AtPoint, _root
 from derive.proof.components import ROTATED, STATEMENTS, Components
 from derive.proof.computations import Computed, computations
@@ -41,12 +41,12 @@ CHECKS = {"tensor": Components.tensor, "tangent": Components.twist, "tangent_inv
 
 
 def noticed(checks: Iterator[Any]) -> bool:
-    """Whether a residue is not zero."""
+    """Return whether a residue is not zero."""
     return any(check[1] != 0 for check in checks if not isinstance(check, Multiplier))
 
 
 @pytest.mark.parametrize("n", [1, 2, 5])
-def test_every_single_coefficient_matters(n: int, mutations: Mutations) -> None:
+def test_each_coefficient_is_decided(n: int, mutations: Mutations) -> None:
     caught = 0
     for name, description, wrong in mutations(n):
         checks = CHECKS[name](Components(wrong))
@@ -57,7 +57,7 @@ def test_every_single_coefficient_matters(n: int, mutations: Mutations) -> None:
 
 
 @pytest.mark.parametrize("n", [3, 4])
-def test_a_wrong_quaternion_is_noticed(n: int, stated: Callable[[int], Any]) -> None:
+def test_wrong_quaternion_fails(n: int, stated: Callable[[int], Any]) -> None:
     right = stated(n)
     s, t = right.quaternion.coefficients
     for wrong in ((s, -t), (-s, t), (t, s), (2 * s, t), (s * sympy.Symbol("x"), t)):
@@ -68,7 +68,7 @@ def test_a_wrong_quaternion_is_noticed(n: int, stated: Callable[[int], Any]) -> 
     assert not noticed(Components(both).quaternion())
 
 
-def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
+def test_formulas_of_another_order_fail(stated: Callable[[int], Any]) -> None:
     other = Cayley(4)
     for name in ("quaternion", "tensor", "tangent", "tangent_inv"):
         mixed = stated(3).with_map(name, getattr(other, name).coefficients)
@@ -76,7 +76,7 @@ def test_another_order_is_noticed(stated: Callable[[int], Any]) -> None:
 
 
 @pytest.mark.parametrize("n", [2, 3])
-def test_every_control_is_noticed(n: int) -> None:
+def test_controls_fail(n: int) -> None:
     found = [*controls_at(Cayley(n)), *controls_of(Cayley(n))]
     assert len(found) > 40
     assert [str(control) for control in found if not control.noticed] == []
@@ -92,15 +92,15 @@ def test_multiplying_by_zero_proves_nothing() -> None:
     assert [proof.proved for proof in decided] == [False] * 5 + [True]
 
 
-def test_words_are_evaluated() -> None:
+def test_printed_claims_are_evaluated() -> None:
     for proof in Components(Cayley(4)).proofs():
         labels = [residue.label for residue in proof.residues if " at v = " in residue.label]
         assert any(label.startswith(equation.text) for equation in proof.claim for label in labels)
 
 
-@pytest.mark.parametrize(("letter", "other"), [("p", marks.q), ("c", marks.d), ("tangent", marks.R)])
-def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(LETTERS, letter, other)  # "Cayley(3).p is q at n = 3"
+@pytest.mark.parametrize(("symbol", "other"), [("p", m.q), ("c", m.d), ("tangent", m.R)])
+def test_symbols_are_decided_values(symbol: str, other: sympy.Expr, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(SYMBOLS, symbol, other)  # "Cayley(3).p is q at n = 3"
     failed = [proof for proof in (*instances(Cayley(3)), *computations(3)) if not proof.proved]
     assert failed
     assert all(any(equation.right.args[0] == other for equation in proof.claim) for proof in failed)
@@ -109,13 +109,13 @@ def test_letters_are_what_is_decided(letter: str, other: sympy.Expr, monkeypatch
 def test_roots_at_a_point_are_exact() -> None:
     root = _root(Dual(Fraction(9, 4), Fraction(5)))
     assert root * root == Dual(Fraction(9, 4), Fraction(5))
-    assert AtPoint(3).power(1 + marks.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
+    assert AtPoint(3).power(1 + m.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
     with pytest.raises(NoValueError, match="9/5 is the square of no rational number"):
         _root(Dual(Fraction(9, 5), Fraction(5)))
 
 
 def test_premises_are_evaluated() -> None:
-    wrong = replace(ROTATED, equation=Equation(marks.R * marks.point, marks.q_hat * marks.point * marks.q_hat))
+    wrong = replace(ROTATED, equation=Equation(m.R * m.point, m.q_hat * m.point * m.q_hat))
     words = [(name, claim, tuple(wrong if p == ROTATED else p for p in given)) for name, claim, given in STATEMENTS]
     decided = list(Components(Cayley(3)).proofs(words))
     assert [proof.proved for proof in decided] == [wrong not in proof.premises for proof in decided]
@@ -137,12 +137,12 @@ def test_the_sign_of_a_quaternion_is_decided(stated: Callable[[int], Any]) -> No
         (lambda n: (8 * sympy.pi, *polynomials.singular_angles(n)[1:]), "how many are not between"),
     ],
 )
-def test_wrong_singular_angles_are_noticed(angles: Callable[[int], Any], label: str) -> None:
+def test_wrong_singular_angles_fail(angles: Callable[[int], Any], label: str) -> None:
     *_, proof = computations(3, replace(Computed(), singular_angles=angles))
     assert not proof.proved
     assert any(label in residue.label for residue in proof.failures)
 
 
-def test_every_computation_is_stated() -> None:
+def test_each_computation_has_a_proof() -> None:
     names = " ".join(proof.name for proof in computations(3))
     assert all(f".{name}(" in names for name in Computed.__dataclass_fields__)

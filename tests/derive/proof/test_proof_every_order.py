@@ -13,7 +13,7 @@ from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXP
 from derive.proof.every_order import decided, stated
 from derive.proof.formulas import Formulas
 from derive.proof.identity import ALL_ORDERS
-from derive.proof.marks import I, alpha, dcay, det, n, p, q, skew, u, v, x
+from derive.proof.notation import I, alpha, dcay, det, n, p, q, skew, u, v, x
 from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
 from derive.proof.statement import Equation, definition
 from derive.proof.theorem import Theorem
@@ -42,7 +42,7 @@ def test_everything_is_proved_for_all_orders() -> None:
 
 
 @pytest.mark.parametrize("number", [51, 88])
-def test_theorems_about_an_equation_are_proved_without_the_others(number: int) -> None:
+def test_citing_proves_only_what_is_needed(number: int) -> None:
     assert citing({number}) == tuple(proof for proof in theorems() if number in proof.equations)
     assert citing({number})
     assert citing({}) == ()
@@ -74,7 +74,7 @@ def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
     assert all(proof.failures and not proof.failures[0].vanishes for proof in failed)
 
 
-def test_words_are_what_is_decided() -> None:
+def test_printed_claim_is_decided() -> None:
     right = theorem("determinant")
     nine = Equation(det(dcay), 9 * n * q**2 / (1 + x) ** (n + 1))
     assert right.decide(known()).statement == "det(dcay_n) = 8*n*q_n^2/(1 + x)^(1 + n)"
@@ -96,7 +96,7 @@ def test_a_wrong_recurrence_fails() -> None:
         assert not with_recurrence(found).decide(known()).proved
 
 
-def test_an_altered_theorem_is_no_premise() -> None:
+def test_altered_theorem_is_no_premise() -> None:
     right = theorem("twist")
     place = next(i for i, premise in enumerate(right.premises) if premise.theorem == "slopes")
     altered = right.premises[place].altered()
@@ -106,7 +106,7 @@ def test_an_altered_theorem_is_no_premise() -> None:
     assert not right.decide({}).proved
 
 
-def test_an_unused_premise_is_noticed() -> None:
+def test_controls_detect_an_unused_premise() -> None:
     padded = replace(theorem("axis"), premises=(*theorem("axis").premises, definition(u, v)))
     unnoticed = [control for control in controls([padded], known()) if not control.noticed]
     assert [control.alteration for control in unnoticed] == ["premise u = 2*v in place of u = v (definition)"]

@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 from derive.proof.identity import Claim, Multiplier, decide
-from derive.proof.marks import n, p, q, x
+from derive.proof.notation import n, p, q, x
 from derive.proof.statement import Equation, Premise, definition
 
 CLAIM = Claim("sum", (Equation(p, q + x / 2, (2, 1)), Equation(q, n)), "arithmetic", (definition(x, 2),))
@@ -31,14 +31,14 @@ def test_zero_residues_prove() -> None:
     assert [str(premise) for premise in proof.premises] == ["x = 2 (definition)"]
 
 
-def test_a_residue_fails_and_is_kept() -> None:
+def test_nonzero_residues_fail() -> None:
     proof = decide(CLAIM, lambda: [("sum", 0), ("other", 5)])
     assert proof.status == "failed"
     assert proof.scope == "all n"
     assert [(residue.label, residue.value) for residue in proof.failures] == [("other", 5)]
 
 
-def test_nothing_checked_is_nothing_proved() -> None:
+def test_no_residues_prove_nothing() -> None:
     assert not decide(CLAIM, list).proved
 
 
@@ -52,7 +52,7 @@ def test_a_multiplier_must_be_certified() -> None:
     assert not decide(CLAIM, checks(False)).proved
 
 
-def test_what_has_no_value_is_not_proved() -> None:
+def test_undefined_residue_fails() -> None:
     def checks() -> Iterator[Any]:
         yield "sum", 0
         yield "quotient", Fraction(1) / 0
@@ -60,7 +60,7 @@ def test_what_has_no_value_is_not_proved() -> None:
     assert not decide(CLAIM, checks).proved
 
 
-def test_altered_equations_say_something_else() -> None:
+def test_altered_equations_differ() -> None:
     equation = Equation(p, 2 * q + 3, (4,))
     assert str(equation.altered()) == "p_n = 6 + 4*q_n"
     assert equation.altered().numbers == ()

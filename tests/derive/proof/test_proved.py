@@ -12,7 +12,7 @@ from derive.maps import Cayley, x
 from derive.proof import ProofFailed, Proved, proofs, prove, theorems
 
 
-def test_prove_gives_the_cayley_map_and_its_proofs() -> None:
+def test_prove_returns_chart_and_proofs() -> None:
     lines: list[str] = []
     cayley = Cayley(3)
     proved = prove(cayley, progress=lines.append)
@@ -24,16 +24,16 @@ def test_prove_gives_the_cayley_map_and_its_proofs() -> None:
         "theorems for all n",
         "n = 3: formulas as in the theorems",
         "n = 3: componentwise from the definition",
-        "cayley3: what is lowered",
+        "cayley3: scalars and formulas",
     ]
 
 
-def test_backends_prove_the_same() -> None:
+def test_backends_agree_on_proofs() -> None:
     pytest.importorskip("flint")
     assert proofs(Cayley(5), backend="flint") == proofs(Cayley(5), backend="sympy")
 
 
-def test_only_prove_makes_one() -> None:
+def test_only_prove_makes_a_proved_chart() -> None:
     proved = prove(Cayley(2))
     with pytest.raises(TypeError, match=r"only derive\.proof\.prove"):
         Proved(Cayley(2), proved.proofs)

@@ -1,4 +1,4 @@
-"""The scalars a chart is lowered with: proved for every way they are computed, wrong ones noticed."""
+"""Scalars of charts: proved in every way they are computed; wrong ones fail."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def test_scalars_of_cayley_maps_are_proved(n: int, backend: str) -> None:
     assert {proof.scope for proof in proofs} == {f"n = {n}"}
 
 
-def test_every_control_is_noticed_where_the_chain_computes() -> None:
+def test_controls_fail_at_order_11() -> None:
     assert [str(control) for control in controls_of(Cayley(11)) if not control.noticed] == []
 
 
 @pytest.mark.parametrize("place", [0, 1, 2])
-def test_words_about_the_angle_are_what_is_decided(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_printed_claim_on_the_angle_is_decided(place: int, monkeypatch: pytest.MonkeyPatch) -> None:
     altered = tuple(e.altered() if k == place else e for k, e in enumerate(scalars.ANGLE))
     monkeypatch.setattr(scalars, "ANGLE", altered)
     *_, proof = ScalarProofs(Cayley(3)).proofs()

@@ -1,21 +1,11 @@
-"""C text executed on any type of number: what a compiler would read, with every freedom to round taken away.
+"""C headers executed on exact numbers: the text that a compiler reads, with no rounding of its own.
 
-=========== =========================================================================================
-source      the preprocessor and the parser: a header and what it includes as a syntax tree
-types       real, int, size_t, pointers and arrays; conversions; what is refused because it would round
-memory      cells, pointers with bounds, cells that were never written
-expressions a syntax tree as Python closures over a frame of cells
-statements  the same for statements and function bodies
-unit        a translation unit: its functions, callable; which conditions took which value
-=========== =========================================================================================
-
-The real type of the text is whatever is passed in: ring elements, numbers of 50 digits, fractions. A constant is the
-fraction it denotes, so nothing rounds that the number type does not round itself. Types are static, as in C: a division
-of two integers is an error wherever it stands, executed or not.
+`source` preprocesses and parses a header, `translate` makes Python functions of it, `memory` checks its pointers, and
+`unit` calls its functions. Only the subset of C that emitted headers are made of is read; the rest is refused by name.
+The real type is that of the numbers passed in, and a constant is the fraction it denotes.
 """
 
-from .errors import CError
-from .memory import UNSET, Pointer
+from .memory import UNSET, CError, Pointer
 from .unit import Unit, load
 
 __all__ = ["UNSET", "CError", "Pointer", "Unit", "load"]

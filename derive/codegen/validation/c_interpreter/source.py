@@ -1,9 +1,9 @@
-"""A header and what it includes, preprocessed and parsed."""
+"""Preprocess and parse a header and the files that it includes."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,19 +12,23 @@ from pcpp import Preprocessor
 from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
 
-from .errors import CError
-from .scope import LIBRARY
+from .memory import CError
 
-
-def _prototype(name: str, arity: int) -> str:
-    return f"double {name}({', '.join(['double'] * arity)});\n"
-
+LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
+    "fabs": (1, abs),
+    "sqrt": (1, lambda a: a.sqrt()),
+    "tan": (1, lambda a: a.tan()),
+    "atan2": (2, lambda a, b: a.arctan2(b)),
+    "expm1": (1, lambda a: a.expm1()),
+    "log1p": (1, lambda a: a.log1p()),
+}
+"""Functions of the C library: the number of arguments, and the method of the number type."""
 
 SYSTEM: Mapping[str, str] = {
     "stddef.h": "typedef unsigned long size_t;\n",
-    "math.h": "".join(_prototype(name, arity) for name, (arity, _) in LIBRARY.items()),
+    "math.h": "".join(f"double {name}({', '.join(['double'] * n)});\n" for name, (n, _) in LIBRARY.items()),
 }
-"""What the headers of the C library declare here."""
+"""Declarations in the headers of the C library."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,20 +37,19 @@ class Source:
 
     text: str
     tree: c_ast.FileAST
-    macros: _Preprocessor
+    macros: Preprocessor
 
     def expand(self, text: str) -> str:
-        """The text with the macros of the header expanded."""
+        """Return the text with the macros of the header expanded."""
         return "".join(token.value for token in self.macros.expand_macros(self.macros.tokenize(text)))
 
 
 class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hints
-    """Includes come from one folder and those in it, or are those of the C library; every complaint is an error."""
+    """Takes includes from one folder or those of the C library; every complaint is an error."""
 
     def __init__(self, folder: Path | None) -> None:
         super().__init__()
-        self.folder = folder and folder.resolve()
-        self.line_directive = "#line"
+        self.folder, self.line_directive = folder and folder.resolve(), "#line"
         if self.folder:
             self.add_path(str(self.folder))
 
@@ -70,17 +73,10 @@ class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hin
 
 
 def parse(text: str, folder: Path | None, defines: Mapping[str, str]) -> Source:
-    """Preprocess and parse a text; quoted includes are files of the folder, if one is given.
-
-    Raises
-    ------
-    CError
-        For an include that is not there, ``#error``, or what is not C.
-    """
-    preprocessor = _Preprocessor(folder)
+    """Preprocess and parse a text; quoted includes are files of the folder, if one is given."""
+    preprocessor, written = _Preprocessor(folder), io.StringIO()
     for name, value in defines.items():
         preprocessor.define(f"{name} {value}")
-    written = io.StringIO()
     preprocessor.parse(text, "unit.c")
     preprocessor.write(written)
     try:

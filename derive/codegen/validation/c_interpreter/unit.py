@@ -1,89 +1,67 @@
-"""A translation unit: the functions a header defines, ready to be called."""
+"""A translation unit: the functions that a header defines, ready to be called."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import traceback
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from pycparser import c_ast
+from .memory import UNSET, CError, Pointer
+from .source import LIBRARY, Source, parse
+from .translate import Translator
 
-from .errors import CError, refuse
-from .scope import Condition, Scope
-from .source import Source, parse
-from .statements import declaration, declare_function, define
+FILE = "<translated from C>"
+
+
+def _remainder(a: int, b: int) -> int:
+    """Return the remainder of a division that truncates, as in C."""
+    return abs(a) % abs(b) * (-1 if a < 0 else 1)
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """The functions of a translation unit, and its macros."""
+    """The functions of a translation unit, its preprocessed source, and the names of functions called so far."""
 
     source: Source
-    scope: Scope
+    translator: Translator
+    functions: Mapping[str, Callable[..., Any]]
+    called: set[str]
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Call a function with pointers and integers.
-
-        Raises
-        ------
-        CError
-            If there is no such function, or C does not define what it does: access beyond an array or to a cell never
-            written, a division by the zero of the number type, an overflow.
-        """
-        function = self.scope.functions.get(name)
-        if function is None or function.body is None:
+        """Call a function with pointers and numbers; a `CError` says where C does not define what it does."""
+        if name not in self.functions:
             raise CError(f"there is no function {name}")
-        if len(arguments) != len(function.parameters):
-            raise CError(f"{name} takes {len(function.parameters)} arguments, not {len(arguments)}")
         try:
-            return function.run(arguments)
-        except CError as error:
-            raise CError(f"{name}: {error}") from error
+            return self.functions[name](*arguments)
+        except (CError, ArithmeticError, AttributeError, TypeError, ValueError) as error:
+            frames = traceback.walk_tb(error.__traceback__)
+            lines = [line for frame, line in frames if frame.f_code.co_filename == FILE]
+            place = f"{self.translator.places[lines[-1] - 1]}: " if lines else ""
+            raise CError(f"{name}: {place}{error}") from error
 
     @property
     def idle(self) -> list[str]:
-        """Functions that nothing has called, and that no other function would call."""
-        defined = [f for f in self.scope.functions.values() if f.body is not None]
-        inner = {name for function in defined for name in function.names}
-        return [f.name for f in defined if not f.calls and f.name not in inner]
-
-    @property
-    def one_sided(self) -> list[Condition]:
-        """Conditions of functions that were called, which took one truth value only."""
-        return [condition for condition in self.scope.conditions if len(condition.taken) == 1]
+        """Functions that nothing has called, and that no other function refers to."""
+        return [name for name in self.functions if name not in self.called | self.translator.referred]
 
 
 def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | None = None) -> Unit:
-    """Read a text, whose quoted includes are files of the folder, if one is given.
-
-    Raises
-    ------
-    CError
-        For what is not C, or not the part of C that is read here; integer divisions among it.
+    """Read a text, whose quoted includes are files of a folder; a `CError` names what is outside the subset of C.
 
     Examples
     --------
-    >>> from fractions import Fraction
-    >>> unit = load("double half(double a) { return a / 2; }")
-    >>> unit.call("half", Fraction(3))
+    >>> load("double half(double a) { return a / 2; }").call("half", Fraction(3))
     Fraction(3, 2)
     """
-    source = parse(text, folder, defines or {})
-    scope = Scope()
+    source, translator, called = parse(text, folder, defines or {}), Translator(), set[str]()
     for node in source.tree.ext:
-        _external(node, scope)
-    return Unit(source, scope)
-
-
-def _external(node: c_ast.Node, scope: Scope) -> None:
-    if isinstance(node, c_ast.Typedef):
-        scope.types[node.name] = scope.type_of(node.type)
-    elif isinstance(node, c_ast.FuncDef):
-        define(node, scope)
-    elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.FuncDecl):
-        declare_function(node, scope)
-    elif isinstance(node, c_ast.Decl):
-        declaration(node, scope)
-    elif not isinstance(node, c_ast.Pragma):
-        raise refuse(node, f"{type(node).__name__} is not read here")
+        translator.external(node)
+    names: dict[str, Any] = {f"f_{name}": function for name, (_, function) in LIBRARY.items()}
+    names |= {"CError": CError, "Fraction": Fraction, "Pointer": Pointer, "UNSET": UNSET}
+    names |= {"remainder": _remainder, "called": called}
+    exec(compile("\n".join(translator.lines), FILE, "exec", dont_inherit=True), names)
+    defined = {name: names[f"f_{name}"] for name, function in translator.functions.items() if function.defined}
+    return Unit(source, translator, defined, called)

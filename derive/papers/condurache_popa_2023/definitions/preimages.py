@@ -29,15 +29,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
-from derive.proof.ratio import Ratio, RationalFunctions
+from derive.algebra.element import Element
+from derive.algebra.exact import RationalFunctions
 
 from ...language.evaluation import Env
 
-Step = Callable[..., tuple[Ratio, Ratio]]
+Step = Callable[..., tuple[Element, Element]]
 """Function from ``F``, ``G`` and t to the next of both."""
 
 
-def next_parts(F: Ratio, G: Ratio, t: Ratio) -> tuple[Ratio, Ratio]:
+def next_parts(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
     """Return imaginary and real part of ``(G + iF)(1 + it)``."""
     return F + t * G, G - t * F
 
@@ -67,7 +68,7 @@ def _identities(step: Step) -> Mapping[str, bool]:
     }
 
 
-def _degrees_rise(c: Ratio, s: Ratio, t: Ratio, step: Step) -> bool:
+def _degrees_rise(c: Element, s: Element, t: Element, step: Step) -> bool:
     """Return whether the coefficients of tⁿ repeat after four orders: in F ±s at even orders and ±c at odd ones."""
     a, b = -s, c
     for last in (s, c, s, c):

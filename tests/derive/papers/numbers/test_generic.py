@@ -7,11 +7,11 @@ from fractions import Fraction
 import pytest
 
 from derive.algebra import Dual
+from derive.algebra.element import NotExactError
 from derive.papers.language.terms import Symbol
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic, GenericOrder
 from derive.papers.numbers.quantities import QUANTITIES
-from derive.proof.ratio import NotExactError
 
 t, v, w = (Symbol(name, "dual vector") for name in "tvw")
 u1, u2, u3 = (Symbol(f"u{i}", "unit vector") for i in (1, 2, 3))

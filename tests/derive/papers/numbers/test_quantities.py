@@ -6,12 +6,12 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
+from derive.algebra.element import NotExactError
 from derive.papers.language.terms import Symbol
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
 from derive.papers.numbers.quantities import QUANTITIES
-from derive.proof.ratio import NotExactError
 
 DRAWN = [quantity for quantity in QUANTITIES.values() if quantity.draw is not None]
 EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not None]

@@ -1,0 +1,85 @@
+"""Exact sine and cosine of rational multiples of given angles, through the tangent of a fraction of each angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+import sympy
+
+from .element import Element, NotExactError
+from .exact import RationalFunctions
+
+
+class AngleField(RationalFunctions):
+    """The field Q(names, angles, …, π).
+
+    Parameters
+    ----------
+    names : sequence of str
+        Independent symbols.
+    angles : mapping of str to int, optional
+        Angle symbols, each with the integer M such that sine and cosine of multiples of angle/M are wanted. An angle
+        and its tangent ``tan(angle/2M)`` are two algebraically independent generators.
+    """
+
+    def __init__(self, names: Sequence[str], angles: Mapping[str, int] | None = None) -> None:
+        self.angles = dict(angles or {})
+        names = (*names, *(g for name in self.angles for g in (name, f"tan_{name}")), "pi")
+        super().__init__(names, {name: self._reference(i, name) for i, name in enumerate(names)})
+
+    def _reference(self, index: int, name: str) -> Fraction:
+        """Return a positive number; an angle is close to the one whose tangent follows it."""
+        if name == "pi":
+            return Fraction(355, 113)
+        if name in self.angles:
+            return 2 * self.angles[name] * Fraction(1, 37 + 3 * (index + 1))
+        return Fraction(1, 37 + 3 * index) if name.startswith("tan_") else Fraction(int(sympy.prime(index + 2)), 3)
+
+    def cos(self, a: Element) -> Element:
+        """Return the cosine of a rational multiple of an angle of the field."""
+        return self._circle(a)[0]
+
+    def sin(self, a: Element) -> Element:
+        """Return the sine of a rational multiple of an angle of the field."""
+        return self._circle(a)[1]
+
+    def atan2(self, y: Element, x: Element) -> Element:
+        """Return the angle of the point (x, y), where it is a multiple, below a turn, of an angle of the field.
+
+        Raises
+        ------
+        NotExactError
+            If it is none.
+        """
+        for name, steps in self.angles.items():
+            for k in range(-2 * steps, 2 * steps + 1):
+                multiple = self.symbol(name) * Fraction(k, steps)
+                cosine, sine = self._circle(multiple)
+                if y * cosine == x * sine and (y * sine + x * cosine).sign() > 0:
+                    return multiple
+        raise NotExactError(f"no multiple of an angle: that of ({x!r}, {y!r})")
+
+    def _circle(self, a: Element) -> tuple[Element, Element]:
+        """Return cosine and sine."""
+        pi = self.symbol("pi")
+        for name, steps in (*self.angles.items(), (None, 0)):
+            try:
+                turns, multiple = (*a.combination([pi, *([self.symbol(name)] if name else [])]), Fraction(0))[:2]
+            except NotExactError:
+                continue
+            if (multiple * steps).denominator == 1 and (2 * turns).denominator == 1:
+                return self._turned(name, int(multiple * steps), int(2 * turns) % 4)
+        raise NotExactError(f"no rational multiple of an angle: {a!r}")
+
+    def _turned(self, name: str | None, steps: int, quarters: int) -> tuple[Element, Element]:
+        """Return cosine and sine of that many steps of an angle and quarter turns."""
+        c, s = self.constant(1), self.constant(0)
+        if steps:
+            t = self.symbol(f"tan_{name}")
+            cosine, sine = (1 - t * t) / (1 + t * t), (2 if steps > 0 else -2) * t / (1 + t * t)
+            for _ in range(abs(steps)):
+                c, s = c * cosine - s * sine, c * sine + s * cosine
+        for _ in range(quarters):
+            c, s = -s, c
+        return c, s

@@ -1,0 +1,185 @@
+"""Elements of an exact ring: numbers with exact arithmetic and decided equality."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from numbers import Number
+from typing import Any
+
+from .polynomial_backend import Polynomial
+
+
+class NotExactError(ArithmeticError):
+    """Error: the result lies outside the field, such as the root of a non-square."""
+
+
+class Element:
+    """A rational function as a number; made by its ring, not directly.
+
+    It takes ``+ - * /``, integer powers, ``==``, ``abs``, ``<`` and ``.sqrt()``, which ``numpy.sqrt`` calls on object
+    arrays. Partners are int, Fraction and NumPy integers. A float is a TypeError: no rounded constant is part of an
+    exact identity.
+    """
+
+    __slots__ = ("denominator", "numerator", "ring")
+    __hash__ = None  # type: ignore[assignment]  # equal elements may be stored with different denominators
+
+    def __init__(self, ring: Any, numerator: Polynomial, denominator: Polynomial) -> None:
+        self.ring = ring
+        self.numerator = numerator
+        self.denominator = denominator
+
+    def _partner(self, other: object) -> Element | None:
+        if isinstance(other, Element) and other.ring is self.ring:
+            return other
+        return self.ring.element(other) if isinstance(other, Element | Number) else None
+
+    def __neg__(self) -> Element:
+        return Element(self.ring, -self.numerator, self.denominator)
+
+    def __pos__(self) -> Element:
+        return self
+
+    def __add__(self, other: object) -> Element:
+        partner = self._partner(other)
+        if partner is None:
+            return NotImplemented
+        if self.denominator == partner.denominator:
+            return Element(self.ring, self.numerator + partner.numerator, self.denominator)
+        mine, theirs = self.ring.cofactors(self.denominator, partner.denominator)
+        numerator = self.ring.reduced(self.numerator * mine + partner.numerator * theirs)
+        return Element(self.ring, numerator, self.denominator * mine)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: object) -> Element:
+        partner = self._partner(other)
+        return NotImplemented if partner is None else self + (-partner)
+
+    def __rsub__(self, other: object) -> Element:
+        return (-self) + other
+
+    def __mul__(self, other: object) -> Element:
+        partner = self._partner(other)
+        if partner is None:
+            return NotImplemented
+        numerator = self.ring.reduced(self.numerator * partner.numerator)
+        denominator = self.denominator * partner.denominator
+        if self.ring.relations:
+            return Element(self.ring, numerator, denominator)
+        return self.ring.fraction(numerator, denominator)  # type: ignore[no-any-return]
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> Element:
+        partner = self._partner(other)
+        if partner is None:
+            return NotImplemented
+        divisor = self.ring.normal_form(partner.numerator)
+        if not divisor:
+            raise ZeroDivisionError("division by the zero of the exact ring")
+        # a/D : b/E = a E/(D b), without the factors that D and E share
+        mine, theirs = self.ring.cofactors(partner.denominator, self.denominator)
+        numerator = self.ring.reduced(self.numerator * theirs)
+        return self.ring.fraction(numerator, divisor * mine)  # type: ignore[no-any-return]
+
+    def __rtruediv__(self, other: object) -> Element:
+        partner = self._partner(other)
+        return NotImplemented if partner is None else partner / self
+
+    def __pow__(self, exponent: object) -> Element:
+        n = operator.index(exponent)  # type: ignore[arg-type]  # a TypeError unless it is an integer
+        if n < 0:
+            return 1 / self**-n
+        if not self.ring.relations:
+            return Element(self.ring, self.numerator**n, self.denominator**n) if n else self.ring.constant(1)
+        result, square = self.ring.constant(1), self
+        while n:
+            if n & 1:
+                result = result * square
+            n >>= 1
+            if n:
+                square = square * square
+        return result  # type: ignore[no-any-return]
+
+    def __eq__(self, other: object) -> bool:
+        partner = self._partner(other)
+        if partner is None:
+            return NotImplemented
+        return not self + (-partner)
+
+    def __lt__(self, other: object) -> bool:
+        """Compare at the reference point; a kernel that selects asks for it."""
+        partner = self._partner(other)
+        return NotImplemented if partner is None else (self - partner).sign() < 0
+
+    def __gt__(self, other: object) -> bool:
+        partner = self._partner(other)
+        return NotImplemented if partner is None else partner < self
+
+    def __bool__(self) -> bool:
+        return bool(self.ring.normal_form(self.numerator))
+
+    def __abs__(self) -> Element:
+        return -self if self.sign() < 0 else self
+
+    def __repr__(self) -> str:
+        above, below = map(self.ring.text, (self.numerator, self.denominator))
+        return f"({above})/({below})" if below != "1" else above
+
+    def sign(self) -> int:
+        """Return the sign at the reference point."""
+        value = self.ring.value(self.numerator) * self.ring.value(self.denominator)
+        return int(value > 0) - int(value < 0)
+
+    def sqrt(self) -> Element:
+        """Return the square root that is positive at the reference point.
+
+        Raises
+        ------
+        NotExactError
+            If the element is not a square.
+        """
+        root = self.ring.library.square_root(self.numerator * self.denominator)
+        if root is None:
+            raise NotExactError(f"not a perfect square in the exact ring: {self!r}")
+        return abs(self.ring.fraction(root, self.denominator)) if root else self
+
+    def derivative(self, rates: Mapping[int, Element]) -> Element:
+        """Return the derivative, given those of generators by index; all others are constant."""
+        rate = self._derived(self.numerator, rates)
+        if self.denominator == self.ring.library.one:
+            return rate
+        growth = self._derived(self.denominator, rates)  # (P/D)' = (P' − P D'/D)/D
+        above, below = self.ring.cofactors(self.denominator, growth.numerator)
+        growth = Element(self.ring, above, growth.denominator * below)
+        over = Element(self.ring, self.ring.library.one, self.denominator)
+        return (rate - Element(self.ring, self.numerator, self.ring.library.one) * growth) * over
+
+    def _derived(self, a: Polynomial, rates: Mapping[int, Element]) -> Element:
+        """Return the derivative of a polynomial."""
+        library, total = self.ring.library, self.ring.constant(0)
+        for generator, rate in rates.items():
+            slope = library.derivative(a, generator)
+            if slope:
+                total = total + Element(self.ring, slope, library.one) * rate
+        return total  # type: ignore[no-any-return]
+
+    def combination(self, monomials: Sequence[Element]) -> tuple[Fraction, ...]:
+        """Return the rational numbers c with ``self = Σ c · monomial``.
+
+        Raises
+        ------
+        NotExactError
+            If there are none.
+        """
+        terms = self.ring.library.terms
+        reduced = self.ring.fraction(self.numerator, self.denominator)
+        left = terms(reduced.numerator)
+        known = [next(iter(terms(monomial.numerator).items())) for monomial in monomials]
+        result = tuple(left.pop(exponents, Fraction(0)) / scale for exponents, scale in known)
+        if left or reduced.denominator != self.ring.library.one:
+            raise NotExactError(f"no combination of {monomials!r}: {self!r}")
+        return result

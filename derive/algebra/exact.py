@@ -1,0 +1,175 @@
+"""Exact numbers: rational functions of named generators over Q, modulo relations between these.
+
+Formulas and kernels run on them as they run on floats. Equality is decided exactly, so an identity that holds here
+holds for all values of the generators. The polynomials come from python-flint where it is installed, else from SymPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from numbers import Rational
+from typing import Any
+
+import sympy
+
+from .element import Element, NotExactError
+from .polynomial_backend import Polynomial, polynomials
+
+
+class RationalFunctions:
+    """The field Q(names), or the quotients of Q[names] modulo relations.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Generators, in lexicographic order. A relation is solved for the first generator in it.
+    point : mapping of str to Fraction, optional
+        A reference point, by default distinct positive numbers. An element has the sign of its value there, and a
+        square root is positive there.
+    backend : {"flint", "sympy"}, optional
+        See `polynomials`.
+    lowest_terms : bool
+        Whether products and quotients are reduced to lowest terms. If not, all that was divided by stays visible.
+    """
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        point: Mapping[str, Fraction] | None = None,
+        backend: str | None = None,
+        lowest_terms: bool = True,
+    ) -> None:
+        self.names = tuple(names)
+        self.library = polynomials(len(self.names), backend)
+        self.lowest_terms = lowest_terms
+        self.relations: list[Polynomial] = []
+        self.point = {name: Fraction(int(sympy.prime(i + 2)), 3) for i, name in enumerate(self.names)}
+        if point is not None:
+            self.point = dict(point)
+
+    def symbol(self, name: str) -> Element:
+        """Return the generator of that name."""
+        return Element(self, self.library.generators[self.index(name)], self.library.one)
+
+    def index(self, name: str) -> int:
+        """Return the place of a generator."""
+        if name not in self.names:
+            raise ValueError(f"no symbol {name!r} in a ring of {', '.join(self.names)}")
+        return self.names.index(name)
+
+    def constant(self, value: Rational | int) -> Element:
+        """Return the element equal to an integer or a fraction."""
+        return Element(self, self.library.constant(value), self.library.one)
+
+    def element(self, value: Element | Rational | int) -> Element:
+        """Return the value itself if it belongs to this ring, else the constant; refuse floats."""
+        if isinstance(value, Element):
+            if value.ring is not self:
+                raise ValueError("elements of two different rings cannot be combined")
+            return value
+        if isinstance(value, Rational):
+            return self.constant(value)
+        raise TypeError(f"the exact ring takes int and Fraction, not {type(value).__name__} {value!r}")
+
+    def lift(self, expression: Any, values: Mapping[Any, Element | Rational | int]) -> Element:
+        """Return a SymPy expression as an element.
+
+        Parameters
+        ----------
+        expression : sympy.Expr or number
+            Sums, products and powers of symbols and rational numbers; half a power is that of `Element.sqrt`.
+        values : mapping
+            Element (or exact number) for each SymPy symbol.
+        """
+        if isinstance(expression, int | Fraction):
+            return self.constant(expression)
+        if not isinstance(expression, sympy.Basic):
+            raise TypeError(f"expected a SymPy expression or an exact number, not {type(expression).__name__}")
+        return self._lift(expression, {symbol: self.element(value) for symbol, value in values.items()})
+
+    def _lift(self, node: Any, table: dict[Any, Element]) -> Element:
+        if node in table:
+            return table[node]
+        if node.is_Rational:
+            return self.constant(Fraction(int(node.p), int(node.q)))
+        if node.is_Pow and node.exp.is_Rational and node.exp.q <= 2:
+            base = self._lift(node.base, table)
+            power = (base if node.exp.q == 1 else base.sqrt()) ** abs(int(node.exp.p))
+            return power if node.exp > 0 else 1 / power
+        if not (node.is_Add or node.is_Mul):
+            raise ValueError(f"not an algebraic expression in the given symbols: {node}")
+        first, *rest = (self._lift(argument, table) for argument in node.args)
+        for other in rest:
+            first = first + other if node.is_Add else first * other
+        return first
+
+    def normal_form(self, a: Polynomial) -> Polynomial:
+        """Return a polynomial modulo the relations: 0 exactly if it is 0 there."""
+        before = None
+        while self.relations and before != a:
+            before = a
+            for relation in self.relations:
+                a = a % relation
+        return a
+
+    def reduced(self, a: Polynomial) -> Polynomial:
+        """Return what is kept of a product."""
+        return self.normal_form(a)
+
+    def fraction(self, above: Polynomial, below: Polynomial) -> Element:
+        """Return a quotient of two polynomials, with a monic denominator."""
+        library = self.library
+        if below != library.one:
+            if self.lowest_terms:
+                common = library.gcd(above, below)
+                if common != library.one:
+                    above, below = above / common, below / common
+            leading = library.leading_coefficient(below)
+            if leading != 1:
+                above, below = above * (1 / leading), below * (1 / leading)
+        return Element(self, above, below)
+
+    def cofactors(self, a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
+        """Return ``b/g`` and ``a/g``, g the greatest common divisor: the factors that make a and b equal."""
+        one = self.library.one
+        if a == b:
+            return one, one
+        if one in (a, b):
+            return b, a
+        common = self.library.gcd(a, b)
+        return b / common, a / common
+
+    def value(self, a: Polynomial) -> Fraction:
+        """Return the value of a polynomial at the reference point.
+
+        Raises
+        ------
+        NotExactError
+            If a generator without a reference value occurs.
+        """
+        total = Fraction(0)
+        for exponents, coefficient in self.library.terms(a).items():
+            for name, power in zip(self.names, exponents, strict=True):
+                if power and name not in self.point:
+                    raise NotExactError(f"an element that depends on {name} has no sign: {self.text(a)}")
+                coefficient *= self.point[name] ** power if power else 1
+            total += coefficient
+        return total
+
+    def text(self, a: Polynomial) -> str:
+        """Return a polynomial as text."""
+        terms = []
+        for exponents, coefficient in self.library.terms(a).items():
+            powers = [(name, power) for name, power in zip(self.names, exponents, strict=True) if power]
+            factors = [name if power == 1 else f"{name}**{power}" for name, power in powers]
+            terms.append("*".join([str(coefficient)] * (coefficient != 1 or not factors) + factors))
+        return " + ".join(terms).replace("+ -", "- ") or "0"
+
+    def cleared(self, elements: Sequence[Element]) -> tuple[list[Element], Element]:
+        """Return the elements multiplied by their common denominator, and that denominator."""
+        one, common = self.library.one, self.library.one
+        for element in elements:
+            common = common * self.cofactors(common, element.denominator)[0]
+        numerators = [self.reduced(e.numerator * (common / e.denominator)) for e in elements]
+        return [Element(self, numerator, one) for numerator in numerators], Element(self, common, one)

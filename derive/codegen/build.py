@@ -1,0 +1,101 @@
+"""The road from charts to kernels: prove -> lower -> print -> write -> check. `publish` puts them into a folder."""
+
+from __future__ import annotations
+
+import gc
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from ..maps import Cayley
+from ..maps.chart import Chart
+from ..output import files
+from ..proof import prove
+from ..workers import each
+from .lowered import lower
+from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
+from .targets import Target
+
+GEOMETRY = Cayley(3)
+"""The chart in which the shared geometry is checked where no other fits: the lowest order whose scalars all differ."""
+
+GEOMETRY_ORDERS = range(GEOMETRY.order, 9)
+"""Orders that fit; exact numbers take long in higher ones."""
+
+GC_THRESHOLD = 20_000
+"""Allocations between two searches for unreachable cycles while charts are built."""
+
+Progress = Callable[[str], None]
+
+
+def build(charts: Sequence[Chart], target: Target, progress: Progress | None = None, processes: int = 1) -> Package:
+    """Prove, lower, print and check charts, in several processes if asked; publish nothing.
+
+    `ProofFailed` or `ValidationFailed` is raised if any chart fails.
+    """
+    if processes < 1:
+        raise ValueError(f"processes must be an integer >= 1, got {processes}")
+    report, printed, modules = progress or no_op, list[Module](), list[Module]()
+
+    def checks() -> Iterator[tuple[Chart, Target, Path, bool]]:
+        for chart in with_geometry(charts):
+            printed.append(print_module(chart, target, report))
+            files.write(staging, printed[-1].texts)
+            report(f"{chart.name}: checking")
+            yield chart, target, staging, chart == geometry_chart(charts)
+
+    with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
+        staging, shared = Path(folder), shared_texts(target)
+        files.write(staging, shared)
+        for counts in each(check, checks(), processes):
+            modules.append(replace(printed[len(modules)], counts=counts))
+            report(f"{modules[-1].proved.formulas.name}: checked")
+    return Package(shared, tuple(module for module in modules if module.proved.formulas in charts))
+
+
+def print_package(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
+    """Prove, lower and print charts, but check nothing: enough to compare a folder with what would be printed."""
+    return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
+
+
+def print_module(chart: Chart, target: Target, report: Progress) -> Module:
+    """Prove, lower and print a chart."""
+    report(f"{chart.name}: proving")
+    proved = prove(chart)
+    report(f"{chart.name}: printing")
+    return Module(module_name(chart, target), proved, module_texts(Facts(proved, lower(proved)), target))
+
+
+def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:
+    """Execute the module of a chart on disk, perhaps with the geometry that all charts share."""
+    with relaxed_gc():
+        validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
+        return Counts(validated, replayed, target.test(folder, chart))
+
+
+def geometry_chart(charts: Sequence[Chart]) -> Chart:
+    """Return the chart in which the shared geometry is checked: the first Cayley map of a fit order, or `GEOMETRY`."""
+    return next((chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS), GEOMETRY)
+
+
+def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
+    """Return the charts to build, with one in which the shared geometry is checked."""
+    chart = geometry_chart(charts)
+    return charts if chart in charts else [chart, *charts]
+
+
+@contextmanager
+def relaxed_gc() -> Iterator[None]:
+    """Search for unreachable cycles less often: of millions of objects hardly one is part of a cycle."""
+    first, *others = gc.get_threshold()
+    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 is never
+    try:
+        yield
+    finally:
+        gc.set_threshold(first, *others)
+
+
+def no_op(line: str) -> None:
+    """No-op progress callback."""

@@ -1,0 +1,152 @@
+"""Publish kernels into a folder, or compare a folder with what would be published."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from .. import about
+from ..maps.chart import Chart
+from ..output import files
+from . import catalogue
+from .build import Progress, build, print_package
+from .package import Package, module_name, notices
+from .targets import TARGETS, Target
+
+
+def generate(
+    orders: Iterable[int] | None = None,
+    target: str = "numpy",
+    output: str | Path | None = None,
+    *,
+    families: Iterable[str] = (),
+    phi: str | None = None,
+    name: str | None = None,
+    force: bool = False,
+    progress: Progress | None = None,
+    processes: int = 1,
+) -> Package:
+    """Write proven kernels of some charts into a folder, as a package that needs NumPy only.
+
+    Parameters
+    ----------
+    orders : iterable of int, optional
+        Orders n >= 1 of Cayley maps. Without orders and families, the committed charts.
+    target : str
+        ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"`` or ``"native"``.
+    output : path, optional
+        Folder of the package, made if missing; by default ``generated/dualcay`` of a checkout, for ``"numpy"`` only.
+    families : iterable of str
+        Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
+    phi : str, optional
+        φ of a further one, such as ``"alpha/(1 + alpha**2/40)"``; an order is then the n in it.
+    name : str, optional
+        Name of its module.
+    force : bool
+        Overwrite files that do not bear the generated header.
+    progress : callable, optional
+        Called with a line of text before each step.
+    processes : int
+        Number of worker processes that check printed charts. They are spawned: a script that asks for more than one
+        calls `generate` under ``if __name__ == "__main__":``.
+
+    Returns
+    -------
+    Package
+        Texts and proofs of what was written.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For a target, an order or a family that does not exist, or a missing folder where no default applies.
+    ProofFailed, ValidationFailed, ChildProcessError
+        If a formula or a printed kernel fails, or a worker process dies; nothing is written.
+    RefusedError
+        If a file in the way is not generated, the folder holds another target, or it cannot be written.
+
+    Examples
+    --------
+    >>> import derive, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     package = derive.generate([1], output=f"{folder}/kernels")
+    >>> [module.name for module in package.modules]
+    ['cayley1.py']
+    """
+    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
+    return generate_charts(asked, target, output, force=force, progress=progress, processes=processes)
+
+
+def generate_charts(
+    charts: Sequence[Chart],
+    target: str = "numpy",
+    output: str | Path | None = None,
+    *,
+    force: bool = False,
+    progress: Progress | None = None,
+    processes: int = 1,
+) -> Package:
+    """Write proven kernels of charts into a folder; parameters are those of `generate`."""
+    chosen, folder = _target(target), Path(output) if output else home(target)
+    if folder is None:
+        raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
+    charts, entry = with_bases(charts, target), notices(charts, chosen)
+    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
+    package = build(charts, chosen, progress, processes)
+    files.write(folder, package.texts, force, entry)
+    return package
+
+
+def with_bases(charts: Sequence[Chart], target: str) -> list[Chart]:
+    """Return charts with the bases of multiples before them, where modules of multiples import those."""
+    bases = [chart.base for chart in charts if chart.base] if _target(target).imports_bases else []
+    return list({chart.name: chart for chart in (*bases, *charts)}.values())
+
+
+def home(target: str) -> Path | None:
+    """Return the folder of the committed kernels, if the target is theirs and this is a checkout."""
+    root = about.checkout()
+    return root / "generated" / "dualcay" if root and target == about.TARGET else None
+
+
+def check(
+    folder: Path,
+    orders: Iterable[int] | None = None,
+    target: str = "numpy",
+    progress: Progress | None = None,
+    cap: int = about.MAX_ORDER,
+    *,
+    families: Iterable[str] = (),
+    phi: str | None = None,
+    name: str | None = None,
+) -> list[files.Difference]:
+    """Prove and print again what a folder should hold, and return the differences; no kernel is executed.
+
+    The folder should hold the modules of the given orders and families, by default the committed ones. Every further
+    module with our header is printed by the command in it, unless its order is above the cap.
+    """
+    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
+    return check_charts(folder, *expected(folder, asked, target, cap), target, progress)
+
+
+def expected(
+    folder: Path, asked: Iterable[Chart], target: str, cap: int = about.MAX_ORDER
+) -> tuple[list[Chart], dict[str, str]]:
+    """Return the charts whose modules a folder should hold, and by file name why others are not printed."""
+    chosen, wanted = _target(target), {chart.name: chart for chart in with_bases(list(asked), target)}
+    further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
+    reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
+    unmade = {module_name(c, chosen): f"order {c.order} {reason}" for c in further if c.order > cap}
+    return [*wanted.values(), *(chart for chart in further if chart.order <= cap)], unmade
+
+
+def check_charts(
+    folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Progress | None = None
+) -> list[files.Difference]:
+    """Return the differences of a folder from the modules of charts; ``unmade`` are the reasons of `expected`."""
+    return list(files.compare(folder, print_package(charts, _target(target), progress).texts, unmade))
+
+
+def _target(name: str) -> Target:
+    if name not in TARGETS:
+        raise ValueError(f"target must be one of {', '.join(TARGETS)}, got {name!r}")
+    return TARGETS[name]

@@ -1,0 +1,150 @@
+"""Numbers of 50 digits which kernels take inside object arrays, and how near to one another they have to be."""
+
+from __future__ import annotations
+
+import decimal
+from collections.abc import Callable
+from fractions import Fraction
+from functools import lru_cache, partial
+from typing import Any
+
+import mpmath
+
+from ...maps.chart import Chart
+
+DIGITS = 50
+
+CONSTANTS_ERROR = mpmath.mpf(10) ** -40
+"""Error of printed constants, which have as many digits."""
+
+CONDITION_MAX = mpmath.mpf(10) ** 8
+"""Factor by which errors of constants and scalars grow, at most, in the results of seeded cases."""
+
+NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
+"""Undefined results are NaN, and a quotient by zero is infinite, for a selection computes the side not taken too."""
+
+ONE, TWO = decimal.Decimal(1), decimal.Decimal(2)
+
+
+def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -> Callable[[Decimal, object], Decimal]:
+    """Return an operation with an exact partner; each step of a kernel is one, so no further call is made."""
+
+    def operation(self: Decimal, other: object) -> Decimal:
+        value = other.value if type(other) is Decimal else _partner(other)
+        result = _new(Decimal)
+        result.value = compute(value, self.value) if swapped else compute(self.value, value)
+        return result
+
+    return operation
+
+
+def _partner(other: object) -> decimal.Decimal:
+    if isinstance(other, Decimal):
+        return other.value
+    if isinstance(other, int):
+        return _integer(other)
+    if isinstance(other, Fraction):
+        return _of(other)
+    raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
+
+
+_new = object.__new__
+_integer = lru_cache(maxsize=256)(NUMBERS.create_decimal)
+
+
+class Decimal:
+    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value: Any) -> None:
+        self.value = _of(value)
+
+    __add__ = __radd__ = _operation(NUMBERS.add)
+    __mul__ = __rmul__ = _operation(NUMBERS.multiply)
+    __sub__, __rsub__ = _operation(NUMBERS.subtract), _operation(NUMBERS.subtract, swapped=True)
+    __truediv__, __rtruediv__ = _operation(NUMBERS.divide), _operation(NUMBERS.divide, swapped=True)
+
+    def __neg__(self) -> Decimal:
+        return Decimal(NUMBERS.minus(self.value))
+
+    def __lt__(self, other: object) -> bool:
+        return NUMBERS.compare(self.value, _partner(other)) == -1
+
+    def __gt__(self, other: object) -> bool:
+        return NUMBERS.compare(self.value, _partner(other)) == 1
+
+    def __eq__(self, other: object) -> bool:
+        return self.value == _partner(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return str(self.value)
+
+    def __abs__(self) -> Decimal:
+        return Decimal(NUMBERS.abs(self.value))
+
+    def sqrt(self) -> Decimal:
+        return Decimal(NUMBERS.sqrt(self.value))
+
+    def tan(self) -> Decimal:  # of an infinite number mpmath would raise a flag that NumPy warns of
+        return _computed(mpmath.tan, mpmath.mp.prec, self.value) if self.value.is_finite() else Decimal(mpmath.nan)
+
+    def arctan2(self, other: object) -> Decimal:
+        return _computed(mpmath.atan2, mpmath.mp.prec, self.value, _partner(other))
+
+    def expm1(self) -> Decimal:
+        return _computed(mpmath.expm1, mpmath.mp.prec, self.value)
+
+    def log1p(self) -> Decimal:
+        return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(mpmath.nan)
+
+
+@lru_cache(maxsize=4096)  # programs in every layout ask for the same
+def _computed(function: Callable[..., Any], precision: int, *values: decimal.Decimal) -> Decimal:
+    """Return the value of a function of mpmath; ``precision`` is the working precision, a key of the cache."""
+    return Decimal(function(*map(_binary, values)))
+
+
+def _of(value: Any) -> decimal.Decimal:
+    """Return a decimal number, an int, a Fraction or a number of mpmath in decimals; no other has so many digits."""
+    if isinstance(value, decimal.Decimal):
+        return value
+    if isinstance(value, int):
+        return NUMBERS.create_decimal(value)
+    if isinstance(value, Fraction):
+        return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
+    if not isinstance(value, mpmath.mpf):
+        raise TypeError(f"no number of {DIGITS} digits: {type(value).__name__} {value!r}")
+    sign, mantissa, exponent, _ = value._mpf_
+    if not mantissa:
+        return decimal.Decimal(float(value))  # 0, infinite or NaN
+    digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # of its own type where gmpy2 is installed
+    scale = _power_of_two(abs(exponent))
+    return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
+
+
+_power_of_two = lru_cache(maxsize=1024)(partial(NUMBERS.power, TWO))
+
+
+def _binary(value: decimal.Decimal) -> Any:
+    """Return a decimal number as one of mpmath, which has the functions."""
+    if not value.is_finite():
+        return mpmath.mpf(float(value))
+    places = DIGITS - value.adjusted()  # of a whole number with all its digits
+    return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / mpmath.mpf(10) ** places
+
+
+def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
+    """Return the largest error of results of 50-digit numbers, relative to 1 plus their size."""
+    return Decimal(CONDITION_MAX * max(CONSTANTS_ERROR, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
+
+
+def close(got: Any, expected: Any, tolerance: Decimal) -> bool:
+    """Return whether a result of 50-digit numbers is the expected one."""
+    value, wanted = (number.value if isinstance(number, Decimal) else _of(number) for number in (got, expected))
+    if wanted.is_nan():
+        return value.is_nan()
+    bound = NUMBERS.multiply(tolerance.value, NUMBERS.add(ONE, NUMBERS.abs(wanted)))
+    return NUMBERS.compare(NUMBERS.abs(NUMBERS.subtract(value, wanted)), bound) == -1

@@ -1,0 +1,267 @@
+"""Expected values of algebraic kernel functions, from the formulas alone: exactly on ring elements, or at numbers.
+
+Formulas in x are lifted into an exact ring. Formulas in α, which no ring holds, are evaluated at numbers only.
+Derivatives are those of the formulas, in dual numbers of one more level: no slope of a chart's scalars enters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache, partial
+from typing import Any
+
+import sympy
+
+from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Vector
+from ...maps import Formula, x
+from ...maps.any_phi.elementary import evaluate
+from ...maps.chart import Chart
+from ...maps.families import alpha
+from ...maps.pose import Pose, pose_from_tensor
+from ...proof import Ring, root_of
+from ..lowering.scalars import scalar_program
+from ..rows import Function, Table
+from ..signatures import POSES
+from .vectors import Flat, Vectors, dual, flat
+
+ROOTS_MAX = 2
+"""Largest number of square roots with which the inverse map is compared exactly; more would take too long."""
+
+LETTERS = ("v", "w", "z")
+"""Symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """Arguments of a kernel function and its result, both as flat components; the branch follows the function's name.
+
+    A result that takes long to compute is given as a function, which is called when the result is asked for.
+    """
+
+    function: str
+    arguments: tuple[Flat, ...]
+    given: Flat | Callable[[], Flat]
+
+    @cached_property
+    def result(self) -> Flat:
+        return self.given() if callable(self.given) else self.given
+
+
+@lru_cache(maxsize=256)  # to ask walks the tree
+def _has_angle(expression: sympy.Expr) -> bool:
+    return alpha in expression.free_symbols
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """Formulas of a chart at ring elements, or at numbers where the `Vectors` of the chart are given as ``ring``."""
+
+    chart: Chart
+    ring: Any
+
+    def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
+        """Return an algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        if isinstance(self.ring, Vectors) and not _has_angle(expression):
+            return evaluate(expression, x, at)
+        order, plain = 0, at
+        while isinstance(plain, Dual):
+            order, plain = order + 1, plain.re
+        derivatives = self.ring.derivatives(expression, x, plain, order)
+
+        def raised(k: int, at: Coefficient) -> Coefficient:
+            return Dual(raised(k, at.re), raised(k + 1, at.re) * at.du) if isinstance(at, Dual) else derivatives[k]
+
+        return raised(0, at)
+
+    def _operator(self, formula: Formula, v: Vector) -> Isotropic:
+        square = v.dot(v)
+        a, b, c = (self.lifted(coefficient, square) for coefficient in formula.coefficients)
+        return Isotropic(a, b, c, square)
+
+    def quaternion(self, v: Vector) -> Quaternion:
+        s, w = (self.lifted(coefficient, v.dot(v)) for coefficient in self.chart.quaternion.coefficients)
+        return Quaternion(s, v * w)
+
+    def tensor(self, v: Vector) -> Isotropic:
+        return self._operator(self.chart.tensor, v)
+
+    def pose(self, v: Vector) -> Pose:
+        return pose_from_tensor(self.tensor(v).tensor(v))
+
+    def tangent(self, v: Vector, hand: int = 1) -> Isotropic:
+        """Return T, or its transpose with hand −1."""
+        T = self._operator(self.chart.tangent, v)
+        return T if hand == 1 else T.transpose
+
+    def tangent_inv(self, v: Vector, hand: int = 1) -> Isotropic:
+        """Return T⁻¹, or its transpose with hand −1."""
+        T = self._operator(self.chart.tangent_inv, v)
+        return T if hand == 1 else T.transpose
+
+
+def rows_of_pose(pose: Pose) -> Flat:
+    """Return the homogeneous matrix of a pose by rows."""
+    Q, rho = pose.rotation, tuple(pose.displacement)
+    rows = (entry for i in range(3) for entry in (Q[i, 0], Q[i, 1], Q[i, 2], rho[i]))
+    return (*rows, 0, 0, 0, 1)
+
+
+# --- derivatives: an outer dual part is one by time, or along a component of v ------------------------------------
+
+
+def moving(a: Vector, rate: Vector) -> Vector:
+    """Return ``a + τ rate`` with τ² = 0."""
+    return Vector.dual(a, rate)
+
+
+def matrix6(columns: Sequence[Vector]) -> Flat:
+    """Return the real matrix that acts on dual vectors as the dual tensor of these columns does."""
+    re, du = ([column.re for column in columns], [column.du for column in columns])
+    upper = (entry for row in zip(*re, strict=True) for entry in (*row, 0, 0, 0))
+    lower = (entry for row, below in zip(zip(*du, strict=True), zip(*re, strict=True)) for entry in (*row, *below))
+    return (*upper, *lower)
+
+
+def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
+    """Return the derivative of a function of dual vectors."""
+    zero = 0 * v.c1
+    units = ([zero + int(i == j) for i in range(3)] for j in range(3))
+    return matrix6([function(moving(v, Vector(*unit))).du for unit in units])
+
+
+Value = Callable[..., Flat]
+Operator = Callable[..., Isotropic]
+
+
+def _applied(operator: Operator, hand: int) -> Value:
+    """Return the function that applies an operator to the second argument."""
+    return lambda at, v, w: flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
+
+
+def _applied_jacobian(operator: Operator, hand: int) -> Value:
+    """Return the derivative by v of an operator applied to the second argument."""
+
+    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
+        fixed = moving(dual(w), 0 * dual(w))
+        return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
+
+    return expected
+
+
+def _tangent_dot(hand: int) -> Value:
+    def expected(at: Formulas, v: Flat, v_dot: Flat) -> Flat:
+        there = moving(dual(v), dual(v_dot))
+        return flat(at.tangent(there, hand).tensor(there).du)
+
+    return expected
+
+
+def _twist_dot(hand: int) -> Value:
+    def expected(at: Formulas, v: Flat, v_dot: Flat, v_ddot: Flat) -> Flat:
+        there = moving(dual(v), dual(v_dot))
+        return flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
+
+    return expected
+
+
+def _rate_dot(hand: int) -> Value:
+    def expected(at: Formulas, v: Flat, omega: Flat, omega_dot: Flat) -> Flat:
+        here, twist = dual(v), dual(omega)
+        there = moving(here, at.tangent_inv(here, hand).apply(here, twist))
+        return flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
+
+    return expected
+
+
+def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
+    """Return the rates of the moved point by each component of v, then Q."""
+    here, point = dual(v), Vector(*r)
+    still = 0 * here.re
+    columns = []
+    for place in range(6):
+        rate = [0 * c + int(i == place) for i, c in enumerate(v)]
+        there = Vector.dual(moving(here.re, Vector(*rate[:3])), moving(here.du, Vector(*rate[3:])))
+        columns.append(at.pose(there).apply(moving(point, still)).du)
+    rows = (entry for row in zip(*columns, strict=True) for entry in row)
+    return (*rows, *at.pose(here).rotation)
+
+
+def _line_jacobians(at: Formulas, v: Flat, line: Flat) -> Flat:
+    fixed = moving(dual(line), 0 * dual(line))
+    by_v = jacobian(lambda there: at.tensor(there).apply(there, fixed), dual(v))
+    return (*by_v, *_adjoint(at, v))
+
+
+def _adjoint(at: Formulas, v: Flat) -> Flat:
+    return matrix6([Vector(*column) for column in at.tensor(dual(v)).tensor(dual(v)).transpose.rows])
+
+
+BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: flat(at.quaternion(dual(v)))}
+"""Functions whose formulas may hold a root."""
+
+BY_TENSORS: Mapping[str, Value] = {
+    "tensor": lambda at, v: flat(at.tensor(dual(v)).tensor(dual(v))),
+    "pose": lambda at, v: rows_of_pose(at.pose(dual(v))),
+    "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
+    "adjoint": _adjoint,
+    "transform_point_jacobians": _point_jacobians,
+    "transform_line_jacobians": _line_jacobians,
+    "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
+    "inverse": lambda at, v: tuple(-c for c in v),
+    "cotangent": _applied(Formulas.tangent, -1),
+    "body_cotangent": _applied(Formulas.tangent, 1),
+    "cotangent_jacobian": _applied_jacobian(Formulas.tangent, -1),
+    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent, 1),
+}
+
+BY_HAND: Mapping[str, Callable[[int], Value]] = {
+    "tangent": lambda hand: lambda at, v: flat(at.tangent(dual(v), hand).tensor(dual(v))),
+    "tangent_inv": lambda hand: lambda at, v: flat(at.tangent_inv(dual(v), hand).tensor(dual(v))),
+    "twist": partial(_applied, Formulas.tangent),
+    "rate": partial(_applied, Formulas.tangent_inv),
+    "tangent_dot": _tangent_dot,
+    "twist_dot": _twist_dot,
+    "rate_dot": _rate_dot,
+    "twist_jacobian": partial(_applied_jacobian, Formulas.tangent),
+    "rate_jacobian": partial(_applied_jacobian, Formulas.tangent_inv),
+}
+"""Functions of the tangent operator, in space with hand 1 and in the body with hand −1."""
+
+FRAMES = {"": 1, "body_": -1}
+
+ALGEBRAIC: Mapping[str, Value] = {
+    **BY_QUATERNION,
+    **BY_TENSORS,
+    **{f"{frame}{name}": made(hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
+}
+"""Values by kernel function, from the formulas of a chart and flat arguments."""
+
+
+def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
+    """Yield every algebraic function of a table on symbols, and `from_quaternion` where roots alone lead back."""
+    for name in filter(table.sources.__contains__, ALGEBRAIC):
+        maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
+        yield (case := _on_symbols(chart, table.sources[name], *maps))
+        if name in BY_QUATERNION and _goes_back_by_roots(chart):
+            yield Expectation(f"from_{name}", (case.result,), case.arguments[0])
+
+
+def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
+    root = root_of(coefficient for formula in formulas for coefficient in formula.coefficients)
+    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in zip(LETTERS, row.arguments)]
+    ring = Ring(extra=[*names[0][3:], *(name for group in names[1:] for name in group)], root=root)
+    arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
+    zero = 0 * arguments[0][0]
+    return Expectation(row.name, arguments, lambda: evaluated(row, Formulas(chart, ring), arguments, zero))
+
+
+def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
+    """Return the value of an algebraic function; of a rotation the real part at dual parts ``zero``."""
+    return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
+
+
+def _goes_back_by_roots(chart: Chart) -> bool:
+    """Return whether the inverse map takes a few square roots and no trigonometry."""
+    operations = scalar_program("gain_unit", chart).operations
+    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX

@@ -1,0 +1,204 @@
+"""Expected values of inverse maps, screws, shadows, composition and steps, at given numbers, from φ alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+
+from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...algebra.functions import atan2
+from ...maps.exponential import quaternion_exponential
+from ...maps.pose import Pose, Screw, polar, tensor_from_pose
+from ...maps.sign_tests import orientation
+from ..rows import Function
+from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
+from .vectors import Flat, Vectors, dual, flat
+
+
+def _from_quaternion(chart: Vectors, branch: int, q: Flat) -> Flat:
+    return flat(chart.of_quaternion(Quaternion.dual(q[:4], q[4:]), branch))
+
+
+def _from_tensor(chart: Vectors, branch: int, tensor: Flat) -> Flat:
+    re, du = map(Tensor.from_entries, (tensor[:9], tensor[9:]))
+    return flat(chart.of_tensor(Tensor.dual(re, du), branch))
+
+
+def _from_pose(chart: Vectors, branch: int, pose: Flat) -> Flat:
+    rotation = Tensor.from_entries((*pose[0:3], *pose[4:7], *pose[8:11]))
+    displacement = Vector(pose[3], pose[7], pose[11])
+    return flat(chart.of_tensor(tensor_from_pose(Pose(rotation, displacement)), branch))
+
+
+def _from_screw(chart: Vectors, branch: int, angle: Flat, line: Flat) -> Flat:
+    return flat(chart.at(Screw(Dual(*angle), dual(line)), branch))
+
+
+def _to_screw(chart: Vectors, branch: int, v: Flat) -> Flat:
+    screw, _ = chart.screw(dual(v))
+    return (screw.angle.re, screw.angle.du, *flat(screw.axis))
+
+
+def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
+    length, _ = polar(dual(v))
+    angle = chart.angle(length)
+    return angle.re, angle.du
+
+
+def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
+    length, u = polar(dual(v))
+    return flat(u * chart.angle(length))
+
+
+def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
+    angle, u = polar(dual(w))
+    return flat(u * chart.size(reached(chart, angle)))
+
+
+def reached(chart: Vectors, angle: Dual) -> Dual:
+    """Return the angle minus as many whole turns as bring it below the edge."""
+    while angle.re > chart.edge:
+        angle = angle - 2 * mpmath.pi
+    return angle
+
+
+def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
+    return flat(chart.shadow(dual(v), branch))
+
+
+def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
+    screw, _ = chart.screw(dual(v))
+    return flat(chart.at(screw))
+
+
+def _compose(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+    return flat(chart.of_quaternion(chart.quaternion(dual(v2)) * chart.quaternion(dual(v1))))
+
+
+def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+    if v2 == v1:
+        return (mpmath.mpf(0),) * 6
+    return flat(chart.of_quaternion(chart.quaternion(dual(v1)).conjugate() * chart.quaternion(dual(v2))))
+
+
+def _retract(body: bool) -> Callable[..., Flat]:
+    """Return the vector of R(v) times exp(δ), on the branch whose angle is nearest that of v along the new axis."""
+
+    def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
+        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
+        q = here * small if body else small * here
+        (length, u), (own, axis) = polar(q.vector), polar(dual(v))
+        angle = 2 * atan2(length, q.scalar)
+        along = chart.angle(own.re) * axis.re.dot(u.re)
+        turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
+        return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
+
+    return retracted
+
+
+@lru_cache(maxsize=16)  # most difference quotients move another argument
+def _turning(precision: int, *delta: Any) -> Quaternion:
+    """Return exp(δ/2); ``precision`` is the working precision, a key of the cache."""
+    return quaternion_exponential(dual(delta) / 2)
+
+
+def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
+    """Return exp(t δ) R(v1), on the branch reached continuously from that of v1."""
+    if v1 == v2:
+        return v1
+    first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
+    way = second * first.conjugate()
+    way = way * orientation(way.scalar.re)
+    length, axis = polar(way.vector)
+    delta = axis * (2 * atan2(length, way.scalar))
+    (extent, own), moved = polar(dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
+    before = chart.angle(extent.re)
+    size, u = polar(moved.vector)
+    if delta.re.cross(own.re).magnitude() < mpmath.eps ** mpmath.mpf("0.8") and extent.re:
+        side = orientation(moved.vector.re.dot(own.re))
+        gone, turn = before + t[0] * delta.re.dot(own.re), 4
+    else:
+        side = orientation(first.vector.re.dot(own.re))
+        gone, turn = 2 * mpmath.pi * mpmath.floor(before / (2 * mpmath.pi)) + mpmath.pi, 2
+    angle = 2 * atan2(size, moved.scalar * side) if turn == 2 else 2 * atan2(size * side, moved.scalar)
+    turns = mpmath.nint((gone - angle.re) / (turn * mpmath.pi))
+    return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
+
+
+def _local(body: bool) -> Callable[..., Flat]:
+    """Return δ = α u of the motion from v1 to v2."""
+
+    def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+        if v2 == v1:
+            return (mpmath.mpf(0),) * 6
+        later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
+        q = sooner * later if body else later * sooner
+        q = q * orientation(q.scalar.re)
+        length, u = polar(q.vector)
+        return flat(u * (2 * atan2(length, q.scalar)))
+
+    return logarithm
+
+
+def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
+    """Return the derivatives of a function by each of its dual vectors, as difference quotients with twice the digits."""
+
+    def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
+        with mpmath.workprec(2 * mpmath.mp.prec):
+            step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
+            start = function(chart, branch, *arguments)
+            found: list[Any] = []
+            for place, argument in enumerate(arguments):
+                columns = []
+                for j in range(3):
+                    moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
+                    there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
+                    columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
+                found += matrix6(columns)
+        return tuple(+entry for entry in found)
+
+    return quotients
+
+
+def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
+    if not branch:  # exactly I
+        return matrix6([Vector(*row) for row in Tensor.identity().rows])
+    return _jacobians(_shadow)(chart, branch, v)
+
+
+MAPS: Mapping[str, Callable[..., Flat]] = {
+    "from_quaternion": _from_quaternion,
+    "from_tensor": _from_tensor,
+    "from_pose": _from_pose,
+    "from_screw": _from_screw,
+    "to_screw": _to_screw,
+    "angle": _angle,
+    "to_exponential": _to_exponential,
+    "from_exponential": _from_exponential,
+    "shadow": _shadow,
+    "principal": _principal,
+    "compose": _compose,
+    "between": _between,
+    "retract": _retract(body=False),
+    "body_retract": _retract(body=True),
+    "interpolate": _interpolate,
+    "local": _local(body=False),
+    "body_local": _local(body=True),
+    "compose_jacobians": _jacobians(_compose),
+    "between_jacobians": _jacobians(_between),
+    "shadow_jacobian": _shadow_jacobian,
+    "retract_jacobians": _jacobians(_retract(body=False)),
+    "body_retract_jacobians": _jacobians(_retract(body=True)),
+}
+"""Values by kernel function, for a chart, a branch and arguments."""
+
+
+def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Flat:
+    """Return the value of any kernel function at given numbers."""
+    zero = mpmath.mpf(0)
+    if row.source in ALGEBRAIC:
+        return evaluated(row, Formulas(chart.chart, chart), arguments, zero)
+    return row.part(MAPS[row.source](chart, branch or 0, *row.embedded(arguments, zero)))

@@ -1,0 +1,394 @@
+"""Seeded cases of a chart with expected values: on symbols, and to 50 digits on all sides of every selection."""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from typing import Any
+
+import mpmath
+
+from ...algebra import Dual, Tensor, Vector
+from ...maps.chart import Chart
+from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
+from ...maps.sign_tests import orientation
+from ...proof import is_algebraic
+from ..rows import Function, Table
+from ..signatures import POSES
+from . import decimals, formulas
+from .errors import ValidationFailed
+from .formulas import ALGEBRAIC, Expectation, rows_of_pose
+from .inverse_maps import MAPS, reached, value
+from .screws import covering, half_turns, steep, translation
+from .vectors import Flat, Vectors, flat, is_whole, vectors_of
+
+SEED = 2011
+
+SMALL = 1e-21 / 7
+"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short fraction,
+or sums of them might be exact."""
+
+SMALL_AT_EDGE = 1e-10 / 7
+"""Size of small components in charts that end at half a turn: the scalar part may not be smaller."""
+
+EDGE_MARGIN = 1e-12
+"""Least margin to the edge, as of `Vectors.finite`: nearer to it vectors are too ill-conditioned to compare."""
+
+JACOBIAN_MARGIN = 0.1
+"""Least margin where Jacobians are taken, which are worse conditioned by one power."""
+
+NEAR_TIE = mpmath.mpf(10) ** -30
+"""Angle between a vector and the limit of its branch."""
+
+LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
+"""Directions whose v·v, times a power of two, takes no rounding: at some of them a chart's scalars vanish."""
+
+SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
+"""Angles of seeded vectors as shares of the first singular one: where scalars are series, and where not."""
+
+SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
+"""A displacement that leads from a vector to one of its own branch."""
+
+STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
+"""Displacements within the series of the exponential, where its last terms weigh most, and beyond it."""
+
+POLE_DISTANCE = mpmath.mpf(1) / 64
+"""Angle before the edge from which a small step leads over it in one direction."""
+
+STEP_NAMES = ("retract", "body_retract")
+STEP_JACOBIANS = ("retract_jacobians", "body_retract_jacobians")
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Cases of one function and branch, on ring elements or, within a tolerance, on numbers of 50 digits."""
+
+    row: Function
+    branch: tuple[int, ...]
+    cases: tuple[Expectation, ...]
+    tolerance: Any = None
+
+    @property
+    def function(self) -> str:
+        return self.row.name
+
+    @property
+    def exact(self) -> bool:
+        """Whether results are elements of a ring."""
+        return self.tolerance is None
+
+    @property
+    def agree(self) -> Callable[[Any, Any], bool]:
+        """The comparison of a result with the expected one."""
+        return same if self.exact else partial(decimals.close, tolerance=self.tolerance)
+
+
+@lru_cache(maxsize=4)
+def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
+    """Return the cases of every public function of a table.
+
+    Raises
+    ------
+    ValueError
+        If a function has no case, or in an algebraic chart no exact one where its row says so.
+    """
+    algebraic = is_algebraic(chart)
+    with mpmath.workdps(decimals.DIGITS):
+        exactly = [_batch((case,), table) for case in formulas.expectations(chart, table)] if algebraic else []
+        close = [*_by_function(chart, table), *(() if algebraic else _algebraic(chart, table))]
+        closely = [_batch(tuple(map(_decimal, batch)), table, chart) for batch in close]
+    _require("an expectation", table.public, exactly + closely)
+    if algebraic:
+        _require("an exact expectation", (name for name, row in table.public.items() if row.exact), exactly)
+    return (*exactly, *closely)
+
+
+def same(got: Any, expected: Any) -> bool:
+    """Return whether two numbers are equal; NaN equals itself only."""
+    return bool(got == expected or (got != got and expected != expected))
+
+
+def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[Any, Any], bool]) -> None:
+    """Raise `ValidationFailed` at the first component that is not the expected one."""
+    if len(found) != len(expected):
+        raise ValidationFailed(f"{where}: {len(found)} components, expected {len(expected)}")
+    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
+        try:
+            right = agree(got, wanted)
+        except TypeError as error:
+            raise ValidationFailed(f"{where}, component {index}: {error}") from error
+        if not right:
+            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
+
+
+def _require(kind: str, names: Iterable[str], found: Iterable[Batch]) -> None:
+    missing = sorted(set(names) - {batch.function for batch in found})
+    if missing:
+        raise ValueError(f"functions without {kind} cannot be generated: {', '.join(missing)}")
+
+
+def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = None) -> Batch:
+    """Return a batch of exact cases, or of decimal ones of a chart."""
+    function, *branch = cases[0].function.split()
+    row = table.functions[function]
+    tolerance = decimals.tolerance(chart, row.remainder) if chart else None
+    return Batch(row, tuple(map(int, branch)), cases, tolerance)
+
+
+def _decimal(case: Expectation) -> Expectation:
+    arguments = tuple(tuple(map(decimals.Decimal, argument)) for argument in case.arguments)
+    return Expectation(case.function, arguments, lambda: tuple(map(decimals.Decimal, case.result)))
+
+
+def _later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
+    """Return the function that computes a result to 50 digits when it is asked for."""
+
+    def computed() -> Flat:
+        with mpmath.workdps(decimals.DIGITS):
+            return function(*arguments)
+
+    return computed
+
+
+def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
+    """Return the case of a map at given arguments; a branch follows its name."""
+    function, branch = (*name.split(), "0")[:2]
+    return Expectation(name, arguments, _later(MAPS[function], chart, int(branch), *arguments))
+
+
+def margin(chart: Vectors) -> float:
+    """Return the least margin to the edge: where φ′ is 0 there, scalars go with the cube of its inverse."""
+    return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
+
+
+def _by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
+    """Yield the cases of each inverse map, screw, shadow and group function, by branch."""
+    found: dict[str, list[Expectation]] = {}
+    at = vectors_of(chart)
+    for case in _restricted((*_seeded(at), *_undecided(at, table)), table):
+        found.setdefault(case.function, []).append(case)
+    yield from map(tuple, found.values())
+
+
+def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
+    """Yield cases of poses as the functions of a table take them.
+
+    For rotations these are the real parts. Of cases that coincide then, the first one is kept: the identity, or a
+    translation along v.
+    """
+    seen = set()
+    for case in cases:
+        source, *branch = case.function.split()
+        if table is POSES:
+            yield case
+        elif row := table.sources.get(source):
+            function, arguments = " ".join((row.name, *branch)), row.restricted(case.arguments)
+            if (function, arguments) not in seen:
+                seen.add((function, arguments))
+                yield Expectation(function, arguments, _later(_part, row, case))
+
+
+def _part(row: Function, case: Expectation) -> Flat:
+    return row.part(case.result)
+
+
+@lru_cache(maxsize=1)  # rotations take the real parts a moment later
+def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
+    return tuple(_cases(chart, random.Random(SEED)))
+
+
+def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
+    """Yield cases at all screws and exact half turns on the principal branch, and at some of them on every other."""
+    yield from _identity(chart)
+    small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
+    screws, halves = list(covering(draw, small)), list(half_turns(draw))
+    still, other_still = translation(draw), translation(draw)
+    given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, margin(chart))]
+    for screw, other in zip(given, [*given[1:], given[0]], strict=True):
+        yield from _principal(chart, screw, other)
+    for branch in chart.tried:
+        some = [screws[3 * branch % 8]] if branch else [*screws, still]
+        # on another branch a translation has w = 0 up to rounding, so nothing decides about its axis
+        for screw in (*some, still) if branch else some:
+            if chart.finite(screw, branch, margin(chart)):
+                yield from _branch(chart, screw, branch)
+                yield from _back(chart, screw, branch) if screw in some else ()
+        yield from _half_turns(chart, halves, branch)
+    for screw in steep(draw, small, 1 / 3):
+        if chart.finite(screw, 0, margin(chart)):
+            yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
+    yield from _far_steps(chart, screws[0], still)
+    yield from _steps_to_pole(chart, screws[0])
+    yield from _near_ties(chart, screws[0])
+
+
+def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
+    """Yield maps of one or two vectors that choose no branch."""
+    principal = chart.at(screw)
+    yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
+    q = quaternion_from_screw(screw)
+    yield Expectation("from_quaternion", (tuple(-c for c in flat(q)),), flat(principal))
+    product = quaternion_from_screw(other) * q
+    vectors = (flat(chart.at(other)), flat(principal))
+    yield from _coordinates(chart, screw)
+    yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
+    for name in ("between", "local", "body_local", *STEP_NAMES):  # any dual vector is a step
+        yield _by(chart, name, *vectors)
+    further = Screw(screw.angle / 3, screw.axis)  # about the same axis, also through whole turns
+    for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
+        yield _by(chart, "interpolate", flat(principal), flat(chart.at(end)), (mpmath.mpf(t),))
+    if all(chart.finite(s, 0, JACOBIAN_MARGIN) for s in (screw, other)):
+        for name in ("compose_jacobians", "between_jacobians", *STEP_JACOBIANS):
+            yield _by(chart, name, *vectors)
+
+
+def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """Yield exponential coordinates of a vector, and vectors of coordinates with some turns more."""
+    yield _by(chart, "to_exponential", flat(chart.at(screw)))
+    beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
+    for turns in (0, 1, beyond):
+        angle = screw.angle + 2 * mpmath.pi * turns
+        if chart.finite(Screw(reached(chart, angle), screw.axis), 0, JACOBIAN_MARGIN):
+            yield _by(chart, "from_exponential", flat(screw.axis * angle))
+
+
+def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
+    """Yield the way from a branch, where the axis may be opposite to v, to the screw and the principal v."""
+    v = flat(chart.at(screw, branch))
+    yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
+    yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
+    if branch:
+        yield _by(chart, "interpolate", v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),))
+
+
+def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
+    v, principal = flat(chart.at(screw, branch)), flat(chart.at(screw))
+    yield Expectation(f"from_quaternion {branch}", (flat(quaternion_from_screw(screw)),), v)
+    yield from _from_rotation(tensor_from_screw(screw), branch, v)
+    yield Expectation(f"shadow {branch}", (principal,), v)
+    yield Expectation("principal", (v,), principal)
+    for name in ("angle", "to_exponential"):
+        yield _by(chart, name, v)
+    if screw.angle.re > JACOBIAN_MARGIN and all(chart.finite(screw, k, JACOBIAN_MARGIN) for k in (0, branch)):
+        yield _by(chart, f"shadow_jacobian {branch}", principal)
+    for name in (*STEP_NAMES, *STEP_JACOBIANS) if branch else ():
+        yield _by(chart, name, v, SMALL_STEP)
+
+
+def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
+    yield Expectation(f"from_tensor {branch}", (flat(R),), v)
+    yield Expectation(f"from_pose {branch}", (rows_of_pose(pose_from_tensor(R)),), v)
+
+
+def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
+    """Yield exact half turns: all on the principal branch, one of them on others.
+
+    There u and -u are one rotation: the vector part stands, or its first component is positive. The scalar part is
+    exactly 0, the rotation exactly symmetric.
+    """
+    for screw in [screws[branch % len(screws)]] if branch else screws:
+        if not chart.finite(screw, branch, margin(chart)):
+            continue
+        u, moment, d = screw.axis.re, screw.axis.du, screw.angle.du
+        opposite = Screw(Dual(screw.angle.re, -d), -screw.axis)
+        for sign, equal in ((1, screw), (-1, opposite)):
+            q = tuple(sign * c for c in (0, *u, -d / 2, *moment))
+            yield Expectation(f"from_quaternion {branch}", (q,), flat(chart.at(equal, branch)))
+        R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
+        positive = screw if orientation(*u) > 0 else opposite
+        yield from _from_rotation(R, branch, flat(chart.at(positive, branch)))
+
+
+def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """Yield vectors just before and behind the angles (2k − 1)π between branches, to the digits of printed limits."""
+    for halves in chart.odd_half_turns():
+        for behind, step in ((-1, -NEAR_TIE), (1, NEAR_TIE)):
+            alpha = halves * mpmath.pi + step
+            angles = (alpha, alpha - (halves + behind) * mpmath.pi)
+            v, principal = (flat(screw.axis * chart.size(Dual(angle, screw.angle.du))) for angle in angles)
+            yield Expectation("principal", (v,), principal)
+
+
+def _identity(chart: Vectors) -> Iterator[Expectation]:
+    """Yield the identity, which turns about no axis: it has no other branch."""
+    identity, nowhere = 6 * (mpmath.mpf(0),), 6 * (mpmath.nan,)
+    yield Expectation("to_screw", (identity,), (0, 0, *nowhere))
+    for branch in chart.tried[1:]:
+        yield Expectation(f"shadow {branch}", (identity,), nowhere)
+        yield Expectation(f"shadow_jacobian {branch}", (identity,), 3 * (*nowhere[:3], *identity[:3]) + 3 * nowhere)
+        yield Expectation(f"from_quaternion {branch}", ((mpmath.mpf(1), *identity, mpmath.mpf(0)),), nowhere)
+        yield Expectation(f"from_tensor {branch}", ((*Tensor.identity(), *(0 * Tensor.identity())),), nowhere)
+
+
+def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
+    """Yield steps within and beyond the series of the exponential, steps from a translation, and far motions."""
+    small, *large = STEPS
+    v, resting = flat(chart.at(screw)), flat(chart.at(still))
+    for name in STEP_NAMES:
+        for given in (*((v, delta) for delta in large), (resting, small)):
+            yield _by(chart, name, *given)
+    for name, delta in itertools.product(STEP_JACOBIANS, large):
+        yield _by(chart, name, v, delta)
+    elsewhere = (0, 0, 0, *resting[:2:-1])
+    for start, end, t in ((resting, elsewhere, 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):
+        yield _by(chart, "interpolate", start, end, (mpmath.mpf(t),))
+    yield _by(chart, "angle", resting)
+    yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
+
+
+def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+    """Yield steps that end next to the edge, before and behind it, where φ has a pole there."""
+    if mpmath.isinf(chart.edge) or chart.is_folded:
+        return
+    v = chart.at(Screw(Dual(chart.edge - POLE_DISTANCE, screw.angle.du), screw.axis))
+    for name, start in itertools.product(STEP_NAMES, (v, -v)):
+        yield _by(chart, name, flat(start), SMALL_STEP)
+
+
+def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
+    """Yield vectors with s = 0 or w = 0 exactly: v itself or its dual part decides about the axis.
+
+    Rotations have no dual part, so v decides as if it moved along itself.
+    """
+    half = mpmath.mpf(1) / 2
+    sides = (half, -half) if table is POSES else (half,)
+    for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):
+        re = scale * Vector(*direction)
+        halves = _half_turns_of(chart, re)
+        for along in sides if halves else ():
+            v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
+            screw, own = chart.screw(v)
+            yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
+            # at odd multiples of half a turn beyond the first either side is a principal v
+            if halves % 2 == 0 or halves == 1:
+                yield Expectation("principal", (flat(v),), flat(chart.at(screw)))
+            for branch in chart.tried[1:]:
+                if chart.finite(screw, own + branch, margin(chart)):
+                    yield Expectation(f"shadow {branch}", (flat(v),), flat(chart.at(screw, own + branch)))
+
+
+def _half_turns_of(chart: Vectors, re: Vector) -> int:
+    """Return how many half turns the rotation of a vector takes, where that is a whole number; else 0."""
+    if not chart.reaches(re.magnitude()):
+        return 0
+    halves = chart.angle(re.magnitude()) / mpmath.pi
+    inside = halves * mpmath.pi < (1 - EDGE_MARGIN) * chart.edge
+    return int(mpmath.nint(halves)) if inside and is_whole(halves) else 0
+
+
+def _algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
+    """Yield every algebraic function of a chart whose formulas no ring holds, at seeded vectors and the identity."""
+    draw, at = random.Random(SEED), vectors_of(chart)
+    points = []
+    for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):
+        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
+        re = u * (size / u.magnitude())
+        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
+        points.append(((*re, *rest[0]), *rest[1:]))
+    for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
+        sizes = [array.size for array in row.arguments]
+        given = [tuple(components[:size] for components, size in zip(rows, sizes)) for rows in points]
+        yield tuple(Expectation(row.name, each, _later(value, at, row, None, each)) for each in given)

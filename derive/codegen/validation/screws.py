@@ -1,0 +1,70 @@
+"""Seeded screws on which kernels take every side of every selection.
+
+The quaternion of a rotation matrix is read from one of four rows, that of its largest component. For each row one screw
+has this component largest, with axes of both signs and angles below and beyond a quarter turn. For each row another
+screw has all other components small: every other row has lost its digits there, which shows a wrong comparison.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from typing import Any
+
+import mpmath
+
+from ...algebra import Dual, Vector
+from ...maps.pose import Screw
+
+ANGLES = (0.5, 1.9, 2.6, 3.0)
+"""Rotation angles of the screws, by row: the scalar part is the largest component of the first quaternion only."""
+
+SIGNS = (1, 1, -1, 1)
+"""Signs of the dominant component, by row."""
+
+HALF_TURN_AXES = ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1))
+"""Axes whose first non-zero component is each of the three, of both signs."""
+
+
+def covering(draw: random.Random, small: float) -> Iterator[Screw]:
+    """Yield eight screws, two for each row; ``small`` is the size of the small components."""
+    for row in range(4):
+        u = [_number(draw, -0.5, 0.5) for _ in range(3)]
+        if row:
+            u[row - 1] = SIGNS[row] * _number(draw, 1, 2)
+        yield _screw(draw, mpmath.mpf(ANGLES[row]), Vector(*u))
+    yield from steep(draw, small)
+
+
+def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
+    """Yield one screw for each row, whose other components are small: from one to the next they grow by ``ratio``.
+
+    The first one hardly turns. It does not move along its axis either, or its axis would be lost in the translation.
+    """
+    for row in range(4):
+        e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]
+        e[row] = mpmath.mpf(SIGNS[row])
+        vector = Vector(*e[1:])
+        yield _screw(draw, 2 * mpmath.atan2(vector.magnitude(), e[0]), vector, pitch=2 if row else 0)
+
+
+def translation(draw: random.Random) -> Screw:
+    """Return a screw without rotation, whose axis passes through the origin."""
+    u = Vector(*(_number(draw, -1, 1) for _ in range(3)))
+    return Screw(Dual(mpmath.mpf(0), _number(draw, 1, 2)), Vector.dual(u / u.magnitude(), 0 * u))
+
+
+def half_turns(draw: random.Random) -> Iterator[Screw]:
+    """Yield screws at half a turn."""
+    for axis in HALF_TURN_AXES:
+        yield _screw(draw, +mpmath.pi, Vector(*map(mpmath.mpf, axis)))
+
+
+def _screw(draw: random.Random, angle: Any, direction: Vector, pitch: float = 2) -> Screw:
+    u = direction / direction.magnitude()
+    point = Vector(*(_number(draw, -2, 2) for _ in range(3)))
+    return Screw(Dual(angle, _number(draw, -pitch, pitch)), Vector.dual(u, point.cross(u)))
+
+
+def _number(draw: random.Random, low: float, high: float) -> Any:
+    return mpmath.mpf(draw.uniform(low, high))

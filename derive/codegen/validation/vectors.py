@@ -1,0 +1,238 @@
+"""Vectors of a chart at given numbers, from φ alone: natural invariants of a pose, and branches of its angle.
+
+No scalar of the chart is used, nor its inverse map: their results have to agree with these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ...algebra.functions import atan2
+from ...maps.any_phi.edges import angle_of
+from ...maps.any_phi.elementary import evaluate
+from ...maps.chart import Chart
+from ...maps.families import alpha, by_square
+from ...maps.pose import Screw, natural_invariants, polar, quaternion_from_screw
+from ...maps.sign_tests import is_zero, orientation
+
+Flat = tuple[Any, ...]
+"""Components of an array, in C order."""
+
+DIGITS_CANCELLED = 250
+"""Digits that terms of a scalar or its slope may lose by cancellation: α⁻⁷ at least."""
+
+BRANCHES_MAX = 8
+SOME_BRANCHES = (0, 1, -1, 2)
+"""Branches of cases: the first ones of a finite number, some of an infinite one."""
+
+EDGE_UNITS = 2**20
+"""Distance from the edge, in units of rounding, at which φ′ is compared with its value at 0."""
+
+REACH = 0.9
+"""Share of an angle that seeded vectors may reach."""
+
+
+@dataclass(frozen=True)
+class Vectors:
+    """Vectors v_k = φ(α + 2πk) u of a chart, in the working precision of mpmath; ``precision`` is that of its edge."""
+
+    chart: Chart
+    precision: int = field(default_factory=lambda: mpmath.mp.prec)
+
+    @cached_property
+    def edge(self) -> Any:
+        """Re α beyond which there is no v."""
+        return self._number(self.chart.edge)
+
+    @cached_property
+    def is_folded(self) -> bool:
+        """Whether v ends at the edge with φ′ = 0; else it is infinite there, or there is no edge."""
+        if mpmath.isinf(self.edge):
+            return False
+        with mpmath.workprec(self.precision):
+            return bool(abs(self.slope(self.edge * (1 - EDGE_UNITS * mpmath.eps))) < self.slope(0))
+
+    @cached_property
+    def first_pole(self) -> Any:
+        """The least Re α > 0 where v, T or its inverse is singular."""
+        return self._number(self.chart.singular_angles[0])
+
+    def _number(self, angle: sympy.Expr) -> Any:
+        with mpmath.workprec(self.precision):
+            return mpmath.inf if angle.is_infinite else mpmath.mpf(angle.evalf(mpmath.mp.dps + 5))
+
+    @cached_property
+    def _slope(self) -> sympy.Expr:
+        return self.chart.phi.diff(alpha)
+
+    @cached_property
+    def _known(self) -> dict[Any, Any]:
+        """Values computed so far: points often share a length or a vector."""
+        return {}
+
+    def _once(self, compute: Callable[..., Any], *key: Any) -> Any:
+        """Return ``compute(*key)``, computed once in each precision."""
+        place = mpmath.mp.prec, compute.__name__, *key
+        if place not in self._known:
+            self._known[place] = compute(*key)
+        return self._known[place]
+
+    def size(self, angle: Any) -> Any:
+        """Return φ of a real or dual angle."""
+        return evaluate(self.chart.phi, alpha, angle)
+
+    def slope(self, angle: Any) -> Any:
+        """Return φ′ of a real angle."""
+        return evaluate(self._slope, alpha, angle)
+
+    def angle(self, size: Any) -> Any:
+        """Return the angle α ≥ 0 of a length, real or dual: φ⁻¹.
+
+        Raises
+        ------
+        ArithmeticError
+            If no angle before the edge has this length.
+        """
+        root = self._once(self._root, real_part(size))
+        return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
+
+    def _root(self, size: Any) -> Any:
+        root = angle_of(self.chart.phi, self.chart.edge, size)
+        if abs(self.size(root) - size) <= mpmath.sqrt(mpmath.eps) * size:
+            return root
+        raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
+
+    def reaches(self, size: Any) -> bool:
+        """Return whether there is a vector of this length."""
+        try:
+            self.angle(size)
+        except ArithmeticError:
+            return False
+        return True
+
+    def component(self, most: Any, angle: Any) -> float:
+        """Return the largest component of seeded vectors: ``most``, or less where they would come near an angle."""
+        return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
+
+    def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
+        """Return an even function of α and its derivatives by x, with more digits, for terms may cancel near 0."""
+        return tuple(+value for value in self._once(self._derivatives, expression, square, order))
+
+    def _derivatives(self, expression: sympy.Expr, square: Any, order: int) -> list[Any]:
+        angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
+        found = []
+        with mpmath.workdps(mpmath.mp.dps + DIGITS_CANCELLED * max(order, 1)):
+            at = max(angle, least)  # the error of an even function is the square of that
+            for _ in range(order + 1):
+                found.append(evaluate(expression, alpha, at))
+                expression = _by_square(expression, self.chart.phi)
+        return found
+
+    # --- from natural invariants --------------------------------------------------------------------------------
+
+    def at(self, screw: Screw, branch: int = 0) -> Vector:
+        """Return ``φ(α + 2πk) u``; NaN beyond the edge."""
+        angle = self._turned(screw, branch)
+        v: Vector = screw.axis * (self.size(angle) if abs(angle.re) <= self.edge else Dual(mpmath.nan, mpmath.nan))
+        return v
+
+    def finite(self, screw: Screw, branch: int, least: float) -> bool:
+        """Return whether v exists and is not near the edge: sin(π/2) of the remaining share exceeds ``least``."""
+        share = self._turned(screw, branch).re / self.edge
+        return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
+
+    def _turned(self, screw: Screw, branch: int) -> Dual:
+        """Return α + 2πk; branches are taken modulo their number, so that the angle is nearest to 0."""
+        count = self.chart.branches
+        nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
+        angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
+        return angle
+
+    @property
+    def tried(self) -> tuple[int, ...]:
+        """Branches of cases, the principal one first."""
+        return tuple(range(min(self.chart.branches, BRANCHES_MAX))) or SOME_BRANCHES
+
+    def back(self, branch: int) -> int:
+        """Return the branch that leads from a vector on ``branch`` back to the principal one."""
+        return self.chart.branches - branch if self.chart.branches else -branch
+
+    def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
+        """Return v on a branch, of q or −q by the sign of the scalar part; where that is 0, of q as given."""
+        q = q * (1 if is_zero(real_part(q.scalar)) else orientation(real_part(q.scalar)))
+        length, u = polar(q.vector)
+        return self.at(Screw(2 * atan2(length, q.scalar), u), branch)
+
+    def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
+        """Return v on a branch, of an orthogonal dual tensor."""
+        return self.at(natural_invariants(R), branch)
+
+    # --- back to them -------------------------------------------------------------------------------------------
+
+    def screw(self, v: Vector) -> tuple[Screw, int]:
+        """Return the screw of the pose of v, 0 ≤ Re α ≤ π, and the branch that v is on.
+
+        At an odd multiple of π the vector part of v's own quaternion, ``sin(α/2) u``, points along the axis; at an even
+        one the translation does.
+        """
+        length, u = polar(v)
+        angle = self.angle(length)
+        halves = angle.re / mpmath.pi
+        exact = is_whole(halves)
+        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # half to even: sin(α/2) > 0
+        rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
+        sign = orientation(rest, angle.du)
+        return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign
+
+    def quaternion(self, v: Vector) -> Quaternion:
+        """Return ``cos(α/2) + sin(α/2) u``."""
+        found: Quaternion = self._once(self._quaternion, *flat(v))
+        return found
+
+    def _quaternion(self, *components: Any) -> Quaternion:
+        length, u = polar(dual(components))
+        return quaternion_from_screw(Screw(self.angle(length), u))
+
+    def shadow(self, v: Vector, branch: int) -> Vector:
+        """Return the vector of the same pose that lies ``branch`` branches further."""
+        screw, own = self.screw(v)
+        return self.at(screw, own + branch)
+
+    def odd_half_turns(self) -> Iterator[int]:
+        """Yield 1, 3, 5 …: the half turns below the edge, between branches that are tried."""
+        for halves in range(1, 2 * BRANCHES_MAX, 2):
+            if halves * sympy.pi < self.chart.edge:
+                yield halves
+
+
+_by_square = lru_cache(maxsize=256)(by_square)
+
+
+def vectors_of(chart: Chart) -> Vectors:
+    """Return the vectors of a chart in the working precision, with their values computed so far."""
+    return _vectors(chart, mpmath.mp.prec)
+
+
+_vectors = lru_cache(maxsize=4)(Vectors)
+
+
+def is_whole(number: Any) -> bool:
+    """Return whether a number is an integer up to rounding, to four fifths of the digits."""
+    return bool(abs(number - mpmath.nint(number)) < mpmath.eps ** mpmath.mpf("0.8"))
+
+
+def dual(components: Sequence[Any]) -> Vector:
+    """Return the dual vector of six components."""
+    return Vector.dual(components[:3], components[3:])
+
+
+def flat(value: Vector | Tensor | Quaternion) -> Flat:
+    """Return the components of a dual array, real part first."""
+    return (*value.re, *value.du)

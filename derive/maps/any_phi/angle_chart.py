@@ -1,0 +1,99 @@
+r"""Branches and inverse maps of charts that compute the angle α from ``|v|``, such as the exponential.
+
+Branch k is ``v_k = φ(α + 2πk) u``. It exists where ``|α + 2πk|`` is less than the edge, and is NaN elsewhere.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...algebra import Coefficient, Quaternion
+from ...algebra.arithmetic import Arithmetic
+from .. import branches
+from ..branches import Derivatives
+from ..families import alpha
+from ..gains import half_cosine, half_sine
+from ..parameterized import QuaternionChart
+from .lowering import number
+from .real_constants import times
+
+SINGULAR_ANGLE_MAX = 4 * sympy.pi
+"""Largest singular angle that is listed for a chart without an edge."""
+
+
+class AngleChart(QuaternionChart):
+    """Chart that computes its angle from ``|v|`` to go from branch to branch."""
+
+    order = 1
+    branches = 0
+
+    @property
+    def algebraic(self) -> bool:
+        return False
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Return whole turns, then the edge where there is one."""
+        if self.edge.is_infinite:
+            return tuple(2 * sympy.pi * k for k in range(1, int(SINGULAR_ANGLE_MAX / (2 * sympy.pi)) + 1))
+        turns = int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
+        return (*(2 * sympy.pi * k for k in range(1, turns + 1)), self.edge)
+
+    @abstractmethod
+    def own_angle(self, at: Any, r: Coefficient) -> Coefficient:
+        """Return α of a length r, from the scalars at ``r²``."""
+
+    @abstractmethod
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        """Return φ, φ′ and φ″ of an angle, NaN beyond the edge; a mark tells names apart."""
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        r, slope, _ = self.phi_derivatives(angle, m)
+        return m.name("r", r), m.name("slope", slope)
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        """Return ``φ/sin(α/2)``; α follows from sine and cosine of its half."""
+        negative, cosine = half_cosine(q, m, positive)
+        still, _, sine = half_sine(q, cosine, m)
+        r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
+        at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
+        gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
+        return m.name("gain", m.where(negative, -1, 1) * gain)
+
+    # --- branches ---------------------------------------------------------------------------------------------------
+
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return self.own_angle(self.scalars(x, m), r)
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+        _, further = turn
+        at = self.scalars(m.name("rr", r * r), m)
+        angle = m.name("own", self.own_angle(at, r))
+        after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
+        return branches.by_length(self.phi_derivatives(angle, m), after, m)
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        """Unwrap α by whole turns where it exceeds half a turn."""
+        selected, (one, _) = branches.beyond(x, table, m)
+        at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
+        s, sine = at.s, m.name("sine", at.w * r)
+        sign = m.name("side", m.where(m.less(s, 0), -1, 1))
+        reduced = 2 * m.atan2(sign * sine, sign * s)
+        return selected, (one, m.name("back", reduced - self.own_angle(at, r)))
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return mpmath.mpf(1), 2 * branch * mpmath.pi
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        """Return x at half a turn, without a turn: `beyond` computes how far back to go."""
+        if self.edge <= sympy.pi:
+            return ()
+        limit = mpmath.mpf(self.phi.subs(alpha, sympy.pi).evalf(mpmath.mp.dps + 5)) ** 2
+        return ((limit, *self.turn(0)),)

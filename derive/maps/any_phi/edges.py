@@ -1,0 +1,152 @@
+"""The edge of φ, and the inverse φ⁻¹ below it as a number."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import mpmath
+import sympy
+
+from ..families import alpha
+from .elementary import evaluate
+from .grammar import PhiError
+
+DIGITS = 60
+"""Working digits of numerical decisions."""
+EDGE_MAX = 4
+"""Largest edge, in units of π: charts without an edge end there."""
+GRID_POINTS = 2000
+
+
+@dataclass(frozen=True)
+class Edge:
+    """Edge of φ: a fold (φ′ = 0), a pole, or the cut at 4π."""
+
+    angle: sympy.Expr
+    kind: str
+
+
+def edge_of(phi: sympy.Expr) -> Edge:
+    """Return the first zero of φ′ or pole of φ.
+
+    Raises
+    ------
+    PhiError
+        If φ does not increase from 0, or is not real.
+    """
+    slope = phi.diff(alpha)
+    with mpmath.workdps(DIGITS):
+        step = EDGE_MAX * mpmath.pi / GRID_POINTS
+        try:
+            before = real_value(slope, mpmath.mpf(0), phi)
+        except ZeroDivisionError:
+            raise PhiError(f"phi = {phi} divides by zero at alpha = 0") from None
+        if not before > 0:
+            raise PhiError(f"phi'(0) = {mpmath.nstr(before, 5)}, and has to be positive")
+        for k in range(1, GRID_POINTS + 1):
+            try:
+                now, size = real_value(slope, k * step, phi), real_value(phi, k * step, phi)
+            except (PhiError, ZeroDivisionError):
+                return _pole(phi, (k - 1) * step, k * step)
+            if now <= 0 or size <= 0:
+                jumped = now > 10 * before or size <= 0
+                return _pole(phi, (k - 1) * step, k * step) if jumped else _fold(phi, slope, (k - 1) * step, k * step)
+            before = now
+    return Edge(EDGE_MAX * sympy.pi, "cut")
+
+
+def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
+    """Return φ, or a derivative of it, at an angle.
+
+    Raises
+    ------
+    PhiError
+        If it is not real there.
+    """
+    value = evaluate(expression, alpha, at)
+    if isinstance(value, mpmath.mpc | complex):
+        if value.imag != 0:
+            raise PhiError(f"phi = {phi} is no real number at alpha = {mpmath.nstr(at, 5)}")
+        value = value.real
+    return value if isinstance(value, float | mpmath.mpf) else mpmath.mpf(value)
+
+
+def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
+    least = mpmath.mpf(10) ** -50
+    root = mpmath.findroot(lambda a: real_value(slope, a, phi), (low, high), solver="anderson", tol=least)
+    return Edge(_named(root), "fold")
+
+
+def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
+    """Find the pole by bisection: 1/φ changes sign there, or φ is not real beyond."""
+
+    def inside(at: Any) -> bool:
+        try:
+            return bool(real_value(phi, at, phi) > 0)
+        except (PhiError, ZeroDivisionError):
+            return False
+
+    for _ in range(220):
+        middle = (low + high) / 2
+        low, high = (middle, high) if inside(middle) else (low, middle)
+    if not real_value(phi, low, phi) > 10**6:
+        where = f"beyond alpha = {mpmath.nstr(low, 6)}, where it neither turns nor goes to infinity"
+        raise PhiError(f"phi = {phi} is no real number {where}")
+    return Edge(_named(low), "pole")
+
+
+def _named(root: Any) -> sympy.Expr:
+    """Return a multiple of π or the root of a fraction that agrees to 40 digits; a decimal where there is none."""
+    for value, make in ((root / mpmath.pi, lambda q: q * sympy.pi), (root**2, sympy.sqrt)):
+        near = Fraction(int(mpmath.nint(value * 5040)), 5040)
+        if abs(value - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -40:
+            return make(sympy.Rational(near.numerator, near.denominator))
+    return sympy.Float(mpmath.nstr(root, 50), 50)
+
+
+def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
+    """Return the edge; without one, an angle beyond that of a length."""
+    if not edge.is_infinite:
+        return mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
+    high = mpmath.mpf(1)
+    while real_value(phi, high, phi) <= size:
+        high = 2 * high
+    return high
+
+
+def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
+    """Return φ⁻¹ of a length below that of the edge, in the working precision; floats give the first guess."""
+    if size == 0:
+        return size
+    slope, high = _slope(phi), _end(phi, edge, size)
+    guess = min(size / real_value(slope, mpmath.mpf(0), phi), high / 2)
+    try:
+        found = _solved(phi, slope, float(size), float(high), float(guess), sys.float_info.epsilon)
+        guess = mpmath.mpf(found) if 0 < found < high else guess
+    except (ArithmeticError, ValueError):  # beyond the range of floats, or where rounding to floats makes φ complex
+        pass
+    return _solved(phi, slope, size, high, guess, mpmath.eps)
+
+
+@lru_cache(maxsize=64)
+def _slope(phi: sympy.Expr) -> sympy.Expr:
+    return phi.diff(alpha)
+
+
+def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any, eps: Any) -> Any:
+    """Solve φ = size by Newton's method between bounds, on φ or on 1/φ; bisect where both steps leave the bounds."""
+    low = 0 * high
+    for _ in range(8 * mpmath.mp.prec):
+        reached, rise = real_value(phi, guess, phi), real_value(slope, guess, phi)
+        low, high = (guess, high) if reached < size else (low, guess)
+        steps = (size - reached) / rise, (1 - reached / size) * reached / rise
+        inside = (at for at in (guess + step for step in steps) if low <= at <= high)
+        better = next(inside, (low + high) / 2)
+        guess, step = better, abs(better - guess)
+        if step <= 8 * eps * better:
+            break
+    return guess

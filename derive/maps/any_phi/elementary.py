@@ -1,0 +1,127 @@
+"""Evaluation of elementary expressions in one symbol, for any number type."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache, reduce
+from operator import mul
+from typing import Any, TypeAlias
+
+import mpmath
+import sympy
+
+from ...algebra import Coefficient, functions, real_part
+from ..sign_tests import is_zero
+
+FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
+"""Functions that a library may provide besides sqrt."""
+
+QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
+
+EXPRESSIONS_MAX = 256
+"""Limit of cached expressions: reading a tree takes longer than computing its value."""
+
+Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficient]
+"""Computes one part of an expression from known parts, the value of the symbol and a library."""
+
+
+def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
+    """Return the value of an elementary expression in one symbol; each part is computed once.
+
+    Parameters
+    ----------
+    library
+        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot, ``exp`` and ``log``
+        the powers with other denominators than 2, of positive numbers.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If a part is divided by zero, whatever the number type.
+    ValueError
+        If a part is no elementary function, or of another symbol.
+    """
+    known: list[Coefficient] = []
+    for step in _steps(expression, symbol):
+        known.append(step(known, value, library))
+    return known[-1]
+
+
+@lru_cache(maxsize=EXPRESSIONS_MAX)
+def _steps(expression: sympy.Expr, symbol: sympy.Symbol) -> Sequence[Step]:
+    reader = _Reader(symbol)
+    reader.place(expression)
+    return reader.steps
+
+
+class _Reader:
+    """Ordered steps that compute an expression."""
+
+    def __init__(self, symbol: sympy.Symbol) -> None:
+        self.steps: list[Step] = [lambda known, value, library: value]
+        self._symbol, self._places = symbol, {symbol: 0}
+
+    def place(self, e: sympy.Expr) -> int:
+        """Return the index of the value of an expression."""
+        if e not in self._places:
+            step = self._step(e)
+            self._places[e] = len(self.steps)
+            self.steps.append(step)
+        return self._places[e]
+
+    def _step(self, e: sympy.Expr) -> Step:
+        if e.is_Integer:
+            integer = int(e)
+            return lambda known, value, library: integer
+        if e.is_Add:
+            terms = [self.place(a) for a in e.args]
+            return lambda known, value, library: sum(known[i] for i in terms)
+        if e.is_Mul:
+            return self._product(*sympy.fraction(e))
+        if e.is_Rational:
+            p, q = int(e.p), int(e.q)
+            return lambda known, value, library: over(value * 0 + p, q)
+        if not e.free_symbols:
+            return lambda known, value, library: value * 0 + mpmath.mpf(e.evalf(mpmath.mp.dps + 5))
+        return self._power(e) if e.is_Pow else self._function(e)
+
+    def _product(self, numerator: sympy.Expr, denominator: sympy.Expr) -> Step:
+        factors = [self.place(a) for a in sympy.Mul.make_args(numerator)]
+        if denominator == 1:
+            return lambda known, value, library: reduce(mul, (known[i] for i in factors))
+        below = self.place(denominator)
+        return lambda known, value, library: over(reduce(mul, (known[i] for i in factors)), known[below])
+
+    def _power(self, e: sympy.Expr) -> Step:
+        base, exponent = e.as_base_exp()
+        if not exponent.is_Rational:
+            raise self._refused(e)
+        at, p, q = self.place(base), int(exponent.p), int(exponent.q)
+        if q > 2:  # for positive numbers
+            return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
+
+        def power(known: Sequence[Coefficient], value: Coefficient, library: Any) -> Coefficient:
+            raised = (known[at] if q == 1 else library.sqrt(known[at])) ** abs(p)
+            return raised if p > 0 else over(1 + 0 * raised, raised)
+
+        return power
+
+    def _function(self, e: sympy.Expr) -> Step:
+        if e.func.__name__ not in FUNCTIONS and e.func not in QUOTIENTS:
+            raise self._refused(e)
+        argument = e.args[0]
+        if quotient := QUOTIENTS.get(e.func):
+            above, below = (self.place(f(argument, evaluate=False)) for f in quotient)
+            return lambda known, value, library: over(known[above], known[below])
+        name, at = e.func.__name__, self.place(argument)
+        return lambda known, value, library: getattr(library, name)(known[at])
+
+    def _refused(self, e: sympy.Expr) -> ValueError:
+        return ValueError(f"not an elementary expression in {self._symbol}: {e}")
+
+
+def over(a: Coefficient, b: Coefficient) -> Coefficient:
+    """Return a/b; raise `ZeroDivisionError` where b is 0, for every number type."""
+    if is_zero(real_part(b)):
+        raise ZeroDivisionError(f"division of {a!r} by {b!r}")
+    return a / b

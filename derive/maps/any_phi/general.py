@@ -1,0 +1,239 @@
+r"""Chart of any φ: scalars from ``a(x) = α/|v|`` near v = 0, and from φ at the angle beyond.
+
+.. math::
+    w = \tfrac12 a\,c_1(\tfrac\xi4) \qquad \rho = a + 2 x a' \qquad h = a^3 c_3(\xi) + 2 a' \qquad
+    \xi = \alpha^2 = x a^2
+
+Beyond, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and
+``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import mpmath
+import sympy
+
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from .. import stumpff
+from ..branches import Derivatives
+from ..dependent import DependentScalars
+from ..families import alpha
+from ..order_charts import double_angle
+from ..scalar import scalar
+from .angle_chart import AngleChart
+from .edges import DIGITS, Edge, edge_of
+from .first_guess import Guess, guess
+from .lowering import Lowering, require_known
+from .near_zero import Ratio, ratio
+from .real_constants import plus
+
+
+class GeneralScalars(DependentScalars):
+    """Scalars at x = φ²."""
+
+    def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
+        super().__init__(x, m)
+        self.chart = chart
+        limit = chart.near.limit
+        self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
+
+    def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
+        """Return one value below the limit, another beyond."""
+        return self.m.where(self.is_near, near, far)
+
+    # --- below the limit ----------------------------------------------------------------------------------------
+
+    # x below the limit; 0 beyond
+    _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
+
+    def _a(self, count: int) -> Coefficient:
+        """Return a derivative of a(x)."""
+        if count not in self._found:
+            of = self.chart.near.polynomials[count]
+            self._found[count] = of.at(self._x, self.m, f"a{count}")
+        return self._found[count]
+
+    @cached_property
+    def _found(self) -> dict[int, Coefficient]:
+        return {}
+
+    _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
+
+    @cached_property
+    def _half(self) -> stumpff.HalfAngle:
+        zeta = self.m.name("zeta", self.m.div(self._x * self._aa, 4))
+        return stumpff.HalfAngle(zeta, self.m)
+
+    @cached_property
+    def _whole(self) -> stumpff.WholeAngle:
+        return stumpff.WholeAngle(self._half, self.m)
+
+    _c3 = scalar(lambda at: at._whole.c3, "c3")
+    _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
+    _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
+    _ratey_near = scalar(lambda at: 6 * at._a(1) + 4 * (at._x * at._a(2)), "rhony")
+    _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx
+    _cube = scalar(lambda at: at._aa * at._a(0), "aaa")
+
+    @property
+    def _hy_near(self) -> Coefficient:
+        direct = 6 * (self._aa * self._a(1)) * self._c3 + 4 * self._a(2)
+        return direct + self._cube * self._growth * self._bend
+
+    @property
+    def _hyy_near(self) -> Coefficient:
+        a, a1, a2, a3 = map(self._a, range(4))
+        twist = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
+        of_growth = self.m.div(2 * (a1 * self._rate_near) + a * self._ratey_near, 2)
+        direct = (12 * (a * a1 * a1) + 6 * (self._aa * a2)) * self._c3 + 4 * a3
+        first = 6 * (self._aa * a1) * self._growth * self._bend
+        last = self._cube * (self.m.div(twist * self._growth * self._growth, 2) + of_growth * self._bend)
+        return 2 * (direct + first + last)
+
+    # --- beyond the limit ---------------------------------------------------------------------------------------
+
+    @cached_property
+    def _square(self) -> Coefficient:
+        """x beyond the limit; for x below it, another number beyond."""
+        limit = self.chart.near.limit
+        beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
+        return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
+
+    _length = scalar(lambda at: at.m.sqrt(at._square), "length_x")
+
+    @cached_property
+    def far_angle(self) -> Coefficient:
+        """α beyond the limit."""
+        return self.chart.far_angle(self._square, self._length, self.m)
+
+    def angle_of(self, r: Coefficient) -> Coefficient:
+        """Return α of a length r, whose square is x."""
+        return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
+
+    @cached_property
+    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+        """``cos(α/2)`` and ``sin(α/2)/|v|``."""
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
+        return cosine, sine / self._length
+
+    @cached_property
+    def _slopes(self) -> Lowering:
+        return Lowering(self.far_angle, self.m)
+
+    def _derivative(self, count: int) -> Coefficient:
+        return self._slopes.derivative(self.chart.phi, count)
+
+    _rate_far = scalar(lambda at: at.m.div(1, at._derivative(1)), "rhof")
+
+    @property
+    def _ratey_far(self) -> Coefficient:
+        cube = self.m.name("rho3", self._rate_far * self._rate_far * self._rate_far)
+        return -self._derivative(2) * cube / self._length
+
+    @property
+    def _rateyy_far(self) -> Coefficient:
+        first, second, third = map(self._derivative, (1, 2, 3))
+        change = 3 * (second * second) * self._rate_far - third + second * first / self._length
+        return change / (self._square * (first * first * (first * first)))
+
+    # --- in both ranges -----------------------------------------------------------------------------------------
+
+    s = scalar(lambda at: at._select(at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at._select(at.m.div(at._a(0) * at._half.c1, 2), at._trigonometry[1]))
+    rate = scalar(lambda at: at._select(at._rate_near, at._rate_far), "rho")
+    ratey = scalar(lambda at: at._select(at._ratey_near, at._ratey_far), "rhoy")
+    rateyy = scalar(lambda at: at._select(20 * at._a(2) + 8 * (at._x * at._a(3)), at._rateyy_far), "rhoyy")
+    h = scalar(lambda at: at._select(at._cube * at._c3 + 2 * at._a(1), (at.rate - at.f) / at._square))
+    hy = scalar(lambda at: at._select(at._hy_near, (at.ratey - 3 * at.h + at.rate * at.g) / at._square))
+    hyy = scalar(lambda at: at._select(at._hyy_near, at._hyy_change / at._square))
+
+    @property
+    def _hyy_change(self) -> Coefficient:
+        return self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
+
+
+class GeneralAtAngle(GeneralScalars):
+    """Scalars where f_i and α are known."""
+
+    def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
+        super().__init__(chart, x, m)
+        self.fi = fi
+        # below the limit, another angle where all is regular
+        beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
+        self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
+
+
+@dataclass(frozen=True)
+class General(AngleChart):
+    """Chart v = φ(α) u up to the first zero of φ′ or pole of φ, at most up to 4π."""
+
+    name: str
+    expression: sympy.Expr
+    selection: tuple[str, str]
+    title: str = "Parameterization by an angle"
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return self.expression
+
+    @cached_property
+    def _edge(self) -> Edge:
+        return edge_of(self.expression)
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self._edge.angle
+
+    @cached_property
+    def near(self) -> Ratio:
+        """Polynomials of a(x) and its derivatives, below a limit."""
+        require_known(self.expression)
+        return ratio(self.expression, self._edge)
+
+    @cached_property
+    def far(self) -> Guess:
+        """First guess of Newton's method beyond the limit."""
+        return guess(self.expression, self._edge, self.near.limit)
+
+    @property
+    def remainder(self) -> float:
+        return self.near.remainder + stumpff.REMAINDER
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        if self._edge.kind == "pole":
+            return "x overflows", float(largest**0.5)
+        with mpmath.workdps(DIGITS):
+            size = float(self.phi.subs(alpha, self.edge).evalf(DIGITS))
+        return f"v ends, at |Re v| = {size:.6g}", size
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
+        return GeneralScalars(self, x, m)
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
+        if self._edge.kind == "fold":
+            return GeneralAtAngle(self, x, fi, angle, m)
+        return super().at_angle(x, fi, angle, m)
+
+    def own_angle(self, at: GeneralScalars, r: Coefficient) -> Coefficient:
+        return at.angle_of(r)
+
+    def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return α by Newton's method from the first guess."""
+        angle = m.name("guess", self.far.lowered(x, r, m))
+        for step in range(self.far.steps):
+            at = Lowering(m.corrected(angle), m)
+            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
+        return angle
+
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
+        with mpmath.workdps(DIGITS):
+            square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
+        left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
+        one = m.name(f"inside{mark}", m.div(left, left))
+        at = Lowering(angle, m)
+        return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

@@ -1,0 +1,262 @@
+"""φ and its derivatives at an angle, in the operations of an arithmetic.
+
+Sines come from the tangent of a quarter of the angle, exponentials from ``e^a − 1``, logarithms from ``log(1 + a)``.
+Arcs come from a series that takes complex numbers. None of them loses digits near 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from math import comb
+from typing import Any
+
+import mpmath
+import sympy
+
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+from ..families import alpha
+from ..order_charts import double_angle
+from .grammar import PhiError
+from .real_constants import is_small, plus, times
+
+DIGITS = 60
+SQUARE = sympy.Symbol("square", positive=True)
+LEVELS = 5
+"""Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""
+
+ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
+"""Coefficients of the series of the arc tangent, without signs, times the first."""
+
+SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
+"""Advice for a chart without kernels."""
+
+
+def number(expression: sympy.Expr) -> Any:
+    """Return a constant as a fraction of small integers, or else as an mpmath number."""
+    if expression.is_Rational:
+        fraction = Fraction(int(expression.p), int(expression.q))
+        if is_small(fraction):
+            return fraction
+    with mpmath.workdps(DIGITS):
+        return mpmath.mpf(expression.evalf(DIGITS))
+
+
+KNOWN = (
+    sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan,
+    sympy.sinh, sympy.cosh, sympy.tanh, sympy.exp, sympy.log,
+)  # fmt: skip
+
+
+def require_known(phi: sympy.Expr) -> None:
+    """Refuse a φ with functions that kernels do not compute."""
+    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in KNOWN})
+    if other:
+        raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
+
+
+class Lowering:
+    """Values of expressions at one angle; each part is computed once."""
+
+    def __init__(self, angle: Coefficient, m: Arithmetic) -> None:
+        self.m: Arithmetic = _Unnamed(m)
+        self._known: dict[sympy.Expr, Coefficient] = {alpha: angle}
+        self._pairs: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
+        self._hyperbolics: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
+        self._derivatives: dict[tuple[sympy.Expr, int], Coefficient] = {}
+
+    def at(self, expression: sympy.Expr) -> Coefficient:
+        """Return the value of an expression."""
+        if alpha not in expression.free_symbols:
+            found = number(expression)
+            if is_small(found):
+                return found if found.denominator != 1 else int(found)
+        if expression not in self._known:
+            self._known[expression] = self._computed(expression)
+        return self._known[expression]
+
+    def derivative(self, phi: sympy.Expr, count: int) -> Coefficient:
+        """Return a derivative of φ, or φ itself for count 0.
+
+    For a quotient ``φ = N/D`` Leibniz's rule for ``φ D = N`` gives it in shared parts.
+    """
+        above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
+        if not below.has(alpha):
+            return self.at(phi.diff(alpha, count))
+        if (phi, count) not in self._derivatives:
+            value = self.at(_nested(above.diff(alpha, count)))
+            for k in range(count):
+                change = self.at(_nested(below.diff(alpha, count - k)))
+                value = value - comb(count, k) * (self.derivative(phi, k) * change)
+            self._derivatives[phi, count] = self.m.div(value, self.at(_nested(below)))
+        return self._derivatives[phi, count]
+
+    def _computed(self, e: sympy.Expr) -> Coefficient:
+        if alpha not in e.free_symbols:
+            return self._constant(number(e))
+        if e.is_Add:
+            return self._sum(e)
+        if e.is_Mul:
+            return self._product(e)
+        if e.is_Pow:
+            return self._power(e)
+        return self._functions[e.func](e.args[0])
+
+    def _constant(self, value: Any) -> Coefficient:
+        """Return a constant, such as π, in the type of the angle."""
+        angle = self._known[alpha]
+        return times(value, angle - angle + 1, self.m, "", LEVELS)
+
+    def _sum(self, e: sympy.Expr) -> Coefficient:
+        constants, terms = e.as_independent(alpha, as_Add=True)
+        first, *rest = map(self.at, sympy.Add.make_args(terms))
+        for term in rest:
+            first = first + term
+        return first if constants == 0 else plus(first, number(constants), self.m, "", LEVELS)
+
+    def _product(self, e: sympy.Expr) -> Coefficient:
+        constant, factors = e.as_independent(alpha, as_Add=False)
+        above: Coefficient = 1
+        below: Coefficient = 1
+        for factor in sympy.Mul.make_args(factors):
+            base, exponent = factor.as_base_exp()
+            if exponent.is_Rational and exponent < 0:
+                below = below * self.at(base**-exponent)
+            else:
+                above = above * self.at(factor)
+        if constant != 1:
+            above = times(number(constant), above, self.m, "", LEVELS) if not _is_one(above) else above
+        if _is_one(above):
+            return _over(number(constant), below, self.m)
+        return above if _is_one(below) else self.m.div(above, below)
+
+    def _power(self, e: sympy.Expr) -> Coefficient:
+        base, exponent = e.as_base_exp()
+        if not (exponent.is_Rational and exponent.q <= 2):
+            raise PhiError(f"kernels take square roots only, not {e}")
+        root = self.at(base) if exponent.q == 1 else self.m.sqrt(self.at(base))
+        value: Coefficient = 1
+        for bit in bin(abs(int(exponent.p)))[2:]:
+            value = value if _is_one(value) else value * value
+            value = value * root if bit == "1" else value
+        return value if exponent > 0 else self.m.div(1, value)
+
+    @property
+    def _functions(self) -> Mapping[Any, Callable[[sympy.Expr], Coefficient]]:
+        m = self.m
+        return {
+            sympy.sin: lambda e: self._pair(e)[0],
+            sympy.cos: lambda e: self._pair(e)[1],
+            sympy.tan: lambda e: m.tan(self.at(e)),
+            sympy.asin: lambda e: 2 * self._short_arc(self.at(e) / (1 + self.at(sympy.sqrt(1 - e**2)))),
+            sympy.acos: lambda e: 2 * self._atan(self.at(sympy.sqrt((1 - e) / (1 + e)))),
+            sympy.atan: lambda e: self._atan(self.at(e)),
+            sympy.sinh: lambda e: self._hyperbolic(e)[0],
+            sympy.cosh: lambda e: self._hyperbolic(e)[1],
+            sympy.tanh: self._tanh,
+            sympy.exp: self._exp,
+            sympy.log: self._log,
+        }
+
+    def _atan(self, a: Coefficient) -> Coefficient:
+        """Return the arc tangent; beyond 1 it is ``π/2 − atan(1/a)``.
+
+        The operation `atan2` takes no complex numbers, and complex steps go through forward maps.
+        """
+        m = self.m
+        short = m.less(a * a, 1)
+        arc = self._short_arc(m.where(short, a, 1) / m.where(short, 1, a))
+        side = m.where(m.less(a, 0), -1, 1)
+        with mpmath.workdps(DIGITS):
+            right_angle = mpmath.pi / 2
+        return m.where(short, arc, side * plus(-(side * arc), right_angle, m, "", LEVELS))
+
+    def _short_arc(self, u: Coefficient) -> Coefficient:
+        """Return the arc tangent of a number up to 1.
+
+        A series gives the arc of a quarter of the angle, to 1e-10. A step by the tangent of what is left corrects it.
+        """
+        m, quarter = self.m, u
+        for _ in range(2):
+            quarter = quarter / (1 + m.sqrt(1 + quarter * quarter))
+        square, series = quarter * quarter, 0
+        for coefficient in reversed(ARC_SERIES):
+            series = coefficient - square * series
+        start = m.corrected(m.div(4 * (quarter * series), ARC_SERIES[0]))
+        tangent = m.tan(start)
+        return start - (tangent - u) / (1 + tangent * u)
+
+    def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+        """Return sine and cosine from the tangent of a quarter of the angle, which has its pole far away."""
+        if argument not in self._pairs:
+            m = self.m
+            sine, cosine = double_angle(m.tan(m.div(self.at(argument), 4)), m)
+            self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
+        return self._pairs[argument]
+
+    def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
+        """Return the size of a value and whether it is negative; a selection has a derivative at 0, `abs` has none."""
+        m, a = self.m, self.at(argument)
+        below = m.less(a, 0)
+        return m.where(below, -a, a), below
+
+    def _exp(self, argument: sympy.Expr) -> Coefficient:
+        """Return the exponential from ``E = e^|a| − 1``: it is ``1 + E``, or 1 over that for negative a."""
+        m, (size, below) = self.m, self._side(argument)
+        power = 1 + m.expm1(size)
+        return m.where(below, 1, power) / m.where(below, power, 1)
+
+    def _hyperbolic(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+        """Return hyperbolic sine and cosine from ``E = e^|a| − 1``: ``(E + E/(1 + E))/2`` and ``1 + E²/(2 + 2E)``."""
+        if argument not in self._hyperbolics:
+            m, (size, below) = self.m, self._side(argument)
+            more = m.expm1(size)
+            less = more / (1 + more)
+            sine = m.div(more + less, 2)
+            self._hyperbolics[argument] = m.where(below, -sine, sine), 1 + m.div(more * less, 2)
+        return self._hyperbolics[argument]
+
+    def _tanh(self, argument: sympy.Expr) -> Coefficient:
+        """Return the hyperbolic tangent ``−E/(2 + E)`` from ``E = e^(−2|a|) − 1``, which does not overflow."""
+        size, below = self._side(argument)
+        less = self.m.expm1(-2 * size)
+        return self.m.where(below, less, -less) / (2 + less)
+
+    def _log(self, argument: sympy.Expr) -> Coefficient:
+        """Return ``log(1 + (a − 1))``; below 1/2, where that loses digits, ``−log(1 + (1 − a)/a)``."""
+        m, a, beside = self.m, self.at(argument), self.at(argument - 1)
+        small = m.less(2 * a, 1)
+        return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
+
+
+def _nested(polynomial: sympy.Expr) -> sympy.Expr:
+    """Return an odd or even polynomial of α by Horner's rule in α²."""
+    odd = sympy.Poly(polynomial, alpha).degree() % 2 if polynomial.has(alpha) else 0
+    nested = sympy.horner(sympy.expand(polynomial / alpha**odd).subs(alpha, sympy.sqrt(SQUARE)), wrt=SQUARE)
+    return alpha**odd * nested.subs(SQUARE, alpha**2)
+
+
+class _Unnamed:
+    """Arithmetic that names nothing: a trace numbers the values that are used more than once."""
+
+    def __init__(self, m: Arithmetic) -> None:
+        m.name_rest("e")
+        self._m = m
+
+    def name(self, name: str, value: Coefficient) -> Coefficient:
+        return value
+
+    def __getattr__(self, operation: str) -> Any:
+        return getattr(self._m, operation)
+
+
+def _is_one(value: Coefficient) -> bool:
+    return isinstance(value, int) and value == 1
+
+
+def _over(constant: Any, below: Coefficient, m: Arithmetic) -> Coefficient:
+    """Return a constant divided by a value."""
+    if is_small(constant):
+        return m.div(constant.numerator, below if constant.denominator == 1 else constant.denominator * below)
+    return times(constant, m.div(1, below), m, "over", LEVELS)

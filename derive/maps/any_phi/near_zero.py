@@ -1,0 +1,125 @@
+r"""The ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
+
+On the circle |α| = R let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0``, which `intervals` proves. By the minimum principle φ
+has no zero but α = 0 inside. By Rouché's theorem exactly one pair ±α inside has ``φ² = x``, for every |x| < m. So a is
+analytic for |x| < m, and at most ``R/√m``.
+
+The polynomial interpolates a at N + 1 Chebyshev points of [0, X]. Its error is at most ``4 R/√m ρ^(−N)/(ρ − 1)``. Here
+ρ belongs to an ellipse inside |x| < m with foci 0 and X: the sum of its half axes, over X/2. Errors are in units of
+a(0) and X.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import sympy
+
+from ..families import alpha
+from .edges import DIGITS, Edge, angle_of
+from .elementary import evaluate
+from .grammar import PhiError
+from .intervals import is_analytic, smallest
+from .real_constants import Polynomial, polynomial
+
+NEAR_ANGLE = mpmath.mpf("1.3")
+"""Angle up to which a(x) is interpolated; a fifth of the edge, if that is less."""
+RADII = [mpmath.mpf(k) / 2 for k in range(16, 2, -1)] + [mpmath.mpf(k) / 16 for k in range(22, 2, -2)]
+NEAR_DIVISORS = (1, 2, 4, 8, 16)
+"""Divisors of that angle, tried in this order until a bound of the error is proved."""
+ERROR_MAX = mpmath.mpf(10) ** -21
+LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
+"""Least and largest limit of x: fractions of small integers."""
+DEGREES = range(8, 40)
+DERIVATIVES = 3
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """Polynomials for a(x) and three derivatives, below a limit of x.
+
+    ``remainder`` bounds their errors, in units of a(0) and of the limit.
+    """
+
+    polynomials: tuple[Polynomial, ...]
+    limit: Fraction
+    remainder: float
+
+
+def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
+    """Interpolate ``α/|v|`` near 0.
+
+    Raises
+    ------
+    PhiError
+        If no circle proves that a is analytic.
+    """
+    for share in NEAR_DIVISORS:
+        try:
+            return _ratio(phi, edge, NEAR_ANGLE / share)
+        except PhiError as error:
+            refused = error
+    raise refused
+
+
+def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
+    with mpmath.workdps(DIGITS):
+        end, slope = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
+        limit = _rounded_down(phi, mpmath.mpf(evaluate(phi, alpha, min(near, end / 5))) ** 2)
+        X = mpmath.mpf(limit.numerator) / limit.denominator
+        bound, within = _circle(phi, X)
+        half_sum = (within - X / 2) / (X / 4)  # ρ + 1/ρ of the ellipse whose half axis reaches from X/2 to m
+        rho = half_sum / 2 + mpmath.sqrt(half_sum**2 / 4 - 1)
+        degree = next((n for n in DEGREES if _error_bound(bound * slope, rho, n) < ERROR_MAX), None)
+        if degree is None:
+            raise PhiError(f"phi = {phi} would need a polynomial of degree above {DEGREES[-1]} near 0")
+        coefficients = _interpolated(phi, edge, X, degree)
+        scale = int(mpmath.ceil(mpmath.log(X, 2)))
+        found = []
+        for _ in range(DERIVATIVES + 1):
+            found.append(polynomial([c * mpmath.mpf(2) ** (scale * k) for k, c in enumerate(coefficients)], scale))
+            coefficients = [k * c for k, c in enumerate(coefficients)][1:]
+        rounding = max(split.rounding * X**count for count, split in enumerate(found)) * slope
+        return Ratio(tuple(found), limit, float(_error_bound(bound * slope, rho, degree) + rounding))
+
+
+def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
+    """Return a limit of x rounded down to a fraction of small integers."""
+    if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
+        few = "small" if size < 1 else "large"
+        raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
+    denominator = max(64, 2 ** int(mpmath.ceil(mpmath.log(4 / size, 2))))
+    return Fraction(int(size * denominator), denominator)
+
+
+def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
+    """Return a bound of the error of the polynomial and its three derivatives, by Cauchy's estimate on an ellipse."""
+    found = []
+    for share in range(1, 16):
+        inner = rho ** (mpmath.mpf(share) / 16)
+        apart = (inner + 1 / inner - 2) / 4  # distance of the interval from that ellipse
+        found.append(4 * bound * (inner / rho) ** degree / (rho / inner - 1) * 6 * max(1, apart**-3))
+    return max(4 * bound * rho**-degree / (rho - 1), min(found))
+
+
+def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]:
+    nodes = [X / 2 * (1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / (degree + 1))) for k in range(degree + 1)]
+    values = [angle_of(phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x) for x in nodes]
+    matrix = mpmath.matrix(degree + 1, degree + 1)
+    for i, x in enumerate(nodes):
+        for k in range(degree + 1):
+            matrix[i, k] = (x / X) ** k
+    solved = mpmath.lu_solve(matrix, mpmath.matrix(values))
+    return [solved[k] / X**k for k in range(degree + 1)]
+
+
+def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
+    """Return a bound of a and the m within which a is analytic, from the circle with the largest m."""
+    found = [(least, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
+    for least, radius in sorted(found, key=lambda pair: -pair[0]):
+        if least**2 > 2 * X and is_analytic(phi, radius):
+            return radius / least, least**2
+    raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")

@@ -1,0 +1,119 @@
+"""Real constants and polynomials, written with small integers that every number type holds.
+
+A coefficient is split into levels of `BITS` bits, ``c = (n0 + (n1 + n2/B)/B)/2^k`` with ``B = 2^BITS``. Exact numbers
+and floats compute with the same rational coefficients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+
+from ...algebra import Coefficient
+from ...algebra.arithmetic import Arithmetic
+
+BITS, LEVELS = 22, 3
+SMALL = 2**24
+"""Largest integer that every number type holds exactly."""
+
+
+def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
+    """Return ``value/2^bits``, by powers of two that are small integers."""
+    while bits > BITS:
+        value, bits = m.div(value, 2**BITS), bits - BITS
+    while bits < -BITS:
+        value, bits = value * 2**BITS, bits + BITS
+    return value * 2**-bits if bits < 0 else m.div(value, 2**bits) if bits else value
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """Polynomial ``Σ c_k t^k`` in ``t = (x − centre)/2^scale``, with coefficients split into levels.
+
+    ``shift`` is the power of 2 that divides the first level.
+    """
+
+    levels: tuple[tuple[int, ...], ...]
+    shift: int
+    scale: int
+    centre: Fraction = Fraction(0)
+
+    def at(self, x: Coefficient, m: Arithmetic, name: str) -> Coefficient:
+        """Return the value at x."""
+        centred = x - self.centre if self.centre else x
+        t = m.name(f"{name}_t", shifted(centred, self.scale, m))
+        unit = m.name(f"{name}_unit", t - t + 1) if self._is_long else 1
+        total: Coefficient = 0
+        for place, level in reversed(list(enumerate(self.levels))):
+            value: Coefficient = 0
+            for coefficient in reversed(level):
+                value = value * t + coefficient * unit
+            below = self.shift if place == 0 else BITS
+            total = shifted(value + total, below, m)
+        return m.name(name, total)
+
+    @property
+    def _is_long(self) -> bool:
+        """Return whether it is a constant of several levels, whose powers float32 would not hold as integers."""
+        return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
+
+    @property
+    def rounding(self) -> Any:
+        """Bound of the error by splitting, for |t| ≤ 1."""
+        return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)
+
+    def value(self, x: Any) -> Any:
+        """Return the value at an mpmath number."""
+        centre = mpmath.mpf(self.centre.numerator) / self.centre.denominator
+        t, total = (mpmath.mpf(x) - centre) / mpmath.mpf(2) ** self.scale, mpmath.mpf(0)
+        for place, level in reversed(list(enumerate(self.levels))):
+            below = self.shift if place == 0 else BITS
+            total = (mpmath.polyval(list(reversed(level)), t) + total) / mpmath.mpf(2) ** below
+        return total
+
+
+def polynomial(
+    coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
+) -> Polynomial:
+    """Split the coefficients of powers of (x − centre)/2^scale."""
+    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # less precision cuts the last level
+        largest = max(map(abs, coefficients))
+        shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
+        rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
+        for _ in range(levels):
+            level = tuple(int(mpmath.nint(c)) for c in rest)
+            found.append(level)
+            rest = [(c - n) * 2**BITS for c, n in zip(rest, level, strict=True)]
+    return Polynomial(tuple(found), shift, scale, centre)
+
+
+def times(number: Any, value: Coefficient, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
+    """Return a real number times a value."""
+    if is_small(number):
+        return m.div(number.numerator * value, number.denominator)
+    split = polynomial([number], levels=levels)
+    total: Coefficient = 0
+    for place, (digit,) in reversed(list(enumerate(split.levels))):
+        total = shifted(digit * value + total, split.shift if place == 0 else BITS, m)
+    return m.name(name, total)
+
+
+def plus(value: Coefficient, number: Any, m: Arithmetic, name: str, levels: int = LEVELS) -> Coefficient:
+    """Return a value plus a real number."""
+    if is_small(number):
+        return value + number
+    split = polynomial([number], levels=levels)
+    total, below = value, split.shift
+    for (digit,) in split.levels:
+        total = shifted(shifted(total, -below, m) + digit, below, m)
+        below += BITS
+    return m.name(name, total)
+
+
+def is_small(number: Any) -> bool:
+    """Return whether a number is a fraction of small integers."""
+    return isinstance(number, int | Fraction) and max(abs(number.numerator), number.denominator) <= SMALL

@@ -1,0 +1,154 @@
+r"""Singular values of Re T, and the φ that keeps them nearest to 1.
+
+Along the axis the singular value is ``1/φ′``. In the plane across it Re T is ``f I + g skew(v)``, and the singular
+value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+
+import mpmath
+import sympy
+
+from ..families import alpha
+from .elementary import evaluate
+
+POINTS = 400
+"""Number of angles among which an extremum is searched."""
+
+DECIMAL_UNITS = 10**6
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """φ and both singular values, ``1/φ′`` along the axis and ``2 sin(α/2)/φ`` across it, at an angle."""
+
+    size: float
+    along: float
+    across: float
+
+    @property
+    def condition(self) -> float:
+        """Quotient of the largest and the smallest singular value."""
+        return max(self.along, self.across) / min(self.along, self.across)
+
+    @property
+    def worst(self) -> float:
+        """Largest factor between a singular value and 1."""
+        return max(self.along, self.across, 1 / self.along, 1 / self.across)
+
+
+def stretch(phi: sympy.Expr, angle: float) -> Stretch:
+    """Return φ and singular values at an angle ≥ 0."""
+    at = mpmath.mpf(angle)
+    slope = float(mpmath.re(evaluate(phi.diff(alpha), alpha, at)))
+    if angle == 0:
+        return Stretch(0.0, 1 / slope, 1 / slope)
+    size = float(mpmath.re(evaluate(phi, alpha, at)))
+    return Stretch(size, 1 / slope, 2 * math.sin(angle / 2) / size)
+
+
+def bound(angle: float) -> float:
+    """Return ``√(A/2 / sin(A/2))``, a lower bound of `Stretch.worst` up to an angle A for every φ with φ′ > 0.
+
+    With ``1/φ′ ≤ M`` is ``φ(A) ≥ A/M``, and with ``φ/(2 sin(A/2)) ≤ M`` is ``φ(A) ≤ 2 M sin(A/2)``: so
+    ``M² ≥ A/(2 sin(A/2))``. α divided by this M reaches it; with φ′(0) = 1 none does, whose slope has to fall at once.
+    """
+    return math.sqrt(angle / 2 / math.sin(angle / 2))
+
+
+@dataclass(frozen=True)
+class Best:
+    """The φ of a kind that keeps the singular values nearest to 1, as text for ``--phi``."""
+
+    kind: str
+    phi: str
+    worst: float
+
+
+def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
+    """Return the best φ up to an angle A among tangents, sines, and odd polynomials with φ′(0) = 1.
+
+    Of ``φ = 2n tan(α/2n)`` the limit α is best: ``φ(A) > A`` makes ``φ(A)/(2 sin(A/2))`` larger, and of α that is the
+    greatest. Of ``φ = c sin(α/c)`` it falls, and ``1/φ′(A)`` grows, as c gets less: where they are equal is the best,
+    for every A at c = 4. This is Lambert's chart, whose singular values are ``1/cos(α/4)`` and ``cos(α/4)``.
+    """
+    yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda a: (a, 1.0), angle))
+    c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))
+    yield Best("c sin(α/c)", f"{_decimal(c)}*sin(alpha/{_decimal(c)})", _worst(partial(_sine, float(c)), angle))
+    for degree in degrees:
+        coefficients = [_rounded(c) for c in _polynomial(angle, (degree - 1) // 2)]
+        text = "alpha" + "".join(
+            f" {'-' if c < 0 else '+'} {_decimal(abs(c))}*alpha**{2 * k + 3}" for k, c in enumerate(coefficients)
+        )
+        yield Best(f"odd polynomials of degree {degree}", text, _of_polynomial([float(c) for c in coefficients], angle))
+
+
+def _rounded(value: float) -> Fraction:
+    return Fraction(round(value * DECIMAL_UNITS), DECIMAL_UNITS)
+
+
+def _decimal(value: Fraction) -> str:
+    return str(value if value.denominator == 1 else float(value))
+
+
+def _worst(sized: Callable[[float], tuple[float, float]], angle: float) -> float:
+    """Return the greatest of both singular values and their inverses."""
+    found = 1.0
+    for k in range(1, POINTS + 1):
+        at = angle * k / POINTS
+        size, slope = sized(at)
+        if not (size > 0 and slope > 0):
+            return math.inf
+        across = 2 * math.sin(at / 2) / size
+        found = max(found, slope, 1 / slope, across, 1 / across)
+    return found
+
+
+def _sine(c: float, angle: float) -> tuple[float, float]:
+    return c * math.sin(angle / c), math.cos(angle / c)
+
+
+def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:
+    def sized(a: float) -> tuple[float, float]:
+        powers = [(2 * k + 3, c) for k, c in enumerate(coefficients)]
+        return a + sum(c * a**p for p, c in powers), 1 + sum(p * c * a ** (p - 1) for p, c in powers)
+
+    return _worst(sized, angle)
+
+
+def _polynomial(angle: float, count: int) -> list[float]:
+    """Return coefficients of α³, α⁵, … by nested golden sections: the worst stretch is quasiconvex in each."""
+
+    def rest(first: list[float], left: int) -> list[float]:
+        if not left:
+            return first
+        size = 0.5 / angle ** (2 * len(first) + 2)
+
+        def at(c: float) -> float:
+            return _of_polynomial(rest([*first, c], left - 1), angle)
+
+        return rest([*first, _golden(at, -size, size)], left - 1)
+
+    return rest([], count)
+
+
+def _golden(function: Callable[[float], float], low: float, high: float, steps: int = 40) -> float:
+    ratio = (math.sqrt(5) - 1) / 2
+    left, right = high - ratio * (high - low), low + ratio * (high - low)
+    at_left, at_right = function(left), function(right)
+    for _ in range(steps):
+        if at_left <= at_right:
+            high, right, at_right = right, left, at_left
+            left = high - ratio * (high - low)
+            at_left = function(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + ratio * (high - low)
+            at_right = function(right)
+    return (low + high) / 2

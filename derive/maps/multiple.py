@@ -1,0 +1,201 @@
+r"""Charts with a scale: ``v = K w``, w the vector of a base chart.
+
+``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is that of w at ``x/K²``, divided by a power of K
+(`POWERS`); its inverse maps and branches are those of the base chart:
+
+.. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
+    f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from types import SimpleNamespace
+from typing import Any
+
+import sympy
+
+from ..algebra import Coefficient, Quaternion
+from ..algebra.arithmetic import Arithmetic
+from .any_phi.real_constants import SMALL
+from .branches import Derivatives
+from .chart import Chart, Scalars
+from .parameterized import Parameterized
+from .polynomials import x
+
+POWERS = {
+    "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,
+    "rate": 1, "ratey": 3, "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
+    "fyy": 5, "gyy": 6, "hyy": 7, "fiyy": 3, "hiyy": 5,
+}  # fmt: skip
+"""Power of K by which each scalar of the base chart is divided; a slope adds two."""
+
+
+def divided(value: Coefficient, factor: Fraction, m: Arithmetic, power: int = 1) -> Coefficient:
+    """Return ``value/factor^power``, by integers that every number type holds exactly."""
+    if power < 0:
+        factor, power = 1 / factor, -power
+    largest = max(factor.numerator, factor.denominator)
+    while power > 0:
+        step = next((k for k in range(power, 1, -1) if largest**k <= SMALL), 1)
+        by, power = factor**step, power - step
+        above = value if by.denominator == 1 else by.denominator * value
+        value = above if by.numerator == 1 else m.div(above, by.numerator)
+    return value
+
+
+class MultipleScalars:
+    """Scalars of ``v = K w``, from those of the base chart at ``x/K²``."""
+
+    def __init__(self, base: Scalars, factor: Fraction, m: Arithmetic) -> None:
+        self.base = base
+        self.factor = factor
+        self.m = m
+        self._known: dict[str, Coefficient] = {}
+
+    def __getattr__(self, name: str) -> Coefficient:
+        if name not in POWERS:
+            raise AttributeError(name)
+        if name not in self._known:
+            value = divided(getattr(self.base, name), self.factor, self.m, POWERS[name])
+            self._known[name] = self.m.name(f"{name}_v", value)
+        return self._known[name]
+
+    @property
+    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+        a, b, size = self.base.ray
+        return a, divided(b, self.factor, self.m), size
+
+
+@dataclass(frozen=True)
+class Multiple(Parameterized):
+    """Chart ``v = K w`` of a base chart: its branches, edge and singular angles are those of the base chart.
+
+    Attributes
+    ----------
+    base : Chart
+        The chart of w.
+    factor : Fraction
+        K > 0.
+    """
+
+    name: str
+    base: Chart = field()  # without the default of Parameterized
+    factor: Fraction = field()
+    selection: tuple[str, str] = ("", "")
+    title: str = ""
+
+    @property
+    def order(self) -> int:  # type: ignore[override]
+        return self.base.order
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return sympy.Rational(self.factor) * self.base.phi
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.base.edge
+
+    @property
+    def branches(self) -> int:
+        return self.base.branches
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        return self.base.singular_angles
+
+    @property
+    def remainder(self) -> float:
+        return self.base.remainder
+
+    @property
+    def algebraic(self) -> bool:
+        return (self.factor**2).denominator == 1 and all(c.free_symbols <= {x} for c in self.base.tangent.coefficients)
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        reason, most = self.base.overflow(largest)
+        if self.range.is_finite:
+            return f"v ends, at |Re v| = {self.range}", most * float(self.factor)
+        return reason.replace("x", f"x/{self.factor**2}", 1), most * float(self.factor)
+
+    @cached_property
+    def _values(self) -> Any:
+        """Scalars from the formulas of the base chart, which are in lowest terms."""
+        if not self.algebraic:
+            return super()._values
+        factor = sympy.Rational(self.factor)
+        (s, w), (f, g, h) = self.base.quaternion.coefficients, self.base.tangent.coefficients
+        fi, _, hi = (2 * c for c in self.base.tangent_inv.coefficients)
+        found = {"s": s, "w": w, "f": f, "g": g, "h": h, "fi": fi, "hi": hi}
+        return SimpleNamespace(
+            x=x, **{k: v.xreplace({x: x / factor**2}) / factor ** POWERS[k] for k, v in found.items()}
+        )
+
+    # --- scalars and inverse maps ---------------------------------------------------------------------------------
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> MultipleScalars:
+        return MultipleScalars(self.base.scalars(self._square(x, m), m), self.factor, m)
+
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        return self._multiplied(self.base.coefficient(angle, m), m)
+
+    def coefficient_of(
+        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient]:
+        return self._multiplied(self.base.coefficient_of(angle, sine, cosine, m), m)
+
+    def _multiplied(self, pair: tuple[Coefficient, Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        r, slope = pair
+        return self._times(r, m, "r_v"), self._times(slope, m, "slope_v")
+
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+        return self._times(self.base.gain(q, size, m, positive), m, "gain_v")
+
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+        f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)
+        return self._times(f, m, "fi_v"), m.name("hi_v", divided(h, self.factor, m))
+
+    def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> MultipleScalars:
+        fi = m.name("fi_w", divided(fi, self.factor, m))
+        return MultipleScalars(self.base.at_angle(self._square(x, m), fi, angle, m), self.factor, m)
+
+    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return self.base.direction(self._square(x, m), y, self._length(r, m), m)
+
+    def natural(
+        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
+    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+        angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
+        return angle, divided(slope, self.factor, m), sign
+
+    def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return self.base.unfolded(self._square(x, m), self._length(r, m), m)
+
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+        rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
+        return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
+
+    def beyond(
+        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
+    ) -> tuple[Any, Sequence[Coefficient]]:
+        return self.base.beyond(self._square(x, m), table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return self.base.turn(branch)
+
+    def returns(self) -> Sequence[tuple[Any, Any, Any]]:
+        """Return the table of the base chart: its limits are those of ``x/K²``."""
+        return self.base.returns()
+
+    def _square(self, x: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.name("x_w", divided(x, self.factor, m, 2))
+
+    def _length(self, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.name("r_w", divided(r, self.factor, m))
+
+    def _times(self, value: Coefficient, m: Arithmetic, name: str) -> Coefficient:
+        return m.name(name, divided(value, self.factor, m, -1))

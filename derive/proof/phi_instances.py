@@ -1,0 +1,66 @@
+"""Formulas of a chart in its angle as instances of the theorems on every φ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import sympy
+
+from ..maps.chart import Chart
+from ..maps.families import alpha
+from ..maps.polynomials import x
+from .identity import Check, Claim, Proof, decide
+from .notation import Shifted
+from .phi_theorems import PHI, SCALARS, any_phi, cosine, phi, sine
+from .scalars import FORMULAS
+from .statement import Equation
+
+METHOD = "instance of the theorems on every phi, differences of the coefficients as functions of alpha"
+
+
+def instance(chart: Chart) -> Iterator[Proof]:
+    """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
+    yield from any_phi()
+    claim = tuple(
+        Equation(_in_symbols(expected), sympy.Symbol(f"{name}[{i}]"))
+        for name, values in FORMULAS.items()
+        for i, expected in enumerate(values)
+    )
+    stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
+    symbols = _symbols(chart)
+
+    def checks() -> Iterator[Check]:
+        for equation, found in zip(claim, stated, strict=True):
+            difference = sympy.together(equation.left.xreplace(symbols) - found)
+            yield equation.text, sympy.expand(sympy.fraction(difference)[0])
+
+    yield decide(Claim("coefficients in alpha", claim, METHOD), checks, chart.name)
+    yield _at_origin(chart)
+
+
+def _in_symbols(expression: sympy.Expr) -> sympy.Expr:
+    """Return a formula in sin and cos of α/2, φ and its derivatives."""
+    return expression.xreplace({premise.equation.left: premise.equation.right for premise in SCALARS})
+
+
+def _symbols(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
+    derivatives = [chart.phi]
+    for _ in PHI[1:]:
+        derivatives.append(derivatives[-1].diff(alpha))
+    values = dict(zip(PHI, derivatives, strict=True))
+    return values | {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
+
+
+def _at_origin(chart: Chart) -> Proof:
+    """Decide φ(0) = 0, φ′(0) ≠ 0 and φ odd; then every scalar is a function of x, analytic at 0."""
+    zero = sympy.Integer(0)
+    claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
+
+    def checks() -> Iterator[Check]:
+        for equation in claim:
+            there = chart.phi.subs(alpha, equation.left.args[2])
+            yield equation.text, sympy.expand(there - equation.right.xreplace({phi: chart.phi}))
+        slope = chart.phi.diff(alpha).subs(alpha, 0)
+        yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
+
+    return decide(Claim("phi at 0", claim, METHOD), checks, chart.name)

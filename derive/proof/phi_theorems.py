@@ -1,0 +1,184 @@
+r"""Theorems on every parameterization v = φ(α) u. Symbols are φ, its derivatives, and sine and cosine of α/2.
+
+.. math::
+    \hat q = \cos\tfrac\alpha2 + \frac{\sin\frac\alpha2}{\varphi}\,v \qquad
+    T = \frac{\sin\alpha}{\varphi} I + \frac{1 - \cos\alpha}{\varphi^2} \tilde v
+        + \frac{1/\varphi' - \sin\alpha/\varphi}{\varphi^2}\,v \otimes v
+
+The premises on φ are only that φ′ is its derivative, φ″ that of φ′, and so on. Those on sine and cosine are their
+derivatives and ``sin² + cos² = 1``. So every family is an instance.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy
+
+from .identity import Proof
+from .methods import Identity
+from .notation import *
+from .setting import Symbols
+from .statement import Equation, Premise, definition
+from .theorem import Theorem
+
+SCOPE = "every phi"
+
+phi, phi_1, phi_2, phi_3 = PHI = sympy.symbols("phi phi' phi'' phi'''")
+cosine, sine = sympy.symbols("cos(alpha/2) sin(alpha/2)")
+T, T_inv = structure("T"), structure("T^-1")
+s, w, f, g, h, fi, hi, rho = sympy.symbols("s w f g h fi hi rho")
+
+SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
+"""Sine and cosine of α."""
+
+TURN = 2 * phi * phi_1
+"""dx/dα."""
+
+SQUARES = (
+    definition(cosine**2, 1 - sine**2),
+    definition(dot(v, v), x, wrong=2 * x),
+    definition(x, phi**2),
+)
+OF_ANGLE = (
+    definition(prime(phi), phi_1 / TURN),
+    definition(prime(sine), cosine / (2 * TURN)),
+    definition(prime(cosine), -sine / (2 * TURN)),
+)
+"""Derivatives by x; that of α is 1/(dx/dα)."""
+OF_PHI = definition(prime(phi_1), phi_2 / TURN), definition(prime(phi_2), phi_3 / TURN)
+
+MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)))
+SCALARS = (
+    definition(s, cosine),
+    definition(w, sine / phi),
+    definition(rho, 1 / phi_1),
+    definition(f, SIN / phi),
+    definition(g, (1 - COS) / phi**2),
+    definition(h, (1 / phi_1 - SIN / phi) / phi**2),
+    definition(fi, phi * cosine / sine),
+    definition(hi, (2 * phi_1 - phi * cosine / sine) / phi**2),
+)
+QUATERNION = definition(q_hat, s + w * v, wrong=s + 2 * w * v)
+TENSOR = definition(R, (1 - x * g) * I + f * skew(v) + g * dyad(v, v), wrong=2 * I)
+TANGENT = definition(T, f * I + g * skew(v) + h * dyad(v, v), wrong=2 * f * I + g * skew(v) + h * dyad(v, v))
+INVERSE = definition(
+    T_inv, fi / 2 * I - skew(v) / 2 + hi / 2 * dyad(v, v), wrong=fi * I - skew(v) / 2 + hi / 2 * dyad(v, v)
+)
+
+SYMBOLS = (cosine, sine, x, *PHI)
+
+
+def _theorem(
+    name: str,
+    claim: tuple[Equation, ...],
+    *premises: Premise,
+    vectors: tuple[sympy.Symbol, ...] = (v,),
+    free: tuple[sympy.Symbol, ...] = (sine, phi, phi_1),
+) -> Theorem:
+    used = (*premises, *SQUARES) if vectors else (*premises, SQUARES[0], SQUARES[2])
+    return Theorem(name, claim, used, Identity(Symbols(SYMBOLS, vectors, free)), SCOPE)
+
+
+def _of_maps() -> tuple[Theorem, ...]:
+    return (
+        _theorem(
+            "any phi: orthogonality",
+            (Equation(R * transpose(R), I), Equation(det(R), sympy.Integer(1))),
+            TENSOR, *SCALARS[3:5],
+            free=(phi,),
+        ),
+        _theorem(
+            "any phi: quaternion",
+            (
+                Equation(q_hat * conjugate(q_hat), sympy.Integer(1)),
+                Equation(q_hat * point * conjugate(q_hat), R * point),
+            ),
+            QUATERNION, TENSOR, *SCALARS[:2], *SCALARS[3:5],
+            vectors=(v, point), free=(phi,),
+        ),
+        _theorem(
+            "any phi: axis",
+            (Equation(T * v, v / phi_1), Equation(det(T), 2 * (1 - COS) / (phi_1 * phi**2))),
+            TANGENT, *SCALARS[3:6],
+            free=(phi, phi_1),
+        ),
+        _theorem(
+            "any phi: inverse",
+            (Equation(T * T_inv, I), Equation(T_inv * T, I)),
+            TANGENT, INVERSE, *SCALARS[3:],
+        ),
+    )  # fmt: skip
+
+
+def _of_motion() -> tuple[Theorem, ...]:
+    twist = _theorem(
+        "any phi: twist",
+        (Equation(omega, T * rate(v)), Equation(rate(R), skew(omega) * R)),
+        TENSOR, TANGENT, *SCALARS[3:6], definition(omega, vect(rate(R) * transpose(R))), *MOTION, *OF_ANGLE,
+        vectors=(v, v_dot), free=(phi, phi_1),
+    )  # fmt: skip
+    body = _theorem(
+        "any phi: body twist",
+        (
+            Equation(transpose(T), transpose(R) * T),
+            Equation(omega_body, transpose(T) * rate(v)),
+            Equation(rate(v), transpose(T_inv) * omega_body),
+        ),
+        TENSOR, TANGENT, INVERSE, *SCALARS[3:], twist.premise(0), definition(omega_body, transpose(R) * omega), *MOTION,
+        *OF_ANGLE,
+        vectors=(v, v_dot),
+    )  # fmt: skip
+    return twist, body
+
+
+def _of_slopes() -> tuple[Theorem, ...]:
+    def y(value: sympy.Expr) -> sympy.Expr:
+        return 2 * prime(value)
+
+    gy, fiy = f * h - g**2, -h / g
+    first = (
+        Equation(f + x * h, rho),
+        Equation(fi, s / w),
+        Equation(hi, (g - fi * h) / rho),
+        Equation(y(s), -rho * w / 2),
+        Equation(y(w), s * h / 2 - w**3),
+        Equation(y(f), h - rho * g),
+        Equation(y(g), gy),
+        Equation(y(h), (y(rho) - 3 * h + rho * g) / x),
+        Equation(y(fi), fiy),
+        Equation(y(hi), (gy - fiy * h - fi * y(h) - hi * y(rho)) / rho),
+        Equation(y(rho), -phi_2 / (phi * phi_1**3)),
+    )
+    second = (
+        Equation(y(y(f)), y(h) - y(rho) * g - rho * gy),
+        Equation(y(y(g)), y(f) * h + f * y(h) - 2 * g * gy),
+        Equation(y(y(h)), (y(y(rho)) - 5 * y(h) + y(rho) * g + rho * gy) / x),
+        Equation(y(y(s)), -(y(rho) * w + rho * y(w)) / 2),
+        Equation(y(y(w)), (y(s) * h + s * y(h)) / 2 - 3 * w**2 * y(w)),
+        Equation(y(y(fi)), -(y(h) * g - h * gy) / g**2),
+        Equation(
+            y(y(hi)),
+            (
+                y(y(g)) - y(y(fi)) * h - 2 * y(fi) * y(h) - fi * y(y(h)) - 2 * y(hi) * y(rho) - hi * y(y(rho))
+            ) / rho,
+        ),
+        Equation(y(y(rho)), (3 * phi_2**2 / phi_1 - phi_3 + phi_2 * phi_1 / phi) / (phi**2 * phi_1**4)),
+    )
+    given = (*SCALARS, *OF_ANGLE)
+    return (
+        _theorem("any phi: slopes", first, *given, OF_PHI[0], vectors=()),
+        _theorem("any phi: second slopes", second, *given, *OF_PHI, vectors=()),
+    )
+
+
+ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
+
+
+@cache
+def any_phi() -> tuple[Proof, ...]:
+    """Return the proofs for every φ, decided once per process."""
+    known: dict[str, Proof] = {}
+    for theorem in ANY_PHI:
+        known[theorem.name] = theorem.decide(known)
+    return tuple(known.values())

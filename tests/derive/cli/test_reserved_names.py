@@ -1,0 +1,91 @@
+"""``dualcay generate --name``: a user's chart may not take a name of a package or of another chart."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from derive import generate
+from derive.cli import display
+from derive.codegen import catalogue
+from derive.codegen.targets import TARGETS
+from tests.support.command import ROOT, dualcay
+
+FILES = ("_native", "_tools", "_chart", "__main__", "_mine")
+WITHIN = ("convert", "matrix6", "backend", "importlib", "sorted", "compiled", "geometry", "tiles")
+CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        *((name, "with a leading underscore") for name in FILES),
+        *((name, "in packages of kernels: take another") for name in WITHIN),
+        *((name, "would hide that of C") for name in ("math", "Time", "Python")),
+        ("rotation", "the folder of rotations"),
+        *((name, "is the name of the chart of phi = ") for name in CHARTS),
+    ],
+)
+def test_reserved_names_are_refused(tmp_path: Path, name: str, reason: str) -> None:
+    done = dualcay("generate", "--name", name, "--phi", "sin(alpha/3)", "-o", str(tmp_path / "kernels"))
+    assert done.returncode == 2
+    assert "--name" in done.stderr
+    assert reason in done.stderr
+    assert not (tmp_path / "kernels").exists()
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_names_of_shared_files_are_reserved(target: str) -> None:
+    stems = {Path(file).stem for file in TARGETS[target].shared() if file.endswith(f".{TARGETS[target].extension}")}
+    assert stems <= catalogue.reserved_names()
+
+
+def test_names_of_included_headers_are_reserved() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "templates").rglob("*.h.j2")]
+    included = {name for text in texts for name in re.findall(r"#include <(\w+)\.h>", text)}
+    assert {"math", "Python"} <= included
+    assert {name.lower() for name in included} <= catalogue.C_HEADERS
+
+
+@pytest.mark.parametrize(
+    ("name", "phi"),
+    [("sine7", "sin(alpha/14)"), ("cayley7", "tan(alpha/14)"), ("sine6", "sin(alpha/6)"), ("cayley07", "alpha/2")],
+)
+def test_chart_may_have_its_own_name(name: str, phi: str) -> None:
+    assert [chart.name for chart in catalogue.charts((), (), phi, name)] == [name]
+
+
+def test_library_refuses_reserved_names(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="leading underscore"):
+        generate(phi="alpha/2", name="_native", output=tmp_path)
+
+
+def test_slope_of_0_is_refused(tmp_path: Path) -> None:
+    done = dualcay("generate", "--phi", "0*alpha", "--name", "mine", "-o", str(tmp_path / "kernels"))
+    assert done.returncode == 2
+    assert "phi'(0) = 0.0, and has to be positive" in done.stderr
+
+
+def test_repeated_name_is_shown_once() -> None:
+    once, twice = (dualcay("show", "-n", "3", "--what", what).stdout for what in ("q,p", "q,p,q"))
+    assert twice == once
+    assert once.index("q_3") < once.index("p_3")
+
+
+def test_progress_of_a_check_counts_the_modules_in_the_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    generate([1], output=tmp_path)
+    totals: list[int] = []
+    steps: list[str] = []
+
+    @contextmanager
+    def counted(total: int) -> Iterator[Callable[[str], None]]:
+        totals.append(total)
+        yield steps.append
+
+    monkeypatch.setattr(display, "progress", counted)
+    assert dualcay("generate", "-n", "2", "-o", str(tmp_path), "--check").returncode == 1  # cayley2 is missing
+    assert totals == [len(steps)] == [4]  # two modules, and two steps for each

@@ -1,0 +1,48 @@
+"""Law over forty φ: each generates in every target that can be built here, or is refused with a reason.
+
+They are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from derive.codegen import generate
+
+TANGENTS = ["tan(alpha/2)", *(f"{k}*tan(alpha/{k + 1})" for k in range(2, 9)), "tan(2*alpha/5)", "0.7*tan(alpha/3.5)"]
+SINES = [*(f"{k}*sin(alpha/{k})" for k in range(2, 10)), "sin(3*alpha/7)", "1.5*sin(alpha/2.5)"]
+SUMS = [
+    "tan(alpha/3) + sin(alpha/3)", "alpha + sin(alpha)/2", "tan(alpha/5) + alpha/10", "sin(alpha/2) + alpha/50",
+    "3*tan(alpha/7) - sin(alpha/9)", "alpha + 9*sin(alpha)/10", "alpha/2 + alpha/3", "sin(alpha/4) + sin(alpha/8)",
+]  # fmt: skip
+QUOTIENTS = [
+    "alpha/(1 + alpha**2/40)", "alpha*(3 + alpha**2/20)/(3 + alpha**2/50)", "sin(alpha/2)/cos(alpha/2)",
+    "sin(alpha/3)/(1 + cos(alpha/3))", "alpha*cos(alpha/9)", "tan(alpha/6)/(1 + tan(alpha/6)**2)",
+]  # fmt: skip
+ROOTS = [
+    "alpha/sqrt(1 + alpha**2/40)", "sin(alpha/4)/sqrt(cos(alpha/4))", "sin(alpha/5)/sqrt(1 - sin(alpha/5)**2/9)",
+    "alpha*sqrt(1 + alpha**2)", "3*atan(alpha/5)", "asin(alpha/13)",
+]  # fmt: skip
+PHI = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
+TARGETS = ("numpy", "array-api", "numba", "c")
+SAMPLE = {("2*tan(alpha/3)", "numpy"), ("3*atan(alpha/5)", "array-api")}
+"""Pairs that every run tries; all others are thorough."""
+
+
+def test_there_are_forty_of_them() -> None:
+    assert len(set(PHI)) == 40
+
+
+@pytest.mark.parametrize(
+    ("phi", "target"),
+    [
+        pytest.param(phi, target, marks=[] if (phi, target) in SAMPLE else pytest.mark.thorough)
+        for phi in PHI
+        for target in TARGETS
+    ],
+)
+def test_every_phi_generates_in_every_target(tmp_path: Path, phi: str, target: str) -> None:
+    package = generate(target=target, output=tmp_path / "kernels", phi=phi, name="mine")
+    assert all(module.counts.validated > 100 for module in package.modules)

@@ -1,0 +1,206 @@
+"""The recorder: every operation, selection by bits and booleans, constants, shared entries, order and rows."""
+
+from __future__ import annotations
+
+import math
+import signal
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from dualcay import _program, _recorder, cayley3
+from dualcay._program import Program
+from dualcay._recorder import Number, record
+
+Text = Callable[..., tuple[Any, ...]]
+DTYPES = [np.float32, np.float64, np.longdouble, np.complex64, np.complex128]
+REAL = DTYPES[:3]
+
+
+def run(program: Program, *arguments: NDArray[Any], outputs: int) -> list[NDArray[Any]]:
+    """Return the outputs of a program, run in fresh memory that holds NaN."""
+    shape, dtype = arguments[0].shape, program.dtype
+    found = [np.full(shape, np.nan, dtype) for _ in range(outputs)]
+    scratch = [np.full(shape, np.nan, dtype) for _ in range(program.scratch)]
+    masks = program.mask_rows(np.zeros((program.masks, *shape), dtype))
+    program.run([*arguments, *program.constants, *found, *scratch, *masks])
+    return found
+
+
+def recorded(text: Text, dtype: Any, *arguments: Any, outputs: int = 1) -> list[NDArray[Any]]:
+    """Return what a text of single numbers computes when it is recorded."""
+    arrays = [np.array(a, dtype) for a in arguments]
+    program = record(lambda m, *groups: text(m, *(a for (a,) in groups)), [1] * len(arrays), np.dtype(dtype))
+    return run(program, *arrays, outputs=outputs)
+
+
+ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "a + b": lambda a, b: a + b,
+    "2 + a": lambda a, b: 2 + a,
+    "a - b": lambda a, b: a - b,
+    "2 - a": lambda a, b: 2 - a,
+    "a * b": lambda a, b: a * b,
+    "3 * a": lambda a, b: 3 * a,
+    "a / b": lambda a, b: a / b,
+    "1 / a": lambda a, b: 1 / a,
+    "-a": lambda a, b: -a,
+}
+
+
+@pytest.mark.parametrize("dtype", DTYPES)
+@pytest.mark.parametrize("operation", ARITHMETIC)
+def test_arithmetic_is_that_of_numpy(operation: str, dtype: type) -> None:
+    a, b = np.array([1.5, -2.0, 0.25], dtype), np.array([3.0, 7.0, -0.5], dtype)
+    (found,) = recorded(lambda m, a, b: (ARITHMETIC[operation](a, b),), dtype, a, b)
+    np.testing.assert_array_equal(found, ARITHMETIC[operation](a, b))
+    assert found.dtype == dtype
+
+
+@pytest.mark.parametrize("dtype", REAL)
+@pytest.mark.parametrize(
+    ("name", "ufunc", "count"),
+    [("abs", np.absolute, 1), ("sqrt", np.sqrt, 1), ("tan", np.tan, 1), ("atan2", np.arctan2, 2),
+     ("expm1", np.expm1, 1), ("log1p", np.log1p, 1)],
+)  # fmt: skip
+def test_functions_are_those_of_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
+    arguments = [np.array([0.5, 1.5, 2.5], dtype), np.array([2.0, 0.25, 1.0], dtype)][:count]
+    (found,) = recorded(lambda m, *a: (getattr(m, name)(*a),), dtype, *arguments)
+    np.testing.assert_array_equal(found, ufunc(*arguments))
+
+
+@pytest.mark.parametrize("dtype", REAL)
+def test_selection_keeps_every_bit_of_the_chosen_side(dtype: type) -> None:
+    a = [1.5, math.inf, -0.0, math.nan, 2.0]
+    b = [-1.0, 3.0, 0.0, 4.0, math.nan]
+    (found,) = recorded(lambda m, c, a, b: (m.where(c < 1, a, b),), dtype, [0, 0, 0, 1, 1], a, b)
+    np.testing.assert_array_equal(found, np.array([1.5, math.inf, -0.0, 4.0, math.nan], dtype))
+    assert np.signbit(found[2])
+
+
+CONDITIONS: dict[str, Callable[[Any, Any], Any]] = {
+    "a < b": lambda a, b: a < b,
+    "a > b": lambda a, b: a > b,
+    "0 < a": lambda a, b: a > 0,
+    "a == b": lambda a, b: a == b,
+    "a == 1": lambda a, b: a == 1,
+    "(a < b) & (0 < a)": lambda a, b: (a < b) & (a > 0),
+    "(a < b) | (a == 3)": lambda a, b: (a < b) | (a == 3),
+    "(a < b) & (0 < 1)": lambda a, b: (a < b) & (0 < 1),  # comparisons of constants, as a text has them
+    "(a < b) | (0 < 0)": lambda a, b: (a < b) | (0 < 0),
+    "(0 < 0) & (a < b)": lambda a, b: (0 < 0) & (a < b),
+}
+
+
+@pytest.mark.parametrize("dtype", REAL)
+@pytest.mark.parametrize("condition", CONDITIONS)
+def test_conditions_select_as_in_numpy(condition: str, dtype: type) -> None:
+    a, b = np.array([1.0, 3.0, -1.0, 2.0, math.nan], dtype), np.array([2.0, 3.0, 0.0, -2.0, 1.0], dtype)
+    ask = CONDITIONS[condition]
+    (found,) = recorded(lambda m, a, b: (m.where(ask(a, b), a, 7),), dtype, a, b)
+    np.testing.assert_array_equal(found, np.where(ask(a, b), a, np.array(7, dtype)))
+
+
+@pytest.mark.parametrize("dtype", REAL)
+def test_conditions_themselves_are_selected(dtype: type) -> None:
+    a = np.array([1.0, 3.0, -1.0, 2.0], dtype)
+    (found,) = recorded(lambda m, a: (m.where(m.where(a < 2, a < 0, a > 2), 1, 0),), dtype, a)
+    np.testing.assert_array_equal(found, [0, 1, 1, 0])
+
+
+def test_outputs_may_be_arguments_constants_and_equal() -> None:
+    a = np.array([1.0, 2.0])
+    found = recorded(lambda m, a: (a, 5, a + a, a + a, -(a + a), a), np.float64, a, outputs=6)
+    np.testing.assert_array_equal(found, [a, [5, 5], 2 * a, 2 * a, -2 * a, a])
+
+
+def test_constants_keep_their_sign_and_type() -> None:
+    found = recorded(lambda m, a: (a * -0.0, a * 0), np.float64, [1.0], outputs=2)
+    assert [bool(np.signbit(row[0])) for row in found] == [True, False]
+
+
+def test_equal_operations_are_entered_once() -> None:
+    tape = _recorder.Tape(np.dtype(float))
+    a, b = tape.argument(), tape.argument()
+    assert (a + b).index == (b + a).index
+    assert (a - b).index != (b - a).index
+    assert len(tape.operations) == 5
+
+
+def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Random texts agree with NumPy; rows freed one step early are noticed."""
+    assert all(_agrees(seed) for seed in range(60))
+    release = _program.Rows._release
+
+    def early(self: Any, step: int, operands: Any, places: Any) -> None:
+        release(self, step, [i for i in operands if self.last[i] == step], places)
+        self.scratch.free += [row for kind, row in places.values() if kind == "scratch"][:1]
+
+    monkeypatch.setattr(_program.Rows, "_release", early)
+    assert not all(_agrees(seed) for seed in range(60))
+
+
+def _agrees(seed: int) -> bool:
+    choices = np.random.default_rng(seed).integers(0, 1 << 30, (60, 3))
+
+    def text(m: Any, *values: Any) -> tuple[Any, ...]:
+        made = list(values)
+        for kind, i, j in choices:
+            a, b = made[i % len(made)], made[j % len(made)]
+            made.append([a + b, a - b, a * b, m.where(a < b, b, a), -a][kind % 5])
+        return tuple(made[-9:])
+
+    arguments = np.random.default_rng(seed).normal(size=(4, 3))
+    with np.errstate(all="ignore"):
+        expected = np.array(np.broadcast_arrays(*text(np, *arguments)))
+        found = np.array(recorded(text, np.float64, *arguments, outputs=9))
+    return bool(np.array_equal(found, expected, equal_nan=True))
+
+
+def test_recorded_number_has_no_truth_value() -> None:
+    tape = _recorder.Tape(np.dtype(float))
+    with pytest.raises(TypeError, match=r"m\.where"):
+        bool(Number(tape, 0) < 1)
+
+
+def test_program_is_recorded_once_for_each_dtype() -> None:
+    chart = cayley3.KERNELS._chart
+    first = chart.recorded("pose", np.dtype(np.float64), 0)
+    assert chart.recorded("pose", np.dtype(np.float64), 0) is first
+    assert chart.recorded("pose", np.dtype(np.float32), 0) is not first
+
+
+def test_threads_agree_with_one_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    v = np.random.default_rng(0).normal(size=(5000, 6)) / 4
+    expected = cayley3.pose(v)
+    monkeypatch.setattr(cayley3.KERNELS._chart, "_recorded", {})
+    found: list[Any] = []
+    threads = [threading.Thread(target=lambda: found.append(cayley3.pose(v))) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(result, expected) for result in found)
+    assert len(found) == len(threads)
+
+
+def test_signal_handler_may_call_kernels() -> None:
+    v = np.random.default_rng(0).normal(size=(20_000, 6)) / 4
+    expected, inner = cayley3.pose(v), []
+
+    def handler(*_: Any) -> None:
+        inner.append(cayley3.pose(v[:100]))
+
+    former = signal.signal(signal.SIGALRM, handler)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 1e-3, 1e-3)
+        results = [cayley3.pose(v) for _ in range(20)]
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, former)
+    assert all(np.array_equal(result, expected) for result in results)
+    assert inner
+    assert all(np.array_equal(result, expected[:100]) for result in inner)

@@ -1,0 +1,180 @@
+"""Control of the kernel tests: one sign flipped in a program of the order 3, and a law fails."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import dataclasses
+import inspect
+import math
+import pickle
+import sys
+from collections.abc import Callable, Iterator
+from types import CodeType, FunctionType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from dualcay import _geometry, _runtime, cayley3
+from tests.generated import test_kernel_groups as groups
+from tests.generated import test_kernel_roundtrips as roundtrips
+from tests.generated import test_kernel_signs as rules
+from tests.generated import test_kernel_tangents as tangents
+from tests.support.accuracy import FUNCTIONS, Trial
+
+ORDER = 3
+REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
+"""Regimes in which every operation counts: arguments on both sides of each selection."""
+
+
+def programs(module: Any) -> dict[str, ast.FunctionDef]:
+    """Return the functions of a module by name: geometry programs, or the scalar programs of a chart."""
+    found = (node for node in ast.parse(inspect.getsource(module)).body if isinstance(node, ast.FunctionDef))
+    return {node.name: node for node in found if not node.name.startswith("__")}
+
+
+PROGRAMS = programs(_geometry) | programs(cayley3)
+
+
+def signs(program: ast.FunctionDef) -> list[int]:
+    """Return the places of + and − in the walk of a program, but for those that only select a side or NaN."""
+    selecting: list[ast.AST] = [
+        node
+        for node in ast.walk(program)
+        if (isinstance(node, ast.Call) and ast.unparse(node.func) == "m.where")
+        or (isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "either")
+    ]
+    apart = {id(node) for call in selecting for node in ast.walk(call)}
+    return [
+        place
+        for place, node in enumerate(ast.walk(program))
+        if id(node) not in apart and isinstance(getattr(node, "op", None), ast.Add | ast.Sub | ast.USub)
+    ]
+
+
+def flipped(program: ast.FunctionDef, place: int) -> ast.FunctionDef:
+    """Return the program with the sign at a place the other way."""
+    changed: ast.FunctionDef = pickle.loads(pickle.dumps(program))  # a deep copy, faster
+    node = list(ast.walk(changed))[place]
+    if isinstance(node, ast.BinOp):
+        node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
+    elif isinstance(node, ast.UnaryOp):
+        node.op = ast.UAdd()
+    return changed
+
+
+def kernels_with(program: ast.FunctionDef | None) -> Any:
+    """Return the kernels of order 3 with one program replaced, also where other programs call it."""
+    spaces = {module: dict(vars(module)) for module in (_geometry, cayley3)}
+    for space in spaces.values():
+        for name in PROGRAMS.keys() & space.keys():
+            space[name] = FunctionType(space[name].__code__, space, name, space[name].__defaults__)
+    if program is not None:
+        space = spaces[cayley3 if program.name in vars(cayley3) and program.name.startswith("_") else _geometry]
+        tree = ast.fix_missing_locations(ast.Module(body=[program], type_ignores=[]))
+        exec(compile(tree, "a flipped program", "exec"), space)
+    chart: Any = copy.copy(cayley3.CHART)
+    chart.functions = {name: spaces[cayley3][f.__name__] for name, f in chart.functions.items()}
+    chart.plain, chart._recorded = SimpleNamespace(**chart.functions), {}
+    chart.kernels = {
+        name: dataclasses.replace(kernel, plain=spaces[_geometry][kernel.plain.__name__])
+        for name, kernel in chart.kernels.items()
+    }
+    return type(cayley3.KERNELS)(chart)
+
+
+def names_read(code: CodeType, seen: frozenset[str] = frozenset()) -> frozenset[str]:
+    """Return the names of programs that a program runs, directly or through others."""
+    scalars = {f"_{name}" for name in code.co_names} | set(code.co_names)
+    new = (scalars & PROGRAMS.keys()) - seen
+    seen |= new
+    for name in new:
+        seen = names_read(getattr(cayley3 if name.startswith("_") else _geometry, name).__code__, seen)
+    return seen
+
+
+READ = {name: names_read(k.plain.__code__) | {k.plain.__name__} for name, k in cayley3.CHART.kernels.items()}
+
+
+def users(program: str) -> list[str]:
+    """Return functions of the interface that run a program, its namesake first."""
+    kernels = sorted((name for name, read in READ.items() if program in read), key=lambda name: name != program)
+    shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # branches are told by turns
+    return [name for name in dict.fromkeys(shown) if name in FUNCTIONS]
+
+
+@pytest.fixture(autouse=True)
+def single_poses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run every batch pose by pose; the root of a negative number is NaN."""
+    monkeypatch.setattr(_runtime.Floats, "sqrt", staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan))
+    monkeypatch.setattr(_runtime, "POINTWISE_MAX", sys.maxsize)
+
+
+def fails(check: Callable[..., None], *arguments: object) -> bool:
+    try:
+        check(*arguments)
+    except AssertionError:
+        return True
+    return False
+
+
+def seen_by_oracle(kernels: Any, names: list[str]) -> bool:
+    return any(fails(Trial(kernels, ORDER, regime).check, name) for name in names for regime in REGIMES)
+
+
+def seen_at_full_turns(kernels: Any) -> bool:
+    """Return whether the side taken at a multiple of 2π is wrong, which shows nowhere else."""
+    law = rules.test_full_turns_are_translations_along_the_axis
+    duals = [1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(rules, "load", lambda _: kernels)
+        cases = [(order, real, dual) for order, real in rules.AT_FULL_TURNS for dual in duals if order == ORDER]
+        return any(fails(law, *case) for case in cases)
+
+
+def laws() -> Iterator[tuple[Callable[..., None], tuple[object, ...]]]:
+    """Yield laws that do not use the oracle: derivatives, inverses, round trips, products."""
+    yield roundtrips.test_shadows_form_a_cyclic_group, ("uniform",)
+    yield roundtrips.test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign, ("pure translation",)
+    for regime in ("uniform", "shadow", "below pi", "coordinate axes"):
+        yield tangents.test_complex_steps_of_the_quaternion, (regime,)
+        yield tangents.test_complex_steps_of_the_tensor, (regime,)
+        yield tangents.test_complex_steps_of_the_pose, (regime,)
+        yield tangents.test_twist_and_rate_are_the_operators_applied_and_undo_each_other, (regime,)
+        yield tangents.test_body_twists_are_space_twists_turned_back, (regime,)
+        for route in roundtrips.ROUTES:
+            yield roundtrips.test_every_branch_gives_the_pose_back, (route, regime)
+        yield roundtrips.test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign, (regime,)
+        yield groups.test_composition_is_the_product_of_tensors_v1_first, (regime,)
+
+
+def seen_by_laws(kernels: Any) -> bool:
+    return any(fails(law, kernels, ORDER, *given) for law, given in laws()) or seen_at_full_turns(kernels)
+
+
+def test_unchanged_kernels_pass() -> None:
+    kernels = kernels_with(None)
+    assert not seen_by_oracle(kernels, list(FUNCTIONS))
+    assert not seen_by_laws(kernels)
+
+
+@pytest.mark.parametrize("name", sorted(name for name in PROGRAMS if users(name)))
+def test_every_flipped_sign_is_seen_by_the_oracle(name: str) -> None:
+    unseen = []
+    for place in signs(PROGRAMS[name]):
+        kernels = kernels_with(flipped(PROGRAMS[name], place))
+        if not (seen_by_oracle(kernels, users(name)) or seen_at_full_turns(kernels)):
+            unseen.append(ast.unparse(list(ast.walk(PROGRAMS[name]))[place]))
+    assert not unseen
+
+
+LAWFUL = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "rate", "from_quaternion", "from_tensor",
+          "from_pose", "compose", "shadow")  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LAWFUL)
+def test_flipped_signs_are_seen_by_laws(name: str) -> None:
+    places = signs(PROGRAMS[name])
+    for place in places[:: max(1, len(places) // 3)]:
+        changed = flipped(PROGRAMS[name], place)
+        assert seen_by_laws(kernels_with(changed)), ast.unparse(list(ast.walk(PROGRAMS[name]))[place])

@@ -1,0 +1,112 @@
+"""Operators change what they name, samples are stable, and every trial ends with a verdict."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from derive.codegen.programs.program import Program, Step
+from tests.mutants import __main__ as command
+from tests.mutants.lines import changes as line_changes
+from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
+from tests.mutants.programs import changes
+
+pytestmark = pytest.mark.smoke
+
+STEPS = (Step("d", "sub", ("v1", "v2"), False), Step("e", "mul", (3, "d"), False))
+DIFFERENCE = Program("f", (("v", ("v1", "v2")),), STEPS, ("e", "d"))
+
+
+def mutant(trial: Callable[[], Verdict], change: str = "") -> Mutant:
+    return Mutant("place", "sign", change, trial)
+
+
+def test_program_changes_are_of_operation_operand_constant_and_outputs() -> None:
+    assert {(operator, words) for operator, words, _ in changes(DIFFERENCE)} == {
+        ("operation", "d = sub(v1, v2) → d = add(v1, v2)"),
+        ("operands swapped", "d = sub(v1, v2) → d = sub(v2, v1)"),
+        ("operand", "d = sub(v1, v2) → d = sub(v2, v2)"),
+        ("operand", "d = sub(v1, v2) → d = sub(v1, v1)"),
+        ("operation", "e = mul(3, d) → e = div(3, d)"),
+        ("constant", "e = mul(3, d) → e = mul(4, d)"),
+        ("constant", "e = mul(3, d) → e = mul(2, d)"),
+        ("constant", "e = mul(3, d) → e = mul(-3, d)"),
+        ("operand", "e = mul(3, d) → e = mul(3, v2)"),
+        ("order of outputs", "outputs 0 and 1 swapped"),
+    }
+    assert all(changed != DIFFERENCE for _, _, changed in changes(DIFFERENCE))
+    assert replace(DIFFERENCE, outputs=("d", "e")) in {changed for _, _, changed in changes(DIFFERENCE)}
+
+
+@pytest.mark.parametrize(
+    ("line", "changed"),
+    [
+        ("y = a + b", "y = a - b"),
+        ("y = a * b", "y = a / b"),
+        ("y = a < b", "y = a <= b"),
+        ("if not a:", "if a:"),
+        ("y = a[2]", "y = a[3]"),
+        ("y = sin(a)", "y = cos(a)"),
+        ("{% if n == 1 %}", "{% if n != 1 %}"),
+    ],
+)
+def test_line_changes_swap_a_token(line: str, changed: str) -> None:
+    assert changed in {text for *_, text in line_changes(line)}
+
+
+def test_prose_is_left_as_it_is() -> None:
+    text = '"""One + 1."""\n# 2 * 3\nx = f("4 + 5")  # 6\n{# 7 < 8 #}\ny = a + 9\n'
+    assert {line for line, *_ in line_changes(text)} == {5}
+
+
+def test_added_mutants_leave_the_others_in_the_sample() -> None:
+    many = [mutant(partial(Verdict, SURVIVED), str(i)) for i in range(100)]
+    first, fewer = sampled(many, 20, 1), sampled(many[1:], 20, 1)
+    assert len({*map(str, first)} & {*map(str, fewer)}) >= 19
+    assert first != sampled(many, 20, 2)
+
+
+def test_trials_are_isolated_and_verdicts_come_in_order() -> None:
+    def late() -> Verdict:
+        time.sleep(0.2)
+        return Verdict(SURVIVED)
+
+    def wrong() -> Verdict:
+        raise ValueError("no pose")
+
+    trials = [late, wrong, partial(Verdict, EQUIVALENT), lambda: os.kill(os.getpid(), signal.SIGKILL)]
+    found = list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
+    assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, EQUIVALENT, KILLED]
+    assert found[1].by == "exception ValueError: no pose"
+    assert found[3].by == "crash"
+
+
+def test_long_trials_are_killed() -> None:
+    (verdict,) = tried([mutant(lambda: time.sleep(60))], jobs=1, limit=0.1)  # type: ignore[arg-type, func-returns-value]
+    assert verdict == Verdict(KILLED, "time limit")
+
+
+@pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1), ("some=40", 0), ("some=60", 1)])
+def test_command_prints_survivors_and_holds_rooms_to_the_floor(
+    floor: str, code: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    verdicts = {"unchanged": SURVIVED, "a": KILLED, "b": SURVIVED, "c": EQUIVALENT}
+    room = [mutant(partial(Verdict, kind, "tests"), change) for change, kind in verdicts.items()]
+    monkeypatch.setattr(command, "ROOMS", {"some": lambda: room})
+    assert command.main(["--room", "some", "--floor", floor]) == code
+    said = capsys.readouterr().out
+    assert "some: survives: place: sign: b" in said
+    assert "some: 1 of 2 killed (50.0 %; 1 by tests), 1 more are equivalent; drawn from 3" in said
+
+
+def test_unchanged_tree_must_pass(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(command, "ROOMS", {"some": lambda: [mutant(partial(Verdict, KILLED, "tests"))]})
+    assert command.main(["--room", "some"]) == 3
+    with pytest.raises(SystemExit):
+        command.main(["--room", "other"])
