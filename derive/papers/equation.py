@@ -1,6 +1,6 @@
 """Entry for an equation or claim of a paper, and the rules by which it is decided.
 
-An `Equation` is an entry: what is printed, and what the symbols stand for. Nothing in it says whether it is true.
+An `Equation` is an entry: the printed formula and the definitions of its symbols. Its status is computed.
 `decide` executes it and returns a `Result`:
 
 * every reading is evaluated at seeded 60-digit points, the special values of every symbol among them. One failure
@@ -12,7 +12,7 @@ An `Equation` is an entry: what is printed, and what the symbols stand for. Noth
   and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
   ``ambiguous``: a true and a false reading that the text cannot tell apart.
 
-An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
+An entry that fits none of these raises `UndecidedError`.
 """
 
 from __future__ import annotations
