@@ -9,15 +9,13 @@ import pytest
 
 import dualcay
 from tests.support import errors, sampling
+from tests.support.errors import assert_close
 from tests.support.nilpotent import Nil
+from tests.support.sampling import reached
 
 EPS = float(np.finfo(float).eps)
 REGIMES = ("uniform", "angle 1e-7", "middle band", "shadow", "translation 1e6", "pure translation", "identity")
 REGIME = pytest.mark.parametrize("regime", REGIMES)
-
-
-def samples(order: int, regime: str, count: int = 6) -> np.ndarray:
-    return sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=count)
 
 
 def dual_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -35,15 +33,10 @@ def pose_scale(order: int, *vectors: np.ndarray) -> Nil:
     return scale
 
 
-def assert_close(got: np.ndarray, expected: np.ndarray, scale: Nil, eps: float = errors.AGREE) -> None:
-    for a, b, s in zip(errors.parts(got), errors.parts(expected), (scale.re, scale.du), strict=True):
-        assert errors.norm(a - b) <= eps * EPS * s, (got, expected)
-
-
 @pytest.mark.smoke
 @REGIME
 def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, order: int, regime: str) -> None:
-    v2, v1 = samples(order, regime), samples(order, "uniform")[::-1]
+    v2, v1 = reached(order, regime), reached(order, "uniform")[::-1]
     composed = kernel.compose(v2, v1)
     product = dual_product(kernel.tensor(v2), kernel.tensor(v1))
     for i, v in enumerate(composed):
@@ -56,7 +49,7 @@ def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, orde
 
 @REGIME
 def test_composition_with_the_inverse_and_the_identity(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     # −v is the inverse, closed form and all.
     inverse = dual_product(kernel.tensor(v), kernel.tensor(-v))
     back, same = kernel.compose(v, -v), kernel.compose(v, np.zeros(6))
@@ -69,7 +62,7 @@ def test_composition_with_the_inverse_and_the_identity(kernel: ModuleType, order
 
 
 def test_composition_is_associative_and_principal(kernel: ModuleType, order: int) -> None:
-    a, b, c = (samples(order, r) for r in ("shadow", "uniform", "middle band"))
+    a, b, c = (reached(order, r) for r in ("shadow", "uniform", "middle band"))
     left, right = kernel.compose(kernel.compose(a, b), c), kernel.compose(a, kernel.compose(b, c))
     limit = np.tan(np.pi / (2 * order)) * (1 + 1e-12)
     for i in range(len(a)):
@@ -80,7 +73,7 @@ def test_composition_is_associative_and_principal(kernel: ModuleType, order: int
 
 @pytest.mark.parametrize("regime", ["uniform", "middle band", "angle 1e-7", "below pi", "shadow", "translation 1e6"])
 def test_screws_there_and_back(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     angle, axis = kernel.to_screw(v)
     assert angle.shape == (6, 2)
     assert axis.shape == (6, 6)
@@ -123,7 +116,7 @@ def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: i
 
 @REGIME
 def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
-    v, r = samples(order, regime), sampling.points("points", count=6)
+    v, r = reached(order, regime), sampling.points("points", count=6)
     pose = kernel.pose(v)
     for i, moved in enumerate(kernel.transform_point(v, r)):
         local = errors.scales(order, v[i])
@@ -133,7 +126,7 @@ def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int
 
 @REGIME
 def test_lines_move_as_by_the_dual_tensor_and_as_their_points_do(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     first, second = sampling.points("first", count=6), sampling.points("second", count=6)
 
     def line(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -151,7 +144,7 @@ def test_lines_move_as_by_the_dual_tensor_and_as_their_points_do(kernel: ModuleT
 
 
 def test_matrix6_acts_on_twists_as_the_dual_tensor_does(order: int, kernel: ModuleType) -> None:
-    d = kernel.tangent(samples(order, "uniform").reshape(2, 3, 6))
+    d = kernel.tangent(reached(order, "uniform").reshape(2, 3, 6))
     m = dualcay.matrix6(d)
     assert m.shape == (2, 3, 6, 6)
     assert m.dtype == d.dtype

@@ -9,16 +9,14 @@ import pytest
 
 import dualcay
 from tests.support import errors, sampling
+from tests.support.errors import assert_close
 from tests.support.nilpotent import Nil
+from tests.support.sampling import reached
 
 EPS = float(np.finfo(float).eps)
 REGIMES = ("uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "shadow", "translation 1e6", "identity")
 REGIME = pytest.mark.parametrize("regime", REGIMES)
 COMPLEX_STEP = 1e-40  # no subtraction, so no lower limit but underflow
-
-
-def samples(order: int, regime: str) -> np.ndarray:
-    return sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=6)
 
 
 def vect(m: np.ndarray) -> np.ndarray:
@@ -44,14 +42,9 @@ def allowed(order: int, v: np.ndarray) -> Nil:
     return local.tangent * local.tensor * local.tensor
 
 
-def assert_close(got: np.ndarray, expected: np.ndarray, scale: Nil, tolerance: float) -> None:
-    for a, b, s in zip(errors.parts(got), errors.parts(expected), (scale.re, scale.du), strict=True):
-        assert errors.norm(a - b) <= tolerance * s, (got, expected)
-
-
 @REGIME
 def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     operators = dualcay.matrix6(kernel.tangent(v))
     for j, direction in enumerate(np.eye(6)):
         change = kernel.tensor(v + 1j * COMPLEX_STEP * direction).imag / COMPLEX_STEP
@@ -62,7 +55,7 @@ def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str
 @REGIME
 def test_operators_of_the_body_take_rates_to_body_twists_and_back(kernel: ModuleType, order: int, regime: str) -> None:
     """The body operator transposes each part of the dual tensor; transposing the 6x6 matrix gives another operator."""
-    v = samples(order, regime)
+    v = reached(order, regime)
     space, body = kernel.tangent(v), kernel.body_tangent(v)
     np.testing.assert_array_equal(body, np.swapaxes(space, -1, -2))
     np.testing.assert_array_equal(kernel.body_tangent_inv(v), np.swapaxes(kernel.tangent_inv(v), -1, -2))
@@ -77,7 +70,7 @@ def test_operators_of_the_body_take_rates_to_body_twists_and_back(kernel: Module
 
 @REGIME
 def test_complex_steps_of_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     rates = sampling.dual_vectors("rates", count=len(v))
     change = kernel.pose(v + 1j * COMPLEX_STEP * rates).imag / COMPLEX_STEP
     found = twist_of_pose(kernel.pose(v), change)
@@ -88,7 +81,7 @@ def test_complex_steps_of_the_pose(kernel: ModuleType, order: int, regime: str) 
 @REGIME
 def test_complex_steps_of_the_quaternion(kernel: ModuleType, order: int, regime: str) -> None:
     """q̇ = ω q / 2, by the real and the dual part."""
-    v = samples(order, regime)
+    v = reached(order, regime)
     rates = sampling.dual_vectors("rates", count=len(v))
     change = kernel.quaternion(v + 1j * COMPLEX_STEP * rates).imag / COMPLEX_STEP
     q, w = kernel.quaternion(v), kernel.twist(v, rates)
@@ -104,7 +97,7 @@ def test_complex_steps_of_the_quaternion(kernel: ModuleType, order: int, regime:
 
 @pytest.mark.parametrize("regime", ["uniform", "middle band", "shadow", "pure translation"])
 def test_central_differences_of_the_tensor_and_the_pose(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     rates = sampling.dual_vectors("rates", count=len(v))
     step = errors.STEP * rates
     tensors = (kernel.tensor(v + step) - kernel.tensor(v - step)) / (2 * errors.STEP)
@@ -120,7 +113,7 @@ def test_central_differences_of_the_tensor_and_the_pose(kernel: ModuleType, orde
 def test_twist_and_rate_are_the_operators_applied_and_undo_each_other(
     kernel: ModuleType, order: int, regime: str
 ) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     w = sampling.dual_vectors("twists", count=len(v))
     forth, back = dualcay.matrix6(kernel.tangent(v)), dualcay.matrix6(kernel.tangent_inv(v))
     twist, rate = kernel.twist(v, w), kernel.rate(v, w)
@@ -139,7 +132,7 @@ def test_twist_and_rate_are_the_operators_applied_and_undo_each_other(
 
 @REGIME
 def test_body_twists_are_space_twists_turned_back(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime)
     w = sampling.dual_vectors("twists", count=len(v))
     space = kernel.transform_line(v, kernel.body_twist(v, w))
     again = kernel.body_rate(v, kernel.body_twist(v, w))
@@ -156,7 +149,7 @@ def test_body_twists_are_space_twists_turned_back(kernel: ModuleType, order: int
 
 
 def test_cayley_names_of_the_tangent_operators(kernel: ModuleType, order: int) -> None:
-    v = samples(order, "uniform")
+    v = reached(order, "uniform")
     np.testing.assert_array_equal(kernel.dcay(v), kernel.tangent(v))
     np.testing.assert_array_equal(kernel.dcay_inv(v), kernel.tangent_inv(v))
 
@@ -176,7 +169,7 @@ def test_order_two_is_conformal(regime: str) -> None:
     """dcay_2 is 4/(1 + x) times a rotation, as dual numbers, and its inverse a scaled transpose."""
     from dualcay import cayley2
 
-    v = samples(2, regime)
+    v = reached(2, regime)
     for i, (forth, back) in enumerate(zip(cayley2.tangent(v), cayley2.tangent_inv(v), strict=True)):
         x, x_du = v[i, :3] @ v[i, :3], 2 * v[i, :3] @ v[i, 3:]
         factor = Nil(16 / (1 + x) ** 2, -32 * x_du / (1 + x) ** 3)

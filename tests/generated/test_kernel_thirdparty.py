@@ -9,14 +9,11 @@ import pytest
 from scipy.spatial.transform import RigidTransform, Rotation
 
 from tests.support import errors, sampling
+from tests.support.sampling import reached
 
 REGIMES = ("uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "shadow", "pure rotation", "identity")
 REGIME = pytest.mark.parametrize("regime", REGIMES)
 EPS = float(np.finfo(float).eps)
-
-
-def samples(order: int, regime: str) -> np.ndarray:
-    return sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=12)
 
 
 def assert_same(order: int, v: np.ndarray, ours: np.ndarray, theirs: np.ndarray, factor: float = 1.0) -> None:
@@ -29,7 +26,7 @@ def assert_same(order: int, v: np.ndarray, ours: np.ndarray, theirs: np.ndarray,
 
 @REGIME
 def test_poses_and_dual_quaternions(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime, 12)
     third = RigidTransform.from_dual_quat(kernel.quaternion(v), scalar_first=True)
     assert_same(order, v, kernel.pose(v), third.as_matrix())
     turned = Rotation.from_quat(kernel.quaternion(v)[:, :4], scalar_first=True).as_matrix()
@@ -38,7 +35,7 @@ def test_poses_and_dual_quaternions(kernel: ModuleType, order: int, regime: str)
 
 @REGIME
 def test_screws_are_exponential_coordinates(kernel: ModuleType, order: int, regime: str) -> None:
-    v = samples(order, regime)
+    v = reached(order, regime, 12)
     angle, axis = kernel.to_screw(v)
     turn, shift = angle[:, :1], angle[:, 1:]
     coordinates = np.concatenate([turn * axis[:, :3], shift * axis[:, :3] + turn * axis[:, 3:]], axis=-1)
@@ -66,13 +63,13 @@ def test_inverse_maps_of_random_transforms(kernel: ModuleType, order: int, form:
 
 
 def test_composition_agrees_with_scipy(kernel: ModuleType, order: int) -> None:
-    a, b = samples(order, "uniform"), samples(order, "shadow")
+    a, b = reached(order, "uniform", 12), reached(order, "shadow", 12)
     third = RigidTransform.from_matrix(kernel.pose(a)) * RigidTransform.from_matrix(kernel.pose(b))
     np.testing.assert_allclose(kernel.pose(kernel.compose(a, b)), third.as_matrix(), rtol=1e-11, atol=1e-11)
 
 
 def test_points_move_as_in_scipy(kernel: ModuleType, order: int) -> None:
-    v, r = samples(order, "uniform"), sampling.points("scipy", count=12)
+    v, r = reached(order, "uniform", 12), sampling.points("scipy", count=12)
     third = RigidTransform.from_dual_quat(kernel.quaternion(v), scalar_first=True)
     np.testing.assert_allclose(kernel.transform_point(v, r), third.apply(r), rtol=1e-13, atol=1e-13)
 
@@ -88,7 +85,7 @@ def homogeneous_cayley(v: np.ndarray, order: int) -> np.ndarray:
 
 def test_the_dual_cayley_map_is_not_the_homogeneous_one(kernel: ModuleType, order: int) -> None:
     """Same rotation, different translation, except where v has no rotation: there both translate by 2n v°."""
-    for v in samples(order, "uniform"):
+    for v in reached(order, "uniform", 12):
         dual, homogeneous = kernel.pose(v), homogeneous_cayley(v, order)
         np.testing.assert_allclose(dual[:3, :3], homogeneous[:3, :3], atol=1e-13)
         assert np.linalg.norm(dual[:3, 3] - homogeneous[:3, 3]) > 0.001 * (v[:3] @ v[:3]) * np.linalg.norm(dual[:3, 3])
@@ -97,5 +94,5 @@ def test_the_dual_cayley_map_is_not_the_homogeneous_one(kernel: ModuleType, orde
     v = np.concatenate([0.1 * axis, 2.0 * axis])
     ratio = homogeneous_cayley(v, order)[:3, 3] @ axis / (kernel.pose(v)[:3, 3] @ axis)
     np.testing.assert_allclose(ratio, 1 + x, rtol=1e-13)
-    for v in samples(order, "pure translation"):
+    for v in reached(order, "pure translation", 12):
         np.testing.assert_allclose(kernel.pose(v), homogeneous_cayley(v, order), rtol=1e-14)

@@ -58,11 +58,11 @@ PRODUCTS = 4  # that a slope of a slope of f, g or h is a sum of: its numerator,
 
 
 def underflow(v: Any, dtype: Any) -> Nil:
-    """What the derivative of T loses, whatever its gate, where slopes of f, g, h are subnormal: in each of the products
-    that they are sums of half the smallest number of the type. The sums are exact.
+    """Return the loss of the derivative of T where slopes of f, g, h are subnormal.
 
-    In T slopes stand before up to |v|³; slopes of these, in the dual part, before v·v° besides. For n = 2 they go like
-    |v|⁻⁶ and |v|⁻⁸: in float32 they are subnormal from |v| = 4e6 and 1e5 on, at 1e-6 and 4e-5 from 2π.
+    Each product that a slope is a sum of loses half the smallest number of the type; sums are exact. In T slopes
+    stand before up to |v|³; slopes of slopes, in the dual part, before v·v°. For n = 2 they go like |v|⁻⁶ and |v|⁻⁸:
+    in float32 they are subnormal from |v| = 4e6 and 1e5 on, at 1e-6 and 4e-5 from 2π.
     """
     lost, length = PRODUCTS / 2 * float(np.finfo(dtype).smallest_subnormal), size(v)
     return lost * (length + length * length + length * length * length) * Nil(1.0, length.re * length.du)
@@ -118,6 +118,12 @@ def error(got: Any, exact: Any, scale: float, oracle: Oracle) -> float:
     """Return the error of one part in eps of its type."""
     found = np.array([oracle.field.number(c) for c in got.flat], dtype=object)
     return ratio(norm(found - exact.ravel()), scale) / float(np.finfo(got.dtype).eps)
+
+
+def assert_close(got: Any, expected: Any, scale: Nil, tolerance: float = AGREE * float(np.finfo(float).eps)) -> None:
+    """Require that real and dual part differ by no more than a tolerance times their scale."""
+    for a, b, s in zip(parts(got), parts(expected), (scale.re, scale.du), strict=True):
+        assert norm(a - b) <= tolerance * s, (got, expected)
 
 
 def size(a: Any) -> Nil:

@@ -48,17 +48,9 @@ ANGLES: dict[str, Angles] = {
 
 # Regimes inside the principal range: the closed form's own domain, where every chart of the map is well conditioned.
 PRINCIPAL = (
-    "uniform",
-    "angle 1e-12",
-    "angle 1e-7",
-    "middle band",
-    "below pi",
-    "coordinate axes",
-    "translation 1e6",
-    "pure rotation",
-    "pure translation",
-    "identity",
-)
+    "uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "coordinate axes", "translation 1e6",
+    "pure rotation", "pure translation", "identity",
+)  # fmt: skip
 # Outside it; at 2π and beyond only n ≥ 2 has a v at all, and n = 1 at π has none.
 OUTSIDE = ("above pi", "at pi", "near 2 pi", "shadow")
 REGIMES = PRINCIPAL + OUTSIDE
@@ -110,6 +102,11 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
     if regime in ("pure rotation", "identity"):
         dual = np.zeros((count, 3))
     return _filled(np.concatenate([tangent * axis, dual], axis=-1), rng, dtype)
+
+
+def reached(order: int, regime: str, count: int = 6) -> np.ndarray:
+    """Return vectors of a regime, or of the uniform one where the chart does not reach it."""
+    return poses(order, regime if has_regime(order, regime) else "uniform", count=count)
 
 
 def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
