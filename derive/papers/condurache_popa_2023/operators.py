@@ -35,9 +35,8 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     if not isinstance(env.value(index), int):
         return env.value(body)
     free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
-    first, second = (
-        Env(env.field, {**free, index: order}, env.definitions, env.dual, env.moving).value(body) for order in FAR_ORDERS
-    )
+    places = (Env(env.field, {**free, index: n}, env.definitions, env.dual, env.moving) for n in FAR_ORDERS)
+    first, second = (place.value(body) for place in places)
     if not values.equal(env.field, first, second):
         raise UndefinedError(f"still changing at order {FAR_ORDERS[-1]}")
     return second
