@@ -3,9 +3,9 @@
 An `Equation` is an entry: the printed formula and the definitions of its symbols. Its status is computed.
 `decide` executes it and returns a `Result`:
 
-* every reading is evaluated at seeded 60-digit points, the special values of every symbol among them. One failure
-  refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
-  an n. Where that is not possible the method says that the points are evidence, not proof;
+* every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
+* a reading without failure is then proved at generic values of an exact field, for symbolic n if it has an n. Without
+  such a field the method says that the points are evidence;
 * every reading must be faithful: its characters, without those that the extraction loses, are the extracted text;
 * readings are listed by hand, the most charitable first;
 * ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
