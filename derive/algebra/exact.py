@@ -106,6 +106,8 @@ class RationalFunctions:
 
     def normal_form(self, a: Polynomial) -> Polynomial:
         """Return a polynomial modulo the relations: 0 exactly if it is 0 there."""
+        if len(self.relations) == 1:
+            return a % self.relations[0]
         before = None
         while self.relations and before != a:
             before = a

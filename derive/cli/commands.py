@@ -78,7 +78,7 @@ def generate(**given: Any) -> None:
 
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.", required=True)
-@click.option("--what", callback=options.names(about.FORMULAS), default=ALL, metavar="NAMES",
+@click.option("--what", callback=options.formulas, default=ALL, metavar="NAMES",
               help=f"Out of {ALL}; all by default.")  # fmt: skip
 @form(("text", "latex", "markdown", "json"), "How formulas are written.")
 @options.max_n

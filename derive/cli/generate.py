@@ -66,7 +66,8 @@ def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> No
 def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
     charts = publish.with_bases(charts, target)
     processes = cores() if len(charts) > SERIAL_MAX else 1
-    with display.progress(WRITE_STEPS * len(with_geometry(charts))) as step:
+    built = with_geometry(publish.with_bases(charts, target))
+    with display.progress(WRITE_STEPS * len(built)) as step:
         package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:

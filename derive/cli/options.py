@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -37,16 +37,12 @@ def _range(part: str, value: str) -> range:
     return range(first, last + 1)
 
 
-def names(choices: tuple[str, ...]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
-    """Return a parser of comma-separated names out of a fixed set."""
-
-    def parse(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
-        given = listed(context, parameter, value)
-        if unknown := ", ".join(repr(name) for name in given if name not in choices):
-            raise click.BadParameter(f"expected names out of {', '.join(choices)}, got {unknown}")
-        return given
-
-    return parse
+def formulas(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
+    """Return comma-separated names of formulas, each once."""
+    given = listed(context, parameter, value)
+    if unknown := ", ".join(repr(name) for name in given if name not in about.FORMULAS):
+        raise click.BadParameter(f"expected names out of {', '.join(about.FORMULAS)}, got {unknown}")
+    return given
 
 
 def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:

@@ -21,8 +21,7 @@ from .targets import Target
 GEOMETRY = Cayley(3)
 """The chart in which the shared geometry is checked where no other fits: the lowest order whose scalars all differ."""
 
-GEOMETRY_ORDERS = range(GEOMETRY.order, 9)
-"""Orders that fit; exact numbers take long in higher ones."""
+GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers take long in higher orders
 
 GC_THRESHOLD = 20_000
 """Allocations between two searches for unreachable cycles while charts are built."""
@@ -82,8 +81,7 @@ def geometry_chart(charts: Sequence[Chart]) -> Chart:
 
 def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
     """Return the charts to build, with one in which the shared geometry is checked."""
-    chart = geometry_chart(charts)
-    return charts if chart in charts else [chart, *charts]
+    return charts if geometry_chart(charts) in charts else [GEOMETRY, *charts]
 
 
 @contextmanager

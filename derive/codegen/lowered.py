@@ -58,7 +58,7 @@ def _add(found: dict[str, Program], program: Program) -> None:
 
 @dataclass(frozen=True)
 class Lowered:
-    """The programs of one chart for the functions of a ``table``: the scalar programs that geometry calls.
+    """Programs of one chart for the functions of a ``table``: the scalar programs that geometry calls.
 
     ``operations`` counts those of every function that the chart has, its scalars included.
     """

@@ -1,4 +1,4 @@
-"""What a row of the table of kernel functions says: arrays, recipe, names, and what rotations alone have of it."""
+"""Rows of the table of kernel functions: arrays, recipes, names, and their real parts for rotations alone."""
 
 from __future__ import annotations
 
@@ -33,21 +33,21 @@ class Array:
 
     @property
     def size(self) -> int:
-        """How many components."""
+        """Return how many components it has."""
         return len(self.part_of)
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """The size of each part."""
+        """Return the size of each part."""
         return tuple(self.part_of.count(part) for part in range(max(self.part_of) + 1))
 
     def called(self, name: str) -> Array:
-        """The same under another name."""
+        """Return the array under another name."""
         return replace(self, name=name)
 
     @property
     def places(self) -> tuple[int, ...]:
-        """Where the components stand that rotations alone have.
+        """Return the places of the components that rotations alone have.
 
         Raises
         ------
@@ -62,7 +62,7 @@ class Array:
 
     @property
     def of_rotation(self) -> Array:
-        """What rotations alone have of it."""
+        """Return the array of rotations alone."""
         return Array(self.real_name or self.name, self.real or (), tuple(0 for _ in self.places), self.real)
 
 
@@ -121,7 +121,7 @@ class Function:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of what its program returns: several results stand side by side."""
+        """Return the shape of its program's result: several results stand side by side."""
         return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
 
     def traced(self) -> Program:
@@ -138,7 +138,7 @@ class Function:
 
     @property
     def kernel(self) -> str:
-        """The function whose program it runs."""
+        """Return the name of the function whose program it runs."""
         return self.shares or self.name
 
     def aliases_in(self, chart: Chart) -> list[str]:
@@ -150,23 +150,23 @@ class Function:
 
     @property
     def source(self) -> str:
-        """The function of poses that it is, or is the real part of."""
+        """Return the name of the function of poses that it is, or whose real part it is."""
         return self.pose.name if self.pose else self.name
 
     @property
     def kept(self) -> tuple[int, ...]:
-        """Which of its results, side by side, rotations alone have."""
+        """Return the places of the results that rotations alone have, results side by side."""
         starts = itertools.accumulate((array.size for array in self.results), initial=0)
         return tuple(start + place for array, start in zip(self.results, starts) for place in array.places)
 
     @property
     def of_rotation(self) -> Function:
-        """The function of rotations alone which is its real part."""
+        """Return the function of rotations alone that is its real part."""
         arguments, results = (tuple(a.of_rotation for a in group) for group in (self.arguments, self.results))
         return replace(self, name=self.rotation or self.name, arguments=arguments, results=results, pose=self)
 
     def embedded(self, arguments: Sequence[Sequence[Any]], zero: Any) -> list[tuple[Any, ...]]:
-        """Flat arguments as the function of poses takes them, with dual parts 0."""
+        """Return flat arguments as the function of poses takes them, with dual parts 0."""
         return [tuple(a) for a in arguments] if self.pose is None else self._with_zeros(self.pose, arguments, zero)
 
     @staticmethod
@@ -178,14 +178,14 @@ class Function:
         return made
 
     def restricted(self, arguments: Sequence[Sequence[Any]]) -> tuple[tuple[Any, ...], ...]:
-        """Of flat arguments as the function of poses takes them, what it takes itself."""
+        """Return its own flat arguments, of those that the function of poses takes."""
         if self.pose is None:
             return tuple(map(tuple, arguments))
         pairs = zip(self.pose.arguments, arguments)
         return tuple(tuple(given[place] for place in array.places) for array, given in pairs)
 
     def part(self, result: Sequence[Any]) -> tuple[Any, ...]:
-        """Of a flat result of the function of poses, its own."""
+        """Return its own flat result, of that of the function of poses."""
         return tuple(result) if self.pose is None else tuple(result[place] for place in self.pose.kept)
 
 
@@ -205,7 +205,7 @@ class Table:
 
     @classmethod
     def of(cls, name: str, rows: Iterable[Function]) -> Table:
-        """Of its rows."""
+        """Return the table of some rows."""
         functions = {row.name: row for row in rows}
         kernels = {name: row for name, row in functions.items() if row.recipe}
         public = {name: row for name, row in functions.items() if row.public}
@@ -217,5 +217,5 @@ class Table:
 
 
 def inside(table: Table, name: str) -> str:
-    """A file in the folder of a table."""
+    """Return the path of a file in the folder of a table."""
     return f"{table.name}/{name}" if table.name else name

@@ -15,7 +15,7 @@ from .rows import Array, Function, Table
 
 
 def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:
-    """An array whose parts, of these sizes, follow each other."""
+    """Return an array whose parts, of these sizes, follow each other."""
     return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)), real)
 
 
@@ -28,7 +28,7 @@ def _tensor(name: str) -> Array:
 
 
 def _jacobian(name: str) -> Array:
-    """A dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
+    """Return a dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
     return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3, real=(3, 3))
 
 
@@ -57,13 +57,13 @@ CHECK, SCALAR_FIRST = "check", "scalar_first"
 
 
 def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
-    """From what represents a pose to its v on a branch."""
+    """Return an inverse map: from a representation of a pose to v on a branch."""
     keywords = (CHECK, *keywords)
     return Function(name, (given,), (V,), recipe, exact=False, branch=True, real=True, keywords=keywords)
 
 
 def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
-    """A function of space and, by the other side of T, that of the body."""
+    """Return a function in space, and the same in the body, by the other side of T."""
     return (
         Function(name, arguments, (result,), recipe, constants=SPACE),
         Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
@@ -71,7 +71,7 @@ def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe:
 
 
 def _by_exponential(name: str, arguments: tuple[Array, ...], recipe: Recipe, *results: Array) -> Function:
-    """A function which the exponential's series enter."""
+    """Return a function whose value depends on the exponential's series."""
     remainder = retraction.EXPONENTIAL.remainder
     return Function(name, arguments, results, recipe, exact=False, real=True, remainder=remainder)
 

@@ -68,24 +68,10 @@ def write(
 ) -> list[Path]:
     """Write files into a folder, all or none, and return those whose text changed; other files stay.
 
-    A run waits for another one in the same folder, and finishes what a killed one left.
-
-    Parameters
-    ----------
-    folder : Path
-        Made if missing; a symbolic link is followed.
-    texts : mapping
-        By name, ``"/"`` between folders.
-    force : bool
-        Overwrite files that do not bear the generated header.
-    notices : mapping, optional
-        Texts that stand in for some of the files while the others are replaced. Without them, a kill may leave some
-        files old and some new.
-
-    Raises
-    ------
-    RefusedError
-        If `refuse` does, or the folder cannot be written.
+    A run waits for another one in the same folder, and finishes what a killed one left. The folder is made if missing;
+    a symbolic link is followed. ``notices`` stand in for some of the files while the others are replaced: without
+    them, a kill may leave some files old and some new. `RefusedError` is raised if `refuse` raises it, or the folder
+    cannot be written.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)

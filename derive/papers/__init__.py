@@ -7,19 +7,18 @@ equation               an entry
 result                 verdicts and status of an entry
 paper                  a paper, its sections and the inventory of its text
 condurache_popa_2023   the entries of CP23, a module for each section
-karakilic_2010         those of K10
-poles                  where the denominators of a formula vanish
+karakilic_2010         the entries of K10
+poles                  points at which a denominator vanishes
 sharp                  sharpness of a condition, by the denominators
 counterexample         numbers of a false statement at a point
 explore                values of a statement at seeded points, special ones and poles
-decide                 from an entry to its status
+decide                 status of an entry
 mutation               mutants of a statement, executed
 report                 the results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
 A module imports only from those above it.
 """
-
 
 from __future__ import annotations
 

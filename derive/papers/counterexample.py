@@ -18,7 +18,7 @@ from .language.terms import Apply, Term, Trait, latex
 from .numbers.fields import DIGITS
 from .result import Counterexample
 
-SHOWN = 30
+SHOWN_DIGITS = 30
 """Digits of a value."""
 
 
@@ -54,7 +54,7 @@ def is_value(value: Any) -> bool:
     return isinstance(value, Structure | Pose | Dual | mpmath.mpf | int) and not isinstance(value, bool)
 
 
-def shown(value: Any, digits: int = SHOWN) -> list[str]:
+def shown(value: Any, digits: int = SHOWN_DIGITS) -> list[str]:
     """Return all parts of a value as decimal numbers."""
     if isinstance(value, Pose):
         return [*shown(value.rotation, digits), *shown(value.displacement, digits)]

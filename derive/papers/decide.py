@@ -22,7 +22,7 @@ from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
-SHORT = 1
+SHORT_DECIMALS = 1
 """Decimals of the numbers in a counterexample."""
 
 
@@ -34,7 +34,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     paper : str
         Slug of its paper.
     lost : str
-        Marks that the paper's extraction lost, see `derive.papers.equation.faithful`.
+        Characters that the paper's extraction lost, see `derive.papers.equation.faithful`.
     orders : sequence of int
         The orders n at which statements about n are executed.
 
@@ -127,7 +127,7 @@ def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Out
 
 def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
     """Return a point where a statement fails, with short numbers if it fails at those too."""
-    short = explore(entry, statement, orders, SHORT)
+    short = explore(entry, statement, orders, SHORT_DECIMALS)
     shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
     return counterexample(shown.point, shown.env, entry, statement)
 

@@ -1,18 +1,18 @@
 """Entry for an equation or claim of a paper, and the rules by which it is decided.
 
-An `Equation` is an entry: what is printed, and what the symbols stand for. Nothing in it says whether it is true.
+An `Equation` is an entry: the printed formula and the definitions of its symbols. Its status is computed.
 `decide` executes it and returns a `Result`:
 
-* every reading is evaluated at seeded 60-digit points, the special values of every symbol among them. One failure
-  refutes it; a reading that survives is then proved at generic values of an exact field, for symbolic n where there is
-  an n. Where that is not possible the method says that the points are evidence, not proof;
+* every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
+* a reading without failure is then proved at generic values of an exact field, for symbolic n if it has an n. Without
+  such a field the method says that the points are evidence;
 * every reading must be faithful: its characters, without those that the extraction loses, are the extracted text;
 * readings are listed by hand, the most charitable first;
 * ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
   and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
   ``ambiguous``: a true and a false reading that the text cannot tell apart.
 
-An entry that fits none of these raises `UndecidedError`: there is no other way to a status than to compute it.
+An entry that fits none of these raises `UndecidedError`.
 """
 
 from __future__ import annotations

@@ -17,10 +17,7 @@ from ._kernel import Components, Kernel, Result
 def quaternion(m: Any, c: Any, v: Components) -> Result:
     """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     s, w, sy, wy = c.quaternion(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     wo = wy * y
@@ -259,10 +256,7 @@ def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> R
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3, _, _, _ = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     return tangent_inverse_at(fi, hi, fiy, hiy, v)
 
@@ -280,10 +274,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     return tangent_inverse_at(fi, hi, fiy, hiy, (-v1, -v2, -v3, -v1o, -v2o, -v3o))
 
@@ -329,10 +320,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
     side, half = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fio = fiy * y
@@ -479,10 +467,7 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     w1, w2, w3, w1o, w2o, w3o = omega
     z1, z2, z3, z1o, z2o, z3o = omega_dot
     side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fio = fiy * y
@@ -606,10 +591,7 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     w1, w2, w3, w1o, w2o, w3o = omega
     side, = table
     hs = side / 2
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     hio = hiy * y
@@ -673,10 +655,7 @@ def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Resu
     v1 = e1 * gain
     v2 = e2 * gain
     v3 = e3 * gain
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fe = gain * e0
     fi, hi = c.inverse(m, x, fe)
     along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
@@ -804,10 +783,7 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
     """
     v1, v2, v3, v1o, v2o, v3o = v
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     y = v1 * v1o + v2 * v2o + v3 * v3o
     angle, slope, sign = c.natural(m, x, y, r)
     return angle, sign * (slope * ro), u1 * sign, u2 * sign, u3 * sign, u1o * sign, u2o * sign, u3o * sign
@@ -833,10 +809,7 @@ def angle(m: Any, c: Any, v: Components) -> Result:
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
     """α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
@@ -851,10 +824,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
     """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
     w1, w2, w3, w1o, w2o, w3o = w
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
@@ -881,10 +851,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
@@ -909,10 +876,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     y = v1 * v1o + v2 * v2o + v3 * v3o
     sign, = c.direction(m, x, y, r)
     sn = sign * sin
@@ -957,10 +921,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v turned back by what the table of returns has for x; where v is principal already, it stands."""
     v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     beyond, cosine, sine = c.beyond(m, x, *table)
     r = m.sqrt(m.where(beyond, x, 1 + x))
     u1 = v1 / r
@@ -987,10 +948,7 @@ def displacement(m: Any, c: Any, v: Components) -> Result:
     ρ = Re(T) v°, the translation.
     """
     v1, v2, v3, v1o, v2o, v3o = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     a, b, size, f, g, h = c.ray(m, x)
     gv1 = v1 * g
     gv2 = v2 * g
@@ -1178,10 +1136,7 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     e0, e1, e2, e3 = e
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     length = m.sqrt(m.where(still, 1 + ss, ss))
     r = m.sqrt(m.where(resting, 1 + x, x))
@@ -1216,10 +1171,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     hi, = c.inverse_at(m, x, fe, angle)
     along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
     return (
@@ -1245,10 +1197,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
         * d2o - gvd2 * d1o) + d3 * alongd))
     )
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     hi, = c.inverse_at(m, x, fe, angle)
     along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
     return (
@@ -1274,10 +1223,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
         e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
     w1, w2, w3, fe, angle = nearest(m, c, (v1, v2, v3), (e0, e1, e2, e3))
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     fi, hi, fiy, hiy = c.tangent_inv_at(m, x, fe, angle)
     along = hi * (w1 * rho1 + w2 * rho2 + w3 * rho3)
     back = (
@@ -1414,10 +1360,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
         + td1 * alongt, td2o * f + (gvt3 * td1o - gvt1 * td3o) + td2 * alongt, td3o * f + (gvt1 * td2o - gvt2 * td1o)
         + td3 * alongt), (e0_1, e1_1, e2_1, e3_1), (rho1_1, rho2_1, rho3_1))
     )
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
+    xa = a1 * a1 + a2 * a2 + a3 * a3
     resting = xa == 0
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)
@@ -1460,10 +1403,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     v_2 = m.where(clear, e2 * factor, axis2 * rn)
     v_3 = m.where(clear, e3 * factor, axis3 * rn)
     fe = factor * e0
-    v11w = v_1 * v_1
-    v22w = v_2 * v_2
-    v33w = v_3 * v_3
-    xw = v11w + v22w + v33w
+    xw = v_1 * v_1 + v_2 * v_2 + v_3 * v_3
     hi, = c.inverse_at(m, xw, fe, angle)
     along = hi * (v_1 * rho1 + v_2 * rho2 + v_3 * rho3)
     return (

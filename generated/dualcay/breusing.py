@@ -436,7 +436,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="a5f18c0fa3296441",
+    programs="e6e2e50be5070161",
 )
 
 KERNELS = PoseKernels(CHART)

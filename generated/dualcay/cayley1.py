@@ -215,7 +215,7 @@ CHART = Chart(
         _coefficient_of,
     ),
     kernels=SHARED,
-    programs="77712105220512ae",
+    programs="ce4454073b4a75d8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -285,7 +285,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="0aa3d4722f36fff8",
+    programs="c42505c80397c713",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -354,7 +354,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="4d3c3a155c450690",
+    programs="bc83bfef014c1243",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -375,7 +375,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="57f8d74a33086378",
+    programs="93df41975851573e",
 )
 
 KERNELS = PoseKernels(CHART)

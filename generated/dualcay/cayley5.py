@@ -386,7 +386,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="85c7e430954d65f9",
+    programs="24262514f22b95c4",
 )
 
 KERNELS = PoseKernels(CHART)

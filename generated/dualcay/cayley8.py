@@ -407,7 +407,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="95198e1a05e1792f",
+    programs="eafe3d436f43a9d2",
 )
 
 KERNELS = PoseKernels(CHART)

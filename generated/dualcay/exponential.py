@@ -631,7 +631,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5dfeca55cefd29e2",
+    programs="953b703fe5ef0d7b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -364,7 +364,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="664a4ebc0d231a1c",
+    programs="54887c641d7f0261",
 )
 
 KERNELS = PoseKernels(CHART)

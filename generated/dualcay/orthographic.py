@@ -256,7 +256,7 @@ CHART = Chart(
         _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5ab28975557a1d92",
+    programs="f37a5b9eedbfdf40",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=(), programs="6b032481025ce9e3"
+    BASE, __name__, 6, 1, constant=(), programs="0773c08de51d8b1d"
 )
 
 KERNELS = PoseKernels(CHART)

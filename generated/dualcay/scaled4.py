@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="2bba3ccd5915f0c5"
+    BASE, __name__, 8, 1, constant=(), programs="e393e81ef90b7175"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -392,7 +392,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="9f4384b58a7fcbb2",
+    programs="95ca84ce64fca105",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -395,7 +395,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="3425400ea2e20e71",
+    programs="1b0b78df287dc9aa",
 )
 
 KERNELS = PoseKernels(CHART)

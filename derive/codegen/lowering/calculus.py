@@ -100,7 +100,7 @@ def rate_jacobian(trace: Geometry) -> Program:
 
 
 def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) -> Program:
-    """A dyad with ``a I + skew(s)``."""
+    """Return the program of a dyad plus ``a I + skew(s)``."""
     spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
     return trace.program(name, entries6(trace, dyad + spread))
 
@@ -124,7 +124,7 @@ def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
 
 
 def _square(w: Vector) -> Dual:
-    """w·w."""
+    """Return w·w."""
     return Dual(w.re.dot(w.re), 2 * w.re.dot(w.du))
 
 

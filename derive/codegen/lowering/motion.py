@@ -16,10 +16,10 @@ from .point import LAYOUTS, Geometry, Point
 from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
-"""A motion that begins before, and ends before a whole turn, comes to none: its axis may be any."""
+"""Angle in rad: a motion that begins below it and ends before a whole turn never reaches one, about any axis."""
 
 OWN_AXIS = 64
-"""δ × v, lost beside |v| when divided by this, is below 32 eps of it: two rays and a product are off by some ten."""
+"""A δ × v below |v| eps/2 times this counts as 0: rounding of two quaternions and their product stays below it."""
 
 
 def interpolate(trace: Geometry) -> Program:
@@ -39,7 +39,7 @@ def interpolate(trace: Geometry) -> Program:
 
 
 class _Followed:
-    """The branch of a start, of whose ray the quaternion goes on about the axis of δ, a step gone."""
+    """The branch of v that is followed from v1, while the quaternion turns about the axis of δ."""
 
     def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector, gone: Vector) -> None:
         self.trace = trace
@@ -61,7 +61,7 @@ class _Followed:
         _, self.begun = self._half(first, "1")
 
     def _half(self, q: Quaternion, mark: str) -> tuple[Number, Number]:
-        """``sin(α/2)`` with its sign, along v1's own axis or that which stays, and α/2 but for whole turns."""
+        """Return ``sin(α/2)`` with its sign along the axis that is followed, and α/2 up to whole turns."""
         trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
@@ -73,7 +73,7 @@ class _Followed:
         return sine, name("half" + mark, trace.atan2(sign * sine, sign * q.scalar))
 
     def vector(self, z: Quaternion, rho: Vector) -> tuple[Number, ...]:
-        """Where the quaternion is z."""
+        """Return v of the quaternion z and the translation rho."""
         trace, name, where = self.trace, self.trace.name, self.trace.where
         sine, half = self._half(z, "t")
         turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone - 2 * half))

@@ -251,30 +251,29 @@ class Point:
 
     @property
     def is_real(self) -> bool:
-        """Whether the dual part is the constant 0, as that of rotations is."""
+        """Tell whether the dual part is the constant 0, as for rotations."""
         return tuple(self.du) == (0, 0, 0)
 
     @cached_property
     def squares(self) -> tuple[Number, Number, Number]:
-        """v1², v2², v3²."""
+        """Return v1², v2², v3²."""
         names = ("v11", "v22", "v33")
         first, second, third = (self.name(name, c * c) for name, c in zip(names, self.re, strict=True))
         return first, second, third
 
     @cached_property
     def x(self) -> Number:
-        """Re v·v."""
-        first, second, third = self.squares
-        return self.name("x", first + second + third)
+        """Return x = Re v·v."""
+        return self.name("x", self.re.dot(self.re))
 
     @cached_property
     def y(self) -> Number:
-        """v·v°, half the dual part of x."""
+        """Return y = v·v°, half the dual part of x."""
         return self.name("y", self.re.dot(self.du))
 
     @cached_property
     def v(self) -> Vector:
-        """The dual vector."""
+        """Return v as a vector of dual numbers."""
         return Vector.dual(self.re, self.du)
 
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:

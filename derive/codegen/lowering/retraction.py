@@ -40,8 +40,8 @@ def retracted(
 
 def exponential_scalars(trace: Geometry) -> Program:
     """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
-    delta = trace.real_vector("delta", "d")
-    at = EXPONENTIAL.scalars(Point(trace, (*delta, 0, 0, 0)).x, trace)
+    first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
+    at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
     names = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
     return trace.program("exponential_scalars", [getattr(at, name) for name in names], names)
 
@@ -83,7 +83,8 @@ def logarithm(trace: Geometry) -> Program:
     rho = trace.real_vector("rho", dual="°")
     factor = EXPONENTIAL.gain(e, 1, trace)
     re = trace.vector("d", factor * e.vector)
-    at = PrincipalScalars(Point(trace, (*re, 0, 0, 0)).x, trace)
+    first, second, third = Point(trace, (*re, 0, 0, 0)).squares
+    at = PrincipalScalars(trace.name("x", first + second + third), trace)
     fe = trace.name("fe", factor * e.scalar)
     return trace.program("logarithm", (*re, *dual_part(trace, fe, at.hi, re, rho)))
 

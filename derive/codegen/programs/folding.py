@@ -18,11 +18,11 @@ class Folding(ABC):
 
     @abstractmethod
     def record(self, op: str, *operands: Number) -> Value:
-        """The value of ``op(*operands)``."""
+        """Return the value of ``op(*operands)``."""
 
     @abstractmethod
     def negated(self, value: Number) -> Number:
-        """What a value is the negative of, where that is known; else None."""
+        """Return −value where it is recorded; None elsewhere."""
 
     def add(self, a: Number, b: Number) -> Number:
         if not isinstance(a, Value) and not isinstance(b, Value):
@@ -69,7 +69,7 @@ class Folding(ABC):
         return self.record("mul", a, b) if isinstance(a, Value) and isinstance(b, Value) else self._multiple(a, b)
 
     def _multiple(self, a: Number, b: Number) -> Number:
-        """A constant times a value, the constant first; fractions divide, so that exact types stay exact.
+        """Return a constant times a value, the constant first; fractions divide, so that exact types stay exact.
 
         The sign of one stands outside, where a sum takes it in.
         """
@@ -158,5 +158,5 @@ def _is(value: Number, constant: int) -> bool:
 
 
 def _tidy(value: Constant) -> Constant:
-    """An int where the value is one: printed constants stay short."""
+    """Return an int where the value is one: printed constants stay short."""
     return int(value) if value == int(value) else value

@@ -61,7 +61,7 @@ class Call:
 
     @property
     def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
-        """The arguments: numbers, and lists of them."""
+        """Return the arguments: numbers, and lists of them."""
         if not self.result:
             return self.args
         left, found = list(self.args), []
@@ -112,33 +112,33 @@ class Program:
 
     @property
     def steps(self) -> tuple[Step, ...]:
-        """The operations, without the calls."""
+        """Return the operations, without the calls."""
         return tuple(statement for statement in self.statements if isinstance(statement, Step))
 
     @property
     def calls(self) -> tuple[Call, ...]:
-        """The calls of functions held elsewhere."""
+        """Return the calls of other programs."""
         return tuple(statement for statement in self.statements if isinstance(statement, Call))
 
     @property
     def operations(self) -> Counter[str]:
-        """How often each operation occurs, calls not looked into."""
+        """Count each operation, calls not looked into."""
         return Counter(step.op for step in self.steps)
 
     @property
     def constants(self) -> tuple[int, ...]:
-        """The integers that are operands or results."""
+        """Return the integers that are operands or results."""
         return tuple(sorted({int(operand) for operand in self.operands if not isinstance(operand, str)}))
 
     @property
     def operands(self) -> set[Operand]:
-        """What some statement or output reads."""
+        """Return all operands of statements, and the outputs."""
         read = {arg for statement in self.statements for arg in statement.args}
         return read | set(self.outputs)
 
 
 def summary(operations: Counter[str]) -> str:
-    """An operation count as printed in headers: ``67: 24 +, 31 *, 2 /``."""
+    """Return an operation count as it is printed: ``67: 24 +, 31 *, 2 /``."""
     symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
     counts: Counter[str] = Counter()
     for op, count in operations.items():

@@ -20,7 +20,7 @@ COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
 
 
 class UnnamedValueError(ValueError):
-    """A value used more than once has no name, so the printed source could not speak the paper's letters."""
+    """A value that is used more than once has no name, which the printed source needs."""
 
 
 class _Const(NamedTuple):
@@ -70,19 +70,19 @@ class Trace(Folding):
         return value
 
     def free_name(self, name: str) -> str:
-        """The name, with trailing underscores where a value or an argument has it."""
+        """Return the name, with trailing underscores where it is taken."""
         while name in self._taken:
             name += "_"
         return name
 
     def corrected(self, value: Number) -> Number:
-        """A named value whose rounding the program corrects afterwards, as a step of Newton's method does."""
+        """Mark a named value whose rounding the program corrects afterwards, as a step of Newton's method does."""
         if isinstance(value, Value):
             self._corrected.add(value.index)
         return value
 
     def rounded_off(self, value: Number) -> Number:
-        """What rounding took from a sum and sums in it: two terms, and what their rounded sum holds of each, tell."""
+        """Return the rounding error of a sum and of the sums in it, by the error-free sum of two terms."""
         node = self._nodes[value.index] if isinstance(value, Value) else None
         if node is None or node.op != "add":
             return 0
@@ -93,7 +93,7 @@ class Trace(Folding):
         return self.rounded_off(first) + self.rounded_off(second) + ((first - (whole - share)) + (second - share))
 
     def name_rest(self, letter: str) -> None:
-        """From now on values that are used more than once and have no name get this letter and a number."""
+        """Name values that are used more than once by a letter and a number, where they have no name."""
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
@@ -104,7 +104,7 @@ class Trace(Folding):
         self._taken.add(name)
 
     def negated(self, value: Number) -> Number:
-        """What a value is the negative of, when it was recorded as one."""
+        """Return −value where value was recorded as a negative; None elsewhere."""
         if not isinstance(value, Value):
             return -value if value < 0 else None
         node = self._nodes[value.index]
@@ -122,7 +122,7 @@ class Trace(Folding):
     def call(
         self, function: str, args: Sequence[Number], names: Sequence[str], truths: Iterable[str] = (), rest: str = ""
     ) -> tuple[Value, ...]:
-        """The named results of a function which the program does not hold, of named values and inputs."""
+        """Return the named results of a scalar program, of named values and inputs."""
         call = Call(tuple(names), function, (), rest, frozenset(truths))
         return self._called(f"call {function}", args, call, names)
 
@@ -149,7 +149,7 @@ class Trace(Folding):
         return tuple(Value(self, place) for place in self._results[index])
 
     def record(self, op: str, *operands: Number) -> Value:
-        """The value of ``op(*operands)``, recorded unless it already stands."""
+        """Return the value of ``op(*operands)``; record it unless it is recorded."""
         args = tuple(v.index if isinstance(v, Value) else _Const(v) for v in operands)
         key = _Node(op, tuple(sorted(args, key=_order)) if op in COMMUTATIVE else args)
         if key not in self._numbered:
@@ -197,7 +197,7 @@ class Trace(Folding):
     def _statement(
         self, index: int, labels: Mapping[int, str], label: Callable[[int | _Const], Operand]
     ) -> Statement | None:
-        """The step or call of a value; None for inputs, and for results, which their call makes."""
+        """Return the step or call of a value; None for inputs, and for results, which their call makes."""
         node = self._nodes[index]
         if index in self._calls:
             names = tuple(labels.get(result, "_") for result in self._results[index])
@@ -207,7 +207,7 @@ class Trace(Folding):
         return Step(labels[index], node.op, tuple(map(label, node.args)), index not in self._names)
 
     def _uses(self, results: Sequence[Number]) -> dict[int, int]:
-        """How often each value is read, counting outputs; values which are not read are absent."""
+        """Count how often each value is read, outputs included; values that are not read are absent."""
         uses: Counter[int] = Counter(v.index for v in results if isinstance(v, Value))
         for index in range(len(self._nodes) - 1, -1, -1):
             if uses[index]:

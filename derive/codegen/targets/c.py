@@ -30,7 +30,7 @@ from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
-"""What an operation needs of ``math.h``: nothing is 0, what becomes vector code 1, what does not 2."""
+"""Level of ``math.h`` that an operation needs: 0 nothing, 1 functions that become vector code, 2 all others."""
 
 NAMES = {"R": "tensor", "T": "pose"}
 """Names of arrays here: capital letters are where other people's macros are."""
@@ -39,7 +39,7 @@ IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
     for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate", (1, 0)))
 }
-"""What stands for scalars that geometry names and a chart never comes to."""
+"""Placeholders of scalar programs that geometry names and some charts never call."""
 
 
 GATE = 8
@@ -65,7 +65,7 @@ class Interface:
 
 
 def interface(row: Function, table: Table) -> Interface:
-    """The forms of a row of a table."""
+    """Return the forms of a row of a table."""
     given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
     branch = ["int branch"] if row.branch else []
     constants = [*map(_number, row.constants)] or _components(geometry(table)[row.kernel], c99.TABLE)
@@ -115,13 +115,13 @@ def levels(lowered: Lowered) -> dict[str, int]:
 
 
 def scalars(lowered: Lowered) -> Mapping[str, Program]:
-    """The scalars of a chart, and what stands for others that geometry names."""
+    """Return the scalars of a chart, and placeholders of others that geometry names."""
     named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
     return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:
-    """What the template of a geometry is given."""
+    """Return what the template of a geometry is given."""
     (v,) = table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
@@ -143,7 +143,7 @@ def _made(program: Program, table: Table) -> tuple[Array, ...]:
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
-    """What the header of a chart for a table says, but of the scalars that are known already."""
+    """Return what the template of a chart's header is given, scalars that are known already left out."""
     chart = facts.chart
     prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
@@ -189,7 +189,7 @@ class C:
         }
 
     def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """The headers of the chart for further tables."""
+        """Return the headers of the chart for further tables."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
@@ -198,7 +198,7 @@ class C:
         return found
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """The headers of the chart for further tables, and the test of all."""
+        """Return the headers of the chart for further tables, and the test of all."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
@@ -206,7 +206,7 @@ class C:
         return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Both forms of every public function stand in the geometry of its table, and no other."""
+        """Require both forms of every public function in the geometry of its table, and no other."""
         for table in self.tables:
             where = inside(table, GEOMETRY)
             found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)

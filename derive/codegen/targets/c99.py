@@ -29,7 +29,7 @@ _COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("e
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """What a template shows of a program.
+    """A C function as its template shows it.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def _ternary(condition: Text, first: Text, second: Text) -> Text:
 
 
 def real(text: str) -> str:
-    """An integer where nothing would make it real: two would be an int, and not every class is made of one."""
+    """Return a text, an integer among them cast to the real type: nothing else would make it real."""
     return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
@@ -67,7 +67,7 @@ C99 = Dialect(
 
 
 def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
-    """A kernel function: arrays, then the numbers of its table that are not those of a chart, then results.
+    """Return the core of a geometry program: its arguments, numbers of its table that no chart knows, and results.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> P
 
 
 def scalar(program: Program, table: Mapping[str, str]) -> Printed:
-    """A function of the chart: numbers, then pointers to results.
+    """Return a scalar program as a function: numbers, then pointers to results.
 
     Raises
     ------

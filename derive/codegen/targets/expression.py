@@ -45,12 +45,12 @@ ARITHMETIC: dict[str, Operator] = {
     "mul": left_associative("*", 5),
     "div": left_associative("/", 5),
 }
-"""The same in every language here."""
+"""Arithmetic operators, the same in every language here."""
 
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How a language writes expressions.
+    """The notation of a language for expressions.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class Dialect:
     passed: Callable[[str], str] = str
 
     def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
-        """The right-hand side of a step; operands which are inlined are written out."""
+        """Return the right-hand side of a step; operands that are inlined are written out."""
         args = [self.operand(arg, inlined) for arg in step.args]
         if step.op in self.calls:
             return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
@@ -90,7 +90,7 @@ class Dialect:
         return f"{left} {operator.symbol} {right}", operator.strength
 
     def operand(self, operand: Operand, inlined: Mapping[str, Text]) -> Text:
-        """A name, what it stands for, or an integer."""
+        """Return the text of a name, of an inlined expression, or of an integer."""
         if isinstance(operand, str):
             return inlined.get(operand, (operand, ATOM))
         if isinstance(operand, Fraction) and operand.denominator != 1:
@@ -183,12 +183,12 @@ def _with_lists(
 
 
 def bracket(text: Text, strength: int) -> str:
-    """The text, in brackets if it binds more weakly than needed."""
+    """Return the text, in brackets if it binds more weakly than needed."""
     return text[0] if text[1] >= strength else f"({text[0]})"
 
 
 def renamed(program: Program, names: Mapping[str, str]) -> Program:
-    """The program with some of its names replaced."""
+    """Return the program with some of its names replaced."""
 
     def new(operand: Operand) -> Operand:
         return names.get(operand, operand) if isinstance(operand, str) else operand
@@ -210,7 +210,7 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
 
 
 def fill(text: str, indent: str) -> Iterator[str]:
-    """Lines of a long expression, broken before operators."""
+    """Yield lines of a long expression, broken before operators."""
     words = text.split(" ")
     line = words[0]
     for operator, operand in _pairs(words[1:]):
@@ -224,7 +224,7 @@ def fill(text: str, indent: str) -> Iterator[str]:
 
 
 def _pairs(words: list[str]) -> Iterator[tuple[str, str]]:
-    """Keep an operator with its right operand: lines break before operators."""
+    """Yield an operator with its right operand: lines break before operators."""
     operator = ""
     for word in words:
         if not operator and word in _BREAKS:

@@ -42,13 +42,13 @@ class Operand:
 
     @property
     def counts(self) -> str:
-        """Components along three axes."""
+        """Return components along three axes."""
         return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """What the template shows of a loop: NumPy's signature, its arrays, the result last, and what the core is given."""
+    """A loop as its template shows it: NumPy's signature, arrays with the result last, and arguments of the core."""
 
     name: str
     signature: str
@@ -58,12 +58,12 @@ class Loop:
 
     @property
     def operands(self) -> tuple[Operand, ...]:
-        """Arguments and result."""
+        """Return arguments and result."""
         return *self.arguments, self.result
 
 
 def loop(row: Function, program: Program) -> Loop:
-    """The loop around the core of a kernel."""
+    """Return the loop around the core of a kernel."""
     table = next((len(names) for argument, names in program.inputs if argument == c99.TABLE), 0)
     given = [(array.name.lower(), array.shape) for array in row.arguments] + [(c99.TABLE, (table,))] * bool(table)
     *arguments, result = _operands([*given, ("made", row.shape)])
@@ -72,7 +72,7 @@ def loop(row: Function, program: Program) -> Loop:
 
 
 def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
-    """The steps of all batches come first, then those of components."""
+    """Yield arrays; the steps of all batches come first, then those of components."""
     place = len(arrays)
     for name, shape in arrays:
         yield Operand(name, shape, place)
@@ -84,7 +84,7 @@ def _shape(shape: tuple[int, ...]) -> str:
 
 
 def _passed(row: Function, table: int) -> Iterator[str]:
-    """Arguments, numbers of the table, and results, which stand side by side."""
+    """Yield arguments, numbers of the table, and results, which stand side by side."""
     for array in row.arguments:
         yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
     yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
@@ -124,7 +124,7 @@ class Native(C):
         }
 
     def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """The headers of the chart for further tables, and the extension modules of all."""
+        """Return the headers of the chart for further tables, and the extension modules of all."""
         found = dict(super().further(facts))
         for table in self.tables:
             chart = facts.chart
@@ -139,5 +139,5 @@ class Native(C):
 
 
 def _up(table: Table) -> str:
-    """The way from the folder of a table to that of the package."""
+    """Return the relative path from the folder of a table to that of the package."""
     return "../" if table.name else ""

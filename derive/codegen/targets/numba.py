@@ -52,7 +52,7 @@ def loops(row: Function, program: Program) -> Loops:
 
 
 def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
-    """Outputs by loops; those of parts of equal size stay together: of a pose the rows of Q, then those of rho."""
+    """Return outputs by loops; parts of equal size stay together: of a pose the rows of Q, then rho."""
     order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
     return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
 
@@ -113,14 +113,14 @@ def _lines(names: Sequence[str]) -> str:
 
 
 def _called(texts: Iterable[str]) -> list[str]:
-    """The functions of ``_compiled`` in some texts."""
+    """Return the functions of ``_compiled`` that some texts call."""
     text = "".join(texts)
     names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]
 
 
 def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
-    """Functions that run a kernel with constants of their own, and these."""
+    """Return functions that run a kernel with constants of their own, and these constants."""
     return {name: (row.kernel, row.constants) for name, row in sorted(table.public.items()) if row.constants}
 
 
@@ -175,5 +175,5 @@ class Numba(python.PythonTarget):
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 
     def libraries(self) -> Sequence[Library]:
-        """None while a package is made: to compile every loop takes a minute for a chart."""
+        """Return none while a package is made: to compile every loop takes a minute for a chart."""
         return ()

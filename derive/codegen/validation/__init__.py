@@ -6,7 +6,8 @@ formulas      expected values of algebraic functions, on symbols or at numbers
 inverse_maps  expected values of all other functions, at numbers of 50 digits
 decimals      numbers of 50 digits as kernels take them, and how near they have to be
 screws        seeded screws on which every side of every selection is taken
-samples       cases with expected values for exact validation
+samples       seeded cases with expected values of 50 digits
+batches       cases of every function, and how results are compared with them
 float_cases   cases in floats, for replays and for compiled tests
 loading       load a package from disk under a name of its own
 run           run a Python package on exact numbers

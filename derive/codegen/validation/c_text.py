@@ -16,11 +16,11 @@ from ...maps.chart import Chart
 from ..rows import Function, Table, inside
 from ..signatures import POSES
 from . import decimals
+from .batches import Batch, compare, same
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .decimals import Decimal
 from .errors import ValidationFailed
 from .run import chosen
-from .samples import Batch, compare, same
 from .vectors import Flat
 
 SEED = 1863

@@ -144,7 +144,7 @@ def _local(body: bool) -> Callable[..., Flat]:
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
-    """Return the derivatives of a function by each of its dual vectors, as difference quotients with twice the digits."""
+    """Return the derivatives of a function by each of its dual vectors, as quotients in twice the precision."""
 
     def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
         with mpmath.workprec(2 * mpmath.mp.prec):

@@ -16,10 +16,10 @@ from ...maps.chart import Chart
 from ..lowered import geometry, lower_chart
 from ..rows import Table
 from ..signatures import POSES
+from .batches import Batch, batches, compare
 from .decimals import DIGITS
 from .errors import ValidationFailed
 from .loading import loaded, module_of
-from .samples import Batch, batches, compare
 
 MAKERS = ("identity", "random")
 """Functions that have no program."""

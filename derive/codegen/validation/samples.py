@@ -1,11 +1,10 @@
-"""Seeded cases of a chart with expected values: on symbols, and to 50 digits on all sides of every selection."""
+"""Seeded cases of a chart with expected values, to 50 digits and on all sides of every selection."""
 
 from __future__ import annotations
 
 import itertools
 import random
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
 
@@ -15,11 +14,9 @@ from ...algebra import Dual, Tensor, Vector
 from ...maps.chart import Chart
 from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
 from ...maps.sign_tests import orientation
-from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
-from . import decimals, formulas
-from .errors import ValidationFailed
+from .decimals import DIGITS
 from .formulas import ALGEBRAIC, Expectation, rows_of_pose
 from .inverse_maps import MAPS, reached, value
 from .screws import covering, half_turns, steep, translation
@@ -28,8 +25,8 @@ from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 SEED = 2011
 
 SMALL = 1e-21 / 7
-"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short fraction,
-or sums of them might be exact."""
+"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short
+fraction, or sums might be exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
 """Size of small components in charts that end at half a turn: the scalar part may not be smaller."""
@@ -51,112 +48,25 @@ SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
 
 SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
 """A displacement that leads from a vector to one of its own branch."""
-
 STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
 """Displacements within the series of the exponential, where its last terms weigh most, and beyond it."""
 
 POLE_DISTANCE = mpmath.mpf(1) / 64
 """Angle before the edge from which a small step leads over it in one direction."""
 
-STEP_NAMES = ("retract", "body_retract")
-STEP_JACOBIANS = ("retract_jacobians", "body_retract_jacobians")
+STEP_NAMES, STEP_JACOBIANS = ("retract", "body_retract"), ("retract_jacobians", "body_retract_jacobians")
 
 
-@dataclass(frozen=True, slots=True)
-class Batch:
-    """Cases of one function and branch, on ring elements or, within a tolerance, on numbers of 50 digits."""
-
-    row: Function
-    branch: tuple[int, ...]
-    cases: tuple[Expectation, ...]
-    tolerance: Any = None
-
-    @property
-    def function(self) -> str:
-        return self.row.name
-
-    @property
-    def exact(self) -> bool:
-        """Whether results are elements of a ring."""
-        return self.tolerance is None
-
-    @property
-    def agree(self) -> Callable[[Any, Any], bool]:
-        """The comparison of a result with the expected one."""
-        return same if self.exact else partial(decimals.close, tolerance=self.tolerance)
-
-
-@lru_cache(maxsize=4)
-def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
-    """Return the cases of every public function of a table.
-
-    Raises
-    ------
-    ValueError
-        If a function has no case, or in an algebraic chart no exact one where its row says so.
-    """
-    algebraic = is_algebraic(chart)
-    with mpmath.workdps(decimals.DIGITS):
-        exactly = [_batch((case,), table) for case in formulas.expectations(chart, table)] if algebraic else []
-        close = [*_by_function(chart, table), *(() if algebraic else _algebraic(chart, table))]
-        closely = [_batch(tuple(map(_decimal, batch)), table, chart) for batch in close]
-    _require("an expectation", table.public, exactly + closely)
-    if algebraic:
-        _require("an exact expectation", (name for name, row in table.public.items() if row.exact), exactly)
-    return (*exactly, *closely)
-
-
-def same(got: Any, expected: Any) -> bool:
-    """Return whether two numbers are equal; NaN equals itself only."""
-    return bool(got == expected or (got != got and expected != expected))
-
-
-def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[Any, Any], bool]) -> None:
-    """Raise `ValidationFailed` at the first component that is not the expected one."""
-    if len(found) != len(expected):
-        raise ValidationFailed(f"{where}: {len(found)} components, expected {len(expected)}")
-    for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
-        try:
-            right = agree(got, wanted)
-        except TypeError as error:
-            raise ValidationFailed(f"{where}, component {index}: {error}") from error
-        if not right:
-            raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
-
-
-def _require(kind: str, names: Iterable[str], found: Iterable[Batch]) -> None:
-    missing = sorted(set(names) - {batch.function for batch in found})
-    if missing:
-        raise ValueError(f"functions without {kind} cannot be generated: {', '.join(missing)}")
-
-
-def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = None) -> Batch:
-    """Return a batch of exact cases, or of decimal ones of a chart."""
-    function, *branch = cases[0].function.split()
-    row = table.functions[function]
-    tolerance = decimals.tolerance(chart, row.remainder) if chart else None
-    return Batch(row, tuple(map(int, branch)), cases, tolerance)
-
-
-def _decimal(case: Expectation) -> Expectation:
-    arguments = tuple(tuple(map(decimals.Decimal, argument)) for argument in case.arguments)
-    return Expectation(case.function, arguments, lambda: tuple(map(decimals.Decimal, case.result)))
-
-
-def _later(function: Callable[..., Flat], *arguments: Any) -> Callable[[], Flat]:
-    """Return the function that computes a result to 50 digits when it is asked for."""
-
-    def computed() -> Flat:
-        with mpmath.workdps(decimals.DIGITS):
-            return function(*arguments)
-
-    return computed
+def _computed(function: Callable[..., Flat], *arguments: Any) -> Flat:
+    """Return a result to 50 digits."""
+    with mpmath.workdps(DIGITS):
+        return function(*arguments)
 
 
 def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
     """Return the case of a map at given arguments; a branch follows its name."""
     function, branch = (*name.split(), "0")[:2]
-    return Expectation(name, arguments, _later(MAPS[function], chart, int(branch), *arguments))
+    return Expectation(name, arguments, partial(_computed, MAPS[function], chart, int(branch), *arguments))
 
 
 def margin(chart: Vectors) -> float:
@@ -164,7 +74,7 @@ def margin(chart: Vectors) -> float:
     return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
 
 
-def _by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
+def by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
     """Yield the cases of each inverse map, screw, shadow and group function, by branch."""
     found: dict[str, list[Expectation]] = {}
     at = vectors_of(chart)
@@ -188,7 +98,7 @@ def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectat
             function, arguments = " ".join((row.name, *branch)), row.restricted(case.arguments)
             if (function, arguments) not in seen:
                 seen.add((function, arguments))
-                yield Expectation(function, arguments, _later(_part, row, case))
+                yield Expectation(function, arguments, partial(_part, row, case))
 
 
 def _part(row: Function, case: Expectation) -> Flat:
@@ -207,7 +117,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
     given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, margin(chart))]
-    for screw, other in zip(given, [*given[1:], given[0]], strict=True):
+    for screw, other in zip(given, [*given[1:], given[0]]):
         yield from _principal(chart, screw, other)
     for branch in chart.tried:
         some = [screws[3 * branch % 8]] if branch else [*screws, still]
@@ -332,9 +242,8 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
             yield _by(chart, name, *given)
     for name, delta in itertools.product(STEP_JACOBIANS, large):
         yield _by(chart, name, v, delta)
-    elsewhere = (0, 0, 0, *resting[:2:-1])
-    for start, end, t in ((resting, elsewhere, 0.25), (v, MAPS["retract"](chart, 0, v, small), 4)):
-        yield _by(chart, "interpolate", start, end, (mpmath.mpf(t),))
+    yield _by(chart, "interpolate", resting, (0, 0, 0, *resting[:2:-1]), (mpmath.mpf(0.25),))
+    yield _by(chart, "interpolate", v, MAPS["retract"](chart, 0, v, small), (mpmath.mpf(4),))
     yield _by(chart, "angle", resting)
     yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
 
@@ -372,14 +281,12 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
 
 def _half_turns_of(chart: Vectors, re: Vector) -> int:
     """Return how many half turns the rotation of a vector takes, where that is a whole number; else 0."""
-    if not chart.reaches(re.magnitude()):
-        return 0
-    halves = chart.angle(re.magnitude()) / mpmath.pi
-    inside = halves * mpmath.pi < (1 - EDGE_MARGIN) * chart.edge
-    return int(mpmath.nint(halves)) if inside and is_whole(halves) else 0
+    angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else mpmath.inf
+    inside = angle < (1 - EDGE_MARGIN) * chart.edge
+    return int(mpmath.nint(angle / mpmath.pi)) if inside and is_whole(angle / mpmath.pi) else 0
 
 
-def _algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
+def algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
     """Yield every algebraic function of a chart whose formulas no ring holds, at seeded vectors and the identity."""
     draw, at = random.Random(SEED), vectors_of(chart)
     points = []
@@ -389,6 +296,5 @@ def _algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
         rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
         points.append(((*re, *rest[0]), *rest[1:]))
     for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
-        sizes = [array.size for array in row.arguments]
-        given = [tuple(components[:size] for components, size in zip(rows, sizes)) for rows in points]
-        yield tuple(Expectation(row.name, each, _later(value, at, row, None, each)) for each in given)
+        given = [tuple(components[: a.size] for components, a in zip(rows, row.arguments)) for rows in points]
+        yield tuple(Expectation(row.name, each, partial(_computed, value, at, row, None, each)) for each in given)

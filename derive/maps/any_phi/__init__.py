@@ -1,7 +1,7 @@
-r"""Charts of a user's own φ: how an expression φ(α) becomes scalar programs that hold to the last digit.
+r"""Charts of a user's φ: the steps from the text of φ(α) to scalar programs that keep all digits.
 
-A chart is ``v = φ(α) u``. Its scalars are functions of ``x = v · v``, and φ⁻¹ has no formula in general. So the scalars
-are computed in two ranges, and the limit between them is the chart's own:
+A chart is ``v = φ(α) u``. Its scalars are functions of ``x = v · v``, and φ⁻¹ has no formula in general. So scalars are
+computed in two ranges of x. Each chart has its own limit between them:
 
 ========================  ==========================================================================================
 near v = 0                ``a(x) = α/|v|`` is analytic. An interpolating polynomial replaces it, with a proved bound
@@ -9,12 +9,12 @@ near v = 0                ``a(x) = α/|v|`` is analytic. An interpolating polyno
 beyond                    Newton's method finds the angle from ``|v|``. Scalars follow from α, φ and its derivatives.
 ========================  ==========================================================================================
 
-The steps, in the order of their use, and the module of each:
+The modules, in the order of their use:
 
 ====================  ==============================================================================================
 grammar               Check the text against a list of allowed syntax. Nothing is evaluated, SymPy is not loaded.
 expressions           Build the SymPy expression, and decide that it is odd by its structure.
-recognition           Decide whether φ is a multiple of a chart that has a name. That chart is used, then.
+recognition           Decide exactly whether φ is a named chart or a multiple of one, which is used instead.
 edges                 Find the edge of the chart: the first pole of φ or zero of φ′, or 4π.
 intervals             Bound |φ| from below on a circle by interval arithmetic, and prove that φ is analytic inside.
 near_zero             Interpolate a(x) with a bound of the error, which follows from that circle.
@@ -29,5 +29,5 @@ general               The chart itself: scalars in both ranges.
 Two modules serve other purposes: ``elementary`` evaluates an expression at numbers of any type, and ``stretch``
 compares charts by the singular values of their tangent operators.
 
-This package imports nothing, so that `grammar` is available before SymPy is loaded.
+This file imports nothing, so that `grammar` can be used before SymPy is loaded.
 """

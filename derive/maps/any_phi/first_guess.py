@@ -18,6 +18,7 @@ from .closed_inverse import closed_inverse
 from .edges import DIGITS, Edge, angle_of, real_value
 from .grammar import PhiError
 from .lowering import Lowering
+from .near_zero import chebyshev_points, interpolated
 from .real_constants import Polynomial, plus, polynomial, times
 
 GUESS_DEGREE = 12
@@ -225,20 +226,14 @@ def _atanh(r: sympy.Expr) -> sympy.Expr:
 def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: Any) -> Fitted:
     ends = [_value(variable, _square(phi, first)), 0 if variable.from_edge else _value(variable, _square(phi, end))]
     low, high = sorted(map(mpmath.mpf, ends))
-    count = GUESS_DEGREE + 1
-    shares = [(1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / count)) / 2 for k in range(count)]
-    nodes = [low + (high - low) * share for share in shares]
+    nodes = chebyshev_points(low, high, GUESS_DEGREE + 1)
     angles = [angle_of(phi, edge.angle, mpmath.sqrt(variable.back(z))) for z in nodes]
     values = [(end - a) / z if variable.from_edge else a for z, a in zip(nodes, angles, strict=True)]
     centre, scale = (low + high) / 2, int(mpmath.ceil(mpmath.log((high - low) / 2, 2)))
     middle = Fraction(int(mpmath.nint(centre * 2 ** (4 - scale))), 1) * Fraction(2) ** (scale - 4)
     centre = mpmath.mpf(middle.numerator) / middle.denominator
-    matrix = mpmath.matrix(count, count)
-    for i, z in enumerate(nodes):
-        for k in range(count):
-            matrix[i, k] = ((z - centre) / mpmath.mpf(2) ** scale) ** k
-    solved = mpmath.lu_solve(matrix, mpmath.matrix(values))
-    return Fitted(end, 1, variable, polynomial(list(solved), scale, 1, middle))
+    coefficients = interpolated([(z - centre) / mpmath.mpf(2) ** scale for z in nodes], values)
+    return Fitted(end, 1, variable, polynomial(coefficients, scale, 1, middle))
 
 
 def _value(variable: Variable, x: Any) -> Any:

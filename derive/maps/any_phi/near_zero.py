@@ -11,6 +11,7 @@ a(0) and X.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -106,14 +107,25 @@ def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
 
 
 def _interpolated(phi: sympy.Expr, edge: Edge, X: Any, degree: int) -> list[Any]:
-    nodes = [X / 2 * (1 + mpmath.cospi((mpmath.mpf(k) + mpmath.mpf(1) / 2) / (degree + 1))) for k in range(degree + 1)]
+    nodes = chebyshev_points(0, X, degree + 1)
     values = [angle_of(phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x) for x in nodes]
-    matrix = mpmath.matrix(degree + 1, degree + 1)
-    for i, x in enumerate(nodes):
-        for k in range(degree + 1):
-            matrix[i, k] = (x / X) ** k
-    solved = mpmath.lu_solve(matrix, mpmath.matrix(values))
-    return [solved[k] / X**k for k in range(degree + 1)]
+    return [c / X**k for k, c in enumerate(interpolated([x / X for x in nodes], values))]
+
+
+def chebyshev_points(low: Any, high: Any, count: int) -> list[Any]:
+    """Return the Chebyshev points of an interval."""
+    half = mpmath.mpf(1) / 2
+    return [low + (high - low) * (1 + mpmath.cospi((k + half) / count)) / 2 for k in range(count)]
+
+
+def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
+    """Return the coefficients of the polynomial with given values at nodes."""
+    count = len(nodes)
+    matrix = mpmath.matrix(count, count)
+    for i, t in enumerate(nodes):
+        for k in range(count):
+            matrix[i, k] = t**k
+    return list(mpmath.lu_solve(matrix, mpmath.matrix(values)))
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:

@@ -1,12 +1,12 @@
 """Condurache and Popa, Symmetry 15(11) 2011 (2023): every equation and claim, section by section.
 
-=========  ==================================================================================
-symbols     symbols used throughout the paper, and the characters its text extraction lost
-operators   operators of its own
+===========  ================================================================================
+symbols      symbols used throughout the paper, and the characters its text extraction lost
+operators    operators of its own
 definitions  definitions of symbols, which the printed formulas are checked against
-sections   the entries, in printed order; a section uses symbols of those before it
-inventory  by line of the text: the entries that decide it, or why it claims nothing
-=========  ==================================================================================
+sections     entries in printed order; a section uses symbols of those before it
+inventory    further lines of the text: the entries that decide them, or why they claim nothing
+===========  ================================================================================
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from ..language.notation import define
 from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
 from ..numbers.fields import UndefinedError, innermost
 
-FAR = (40, 80)
+FAR_ORDERS = (40, 80)
 """Orders at which a sequence must have the same value to count as constant."""
 
 
@@ -35,11 +35,10 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     if not isinstance(env.value(index), int):
         return env.value(body)
     free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
-    first, second = (
-        Env(env.field, {**free, index: order}, env.definitions, env.dual, env.moving).value(body) for order in FAR
-    )
+    places = (Env(env.field, {**free, index: n}, env.definitions, env.dual, env.moving) for n in FAR_ORDERS)
+    first, second = (place.value(body) for place in places)
     if not values.equal(env.field, first, second):
-        raise UndefinedError(f"still changing at order {FAR[-1]}")
+        raise UndefinedError(f"still changing at order {FAR_ORDERS[-1]}")
     return second
 
 

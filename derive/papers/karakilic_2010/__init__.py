@@ -1,14 +1,15 @@
 """Karakılıç, The dual Rodrigues parameters (2010): every equation and claim, section by section.
 
-The LaTeX of its text is legible but for arrows over symbols and a few stars: `symbols.shown` says what is compared.
+The LaTeX of its text is legible but for arrows over letters and a few stars. `symbols.shown` gives the characters that
+are compared.
 
-=========  ==================================================================================
-symbols   the symbols of the paper, and what its extraction keeps of a formula
-operators  operators of its own
+===========  ================================================================================
+symbols      symbols used throughout the paper, and the characters its text extraction lost
+operators    operators of its own
 definitions  definitions of symbols, which the printed formulas are checked against
-sections   the entries, in printed order; a section uses symbols of those before it
-inventory  by line of the text: the entries that decide it, or why it claims nothing
-=========  ==================================================================================
+sections     entries in printed order; a section uses symbols of those before it
+inventory    further lines of the text: the entries that decide them, or why they claim nothing
+===========  ================================================================================
 """
 
 from __future__ import annotations

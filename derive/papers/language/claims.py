@@ -92,6 +92,6 @@ def is_general(env: Env, motion: Pose) -> bool:
 
 
 def axis_projector(Q: Tensor) -> Tensor:
-    """``Q + Qᵀ + (1 − tr Q) I = 2 (1 − cos α) u ⊗ u``."""
+    """Return ``Q + Qᵀ + (1 − tr Q) I = 2 (1 − cos α) u ⊗ u``."""
     projector: Tensor = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())
     return projector

@@ -28,7 +28,7 @@ class Definition:
 
 
 def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
-    """``symbol := function(env, *arguments)``."""
+    """Return the definition ``symbol := function(env, *arguments)``."""
     return Definition(symbol, function, arguments)
 
 

@@ -1,6 +1,6 @@
 """Printed formulas as trees: one object is typeset, executed and mutated.
 
-A `Term` is a SymPy node that keeps the order of the page: nothing is sorted, combined or evaluated when it is built.
+A `Term` is a SymPy node that keeps the printed order: it is not sorted, combined or evaluated when it is built.
 Python's operators build it, so that an entry reads like the formula. From a term come
 
 * ``latex(term)``, how the formula is typeset,

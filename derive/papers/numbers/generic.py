@@ -1,10 +1,11 @@
 """Generic values of symbols over an exact field: one evaluation decides a statement for all values.
 
-Coordinates are chosen along the vectors at hand: the first vector lies on the first axis, the second in the plane of
-the first two. Every operation of the papers is independent of the frame, so nothing is lost. The magnitude X is then no
-root, and as the tangent of an angle of the field it leaves ``sqrt(1 + X²)`` rational too. Statements that take dual
-numbers apart (ε, Re, Du, real symbols) get dual coefficients, and the frame is chosen along the real parts; for all
-others an identity of rational functions over Q carries over to dual numbers as it is.
+The frame is chosen along the vectors: the first lies on the first axis, the second in the plane of the first two. The
+papers' operations do not depend on the frame, so this loses no generality. The magnitude X of the first vector is then
+rational. It is the tangent of an angle of the field, so that ``sqrt(1 + X²)`` is rational too.
+
+Statements that separate real and dual parts (ε, Re, Du, real symbols) get dual coefficients, with the frame along the
+real parts. For all others an identity of rational functions over Q is also one of dual numbers.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Table of quantities that a symbol may stand for, with special values.
 
-``holds`` means at generic values and at every special value of every symbol: real part zero, a half turn, the
-identity, a full turn. So a statement that fails or has no value there cannot pass as ``holds``.
+A statement holds only if it is true at generic values and at every special value of every symbol: real part zero, a
+half turn, a full turn, the identity.
 """
 
 from __future__ import annotations
@@ -49,16 +49,16 @@ class Quantity:
     special : dict of str to callable
         Values at which formulas tend to fail, by name.
     size : int
-        How many independent numbers it is.
+        Number of independent numbers that it has.
     exact : callable, optional
         ``exact(generic, name)``, the value of a symbol at generic values of an exact field.
     role : Role, optional
     value : callable, optional
         The value over a field, of a constant.
     apart : bool
-        Whether it is a part of something dual, or takes that apart: then exact coefficients have to be dual too.
+        Whether it is a real or dual part, or separates them: then exact coefficients are dual too.
     varies : bool
-        Whether a symbol that nothing defines is free.
+        Whether a symbol without a definition is free.
     """
 
     name: str

@@ -10,7 +10,7 @@ from ..result import Result, Status
 from .content import MEANING, Chapter, Report, command, domain, example, label, readings
 from .plain import plain
 
-NARROWEST = 72
+MIN_WIDTH = 72
 """Width that two formulas side by side need."""
 
 KNOWN, DIFFERENT = "how it is known", "where they differ"
@@ -91,7 +91,7 @@ TABLES = {
 def proofs(report: Report) -> Grid:
     """Return the table of proofs."""
     rows = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
-    return Grid("proofs", [Column("scope"), Column("status"), Column("statement")], rows, NARROWEST)
+    return Grid("proofs", [Column("scope"), Column("status"), Column("statement")], rows, MIN_WIDTH)
 
 
 def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows: Iterable[tuple[str, ...]]) -> Grid:
@@ -99,7 +99,7 @@ def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows
     first, second, third = headings
     last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
     columns = [Column(first, width=24), Column(second, ratio=3), last]
-    return Grid(title, columns, list(rows), NARROWEST, ruled=True, remarks=(KNOWN, DIFFERENT))
+    return Grid(title, columns, list(rows), MIN_WIDTH, ruled=True, remarks=(KNOWN, DIFFERENT))
 
 
 def _lines(*parts: str) -> str:

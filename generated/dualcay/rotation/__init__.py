@@ -56,11 +56,11 @@ def backend() -> dict[str, str]:
     """
     from ._interface import RotationKernels
 
+    names = [name for name in dir(RotationKernels) if not name.startswith("_")]
     modules = _modules()
     compiled = [name for name in modules if importlib.import_module(f".{name}", __name__).CHART.native]
     native = f"native in {', '.join(compiled)}" if len(compiled) < len(modules) else "native"
     uncompiled = ("singular_angles", "identity", "random")
-    names = [name for name in dir(RotationKernels) if not name.startswith("_")]
     return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
 
 

@@ -18,10 +18,7 @@ from .._kernel import Components, Kernel, Result
 def quaternion(m: Any, c: Any, v: Components) -> Result:
     """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     s, w, _, _ = c.quaternion(m, x)
     return s, v1 * w, v2 * w, v3 * w
 
@@ -137,10 +134,7 @@ def tangent_inverse_at(fi: Any, hi: Any, v: Components) -> Result:
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, _, _ = c.tangent_inv(m, x)
     return tangent_inverse_at(fi, hi, v)
 
@@ -158,10 +152,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, _, _ = c.tangent_inv(m, x)
     return tangent_inverse_at(fi, hi, (-v1, -v2, -v3))
 
@@ -192,10 +183,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     v1, v2, v3 = v
     w1, w2, w3 = omega
     side, half = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, _, _ = c.tangent_inv(m, x)
     his = hi * side
     vw = v1 * w1 + v2 * w2 + v3 * w3
@@ -276,10 +264,7 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     w1, w2, w3 = omega
     z1, z2, z3 = omega_dot
     side, = table
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv(m, x)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     ww = w1 * w1 + w2 * w2 + w3 * w3
@@ -340,10 +325,7 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     w1, w2, w3 = omega
     side, = table
     hs = side / 2
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     _, hi, fiy, hiy = c.tangent_inv(m, x)
     wh1 = w1 / 2
     wh2 = w2 / 2
@@ -457,10 +439,7 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
     """The angle α in [0, π] and the axis u, CP23 Theorem 3."""
     v1, v2, v3 = v
     r, u1, u2, u3 = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     angle, _, sign = c.natural(m, x, 0, r)
     return angle, u1 * sign, u2 * sign, u3 * sign
 
@@ -481,10 +460,7 @@ def angle(m: Any, c: Any, v: Components) -> Result:
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
     """α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
@@ -497,10 +473,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
     """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
     w1, w2, w3 = w
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
@@ -524,10 +497,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3 = v
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
     rk, _, _ = c.turned(m, r, cos, sn)
@@ -547,10 +517,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
     v1, v2, v3 = v
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
     rk, slope, _ = c.turned(m, r, cos, sn)
@@ -579,10 +546,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """v turned back by what the table of returns has for x; where v is principal already, it stands."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     beyond, cosine, sine = c.beyond(m, x, *table)
     r = m.sqrt(m.where(beyond, x, 1 + x))
     u1 = v1 / r
@@ -595,10 +559,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
 def displacement(m: Any, c: Any, v: Components) -> Result:
     """A positive multiple e of the quaternion of v, its size, and f and g."""
     v1, v2, v3 = v
-    v11 = v1 * v1
-    v22 = v2 * v2
-    v33 = v3 * v3
-    x = v11 + v22 + v33
+    x = v1 * v1 + v2 * v2 + v3 * v3
     a, b, size, _, _, _ = c.ray(m, x)
     return a, v1 * b, v2 * b, v3 * b, size
 
@@ -697,10 +658,7 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
     e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
     found_ = quaternion_product((s, d1 * w, d2 * w, d3 * w), (e0_1, e1_1, e2_1, e3_1))
     w1, w2, w3, fe, angle = nearest(m, c, v, found_)
-    v11 = w1 * w1
-    v22 = w2 * w2
-    v33 = w3 * w3
-    x = v11 + v22 + v33
+    x = w1 * w1 + w2 * w2 + w3 * w3
     fi, hi, _, _ = c.tangent_inv_at(m, x, fe, angle)
     back = tangent_inverse_at(fi, hi, (w1, w2, w3))
     R = tensor_at(f, g, delta)
@@ -765,10 +723,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     wd2 = td2 * w
     wd3 = td3 * w
     e0, e1, e2, e3 = quaternion_product((s, wd1, wd2, wd3), (e0_1, e1_1, e2_1, e3_1))
-    v11a = a1 * a1
-    v22a = a2 * a2
-    v33a = a3 * a3
-    xa = v11a + v22a + v33a
+    xa = a1 * a1 + a2 * a2 + a3 * a3
     resting = xa == 0
     r = m.sqrt(m.where(resting, 1 + xa, xa))
     own, = c.unfolded(m, xa, r)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b54d069fcd26681f",
+    programs="1cfae70e39edb750",
 )
 
 KERNELS = RotationKernels(CHART)

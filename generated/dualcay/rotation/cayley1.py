@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2e09cc277035fa39",
+    programs="3c10455f90e00882",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="801723c15f58a668",
+    programs="7f2b569668cd7780",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="342fdcbeab365512",
+    programs="bc42ba99f35b9783",
 )
 
 KERNELS = RotationKernels(CHART)

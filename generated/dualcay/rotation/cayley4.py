@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a99052bd75d7b553",
+    programs="9676b489c8ffe7cb",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e2e5f0ceff144be8",
+    programs="07112f5dddabc5f7",
 )
 
 KERNELS = RotationKernels(CHART)

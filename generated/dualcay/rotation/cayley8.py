@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="072a098f9be8c2a5",
+    programs="ff1003477996b030",
 )
 
 KERNELS = RotationKernels(CHART)

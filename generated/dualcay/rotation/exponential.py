@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="c31cb6caedbb1b24",
+    programs="85334044e511ac2c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="713e7c1457d6f95b",
+    programs="9aa5910b6ce8f677",
 )
 
 KERNELS = RotationKernels(CHART)

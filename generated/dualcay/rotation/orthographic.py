@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="dc9b71988d425c5d",
+    programs="0c8d04e6f17babd8",
 )
 
 KERNELS = RotationKernels(CHART)

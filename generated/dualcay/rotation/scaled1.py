@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="c167b03518ec2e9e",
+    programs="2886e475548c2294",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ed9f018f69b91525",
+    programs="75c13379aef9b39c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="419066846b7ae0ba",
+    programs="be576990408e8db8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d616d195513482b9",
+    programs="2af57b70c4dba6d9",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e73a26965e6cd6c0",
+    programs="8b0c397000deccba",
 )
 
 KERNELS = RotationKernels(CHART)

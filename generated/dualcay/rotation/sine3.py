@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="4b15bc0589cf5f80",
+    programs="e3b306798dbb59cf",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27ef69285a730029",
+    programs="6c93fd4d4926713a",
 )
 
 KERNELS = RotationKernels(CHART)

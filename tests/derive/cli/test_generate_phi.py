@@ -34,7 +34,9 @@ def test_refusals(tmp_path: Path, arguments: tuple[str, ...], reason: str):
 def test_a_phi_that_is_a_sine_is_written_and_checked(tmp_path: Path):
     folder = str(tmp_path / "kernels")
     arguments = ("--phi", "2*sin(alpha/(2*n))", "-n", "1", "--name", "mine", "-o", folder)
-    assert dualcay("generate", *arguments).returncode == 0
+    done = dualcay("generate", *arguments)
+    assert done.returncode == 0
+    assert "phi = 2*sin(alpha/(2*n)) is the chart 2 sine1: its programs and proofs are used\n" in done.stderr
     text = (tmp_path / "kernels" / "mine.py").read_text(encoding="utf-8")
     assert text.startswith("# python -m derive generate --phi '2*sin(alpha/(2*n))' --name mine -n 1 --target numpy\n")
     assert dualcay("generate", *arguments, "--check").returncode == 0

@@ -72,7 +72,7 @@ def sides(n: int, some: slice = slice(None)) -> Sides:
     """Return the truth values of all comparisons, in some cases of each function and branch."""
     watched = Watched(Cayley(n))
     with mpmath.workdps(decimals.DIGITS):
-        for batch in samples._by_function(watched.chart, POSES):
+        for batch in samples.by_function(watched.chart, POSES):
             for case in batch[some]:
                 watched.call(case)
     return watched.sides

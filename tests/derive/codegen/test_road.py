@@ -23,7 +23,7 @@ from derive.codegen.signatures import POSES, PUBLIC
 from derive.codegen.targets import TARGETS, python
 from derive.codegen.validation import formulas as exact
 from derive.codegen.validation import samples, validate
-from derive.codegen.validation.samples import batches
+from derive.codegen.validation.batches import batches
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import ProofFailed
@@ -97,7 +97,7 @@ def test_right_kernels_pass_with_every_case_compared(package, tmp_path: Path):
 
 @pytest.mark.parametrize("name", ["pose", "from_pose", "rate_jacobian", "interpolate"])
 def test_function_without_expected_values_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
-    for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+    for source, attribute in ((exact, "expectations"), (samples, "by_function")):
         original = getattr(source, attribute)
 
         def without(*given, original=original):

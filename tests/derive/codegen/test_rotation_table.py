@@ -16,7 +16,7 @@ from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import NUMPY, Machinery, replay, samples, validate
 from derive.codegen.validation import formulas as exact
-from derive.codegen.validation.samples import batches
+from derive.codegen.validation.batches import batches
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
@@ -68,7 +68,7 @@ def test_function_without_expected_values_is_not_generated(name: str, monkeypatc
     def of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
         return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
-    for source, attribute in ((exact, "expectations"), (samples, "_by_function")):
+    for source, attribute in ((exact, "expectations"), (samples, "by_function")):
         original = getattr(source, attribute)
 
         def without(*given, original=original):

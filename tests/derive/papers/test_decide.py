@@ -1,4 +1,4 @@
-"""How a status comes about: it is computed, and an entry that does not fit what is computed is refused."""
+"""Computed statuses, and entries that are refused because they contradict the computation."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ def decided(statement, **rest) -> Result:
     return decide("paper", equation("1", "title", 1, statement, said=said, **rest), LOST)
 
 
-def test_an_identity_holds_exactly() -> None:
+def test_identity_holds_exactly() -> None:
     result = decided(square_of_sum)
     assert (result.status, result.method) == (Status.HOLDS, "exact")
 
 
-def test_a_status_cannot_be_given() -> None:
+def test_status_cannot_be_given() -> None:
     assert "status" not in {field.name for field in dataclasses.fields(Equation)}
     with pytest.raises(TypeError):
         equation("1", "title", 1, square_of_sum, status="holds")
@@ -81,12 +81,12 @@ def test_unfaithful_readings(statement, extract: str) -> None:
     assert not faithful(statement, extract, LOST)
 
 
-def test_an_unfaithful_reading_is_refused() -> None:
+def test_unfaithful_reading_is_refused() -> None:
     with pytest.raises(UndecidedError, match="does not have the characters of line 1"):
         decided(square_of_sum, extract="a + b 2 = a 2 + a b + b 2")
 
 
-def test_a_true_reading_is_enough() -> None:
+def test_true_reading_is_enough() -> None:
     readings = (Reading(equal(a - b * b, a * b - b**2), "none"), Reading(equal((a - b) * b, a * b - b**2), "bracket"))
     result = decided(readings, extract="a b b = a b b 2")
     assert result.status is Status.HOLDS
@@ -94,7 +94,7 @@ def test_a_true_reading_is_enough() -> None:
     assert [r["verdict"] for r in result.as_json()["readings"]] == ["true", "false"]
 
 
-def test_a_claim_in_words_that_can_be_understood_both_ways_is_ambiguous() -> None:
+def test_claim_in_words_with_a_true_and_a_false_reading_is_ambiguous() -> None:
     readings = (Reading(equal((a - b) * b, a * b - b**2)), Reading(equal(a - b * b, a * b - b**2)))
     assert decided(readings).status is Status.AMBIGUOUS
 
@@ -107,29 +107,29 @@ def test_two_false_readings_are_an_erratum() -> None:
 # ---- errata -------------------------------------------------------------------------------------------------------
 
 
-def test_an_erratum_has_a_correction_that_is_proved() -> None:
+def test_erratum_has_a_correction_that_is_proved() -> None:
     result = decided(equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
     assert result.status is Status.ERRATUM
     assert result.corrected == latex(square_of_sum)
     assert result.method == "refuted at generic point 1: false; correction exact"
 
 
-def test_a_false_equation_without_correction_is_refused() -> None:
+def test_false_equation_without_correction_is_refused() -> None:
     with pytest.raises(UndecidedError, match="false and has no correction"):
         decided(equal((a + b) ** 2, a**2 + b**2))
 
 
-def test_an_erratum_shows_the_words_of_the_paper() -> None:
+def test_erratum_shows_the_words_of_the_paper() -> None:
     with pytest.raises(UndecidedError, match="shows the words of the paper"):
         decide("paper", equation("1", "title", 1, equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum), LOST)
 
 
-def test_a_false_correction_is_refused() -> None:
+def test_false_correction_is_refused() -> None:
     with pytest.raises(UndecidedError, match="the correction is false"):
         decided(equal((a + b) ** 2, a**2 + b**2), corrected=equal((a + b) ** 2, a**2 - b**2))
 
 
-def test_the_correction_in_place_of_the_printed_form_holds() -> None:
+def test_correction_in_place_of_the_printed_form_holds() -> None:
     entry = equation("1", "title", 1, equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
     assert decide("paper", entry.reading(square_of_sum), LOST).status is Status.HOLDS
 
@@ -139,23 +139,23 @@ def test_the_correction_in_place_of_the_printed_form_holds() -> None:
 quotient = equal(a / b * b, a)
 
 
-def test_a_special_value_keeps_a_formula_from_holding() -> None:
+def test_failure_at_a_special_value_refutes() -> None:
     with pytest.raises(UndecidedError, match="false and has no correction: refuted at b: real part 0: no value"):
         decided(quotient)
 
 
-def test_a_condition_is_tested_on_both_sides() -> None:
+def test_condition_is_tested_on_both_sides() -> None:
     result = decided(quotient, condition=nonzero(Re(b)))
     assert result.status is Status.HOLDS_IF
     assert result.condition == latex(nonzero(Re(b)))
 
 
-def test_a_condition_that_is_too_strict_is_refused() -> None:
+def test_condition_that_is_too_strict_is_refused() -> None:
     with pytest.raises(UndecidedError, match="true outside its condition"):
         decided(quotient, condition=both(nonzero(Re(b)), nonzero(Re(a))))
 
 
-def test_a_condition_that_nothing_violates_is_refused() -> None:
+def test_condition_without_violation_is_refused() -> None:
     with pytest.raises(UndecidedError, match="both sides"):
         decided(square_of_sum, condition=equal(a, a))
 
@@ -164,23 +164,23 @@ def test_points_outside_the_claimed_domain_do_not_count() -> None:
     assert decided(quotient, claimed=nonzero(Re(b)), stated=(1, "for Re b ≠ 0")).status is Status.HOLDS
 
 
-def test_a_domain_is_claimed_in_words_of_the_paper_only() -> None:
+def test_domain_is_claimed_in_words_of_the_paper_only() -> None:
     with pytest.raises(UndecidedError, match="words that state it"):
         decided(quotient, claimed=nonzero(Re(b)))
 
 
-def test_a_sharp_condition_is_known_by_its_denominator() -> None:
+def test_sharp_condition_is_known_by_its_denominator() -> None:
     assert decided(quotient, condition=nonzero(Re(b))).exact
 
 
-def test_what_is_true_for_two_special_symbols_is_no_sharp_condition() -> None:
+def test_condition_with_a_true_point_outside_is_not_sharp() -> None:
     result = decided(implies(nonzero(Re(a)), quotient), condition=nonzero(Re(b)))
     assert result.status is Status.HOLDS_IF
     assert not result.exact
     assert result.method.endswith("also true at a: real part 0, b: real part 0")
 
 
-def test_a_value_where_the_form_says_none_is_refused(monkeypatch) -> None:
+def test_value_where_the_form_says_none_is_refused(monkeypatch) -> None:
     monkeypatch.setattr(sys.modules["derive.papers.decide"], "is_sharp", lambda *_: True)
     with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
         decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))
@@ -192,7 +192,7 @@ def test_two_symbols_are_special_at_once() -> None:
         decide("paper", dataclasses.replace(entry, condition=None), LOST)
 
 
-def test_a_domain_that_is_too_strict_is_an_erratum() -> None:
+def test_domain_that_is_too_strict_is_an_erratum() -> None:
     printed = iff(unequal(Re(alpha), k * pi, k), defined(tan(alpha / 2) * u))
     right = iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u))
     assert decided(printed, corrected=right).status is Status.ERRATUM
@@ -201,18 +201,18 @@ def test_a_domain_that_is_too_strict_is_an_erratum() -> None:
 # ---- methods ------------------------------------------------------------------------------------------------------
 
 
-def test_more_than_an_identity_is_exact_where_symbols_are_generic() -> None:
+def test_delicate_statement_is_exact_at_generic_symbols() -> None:
     method = decided(iff(zero(a * b), zero(b * a))).method
     assert method.startswith("exact where symbols are generic, 60-digit evaluation at ")
 
 
-def test_what_leaves_the_exact_fields_is_evidence() -> None:
+def test_statement_without_an_exact_field_is_evidence() -> None:
     statement = equal(root(1 + norm(v)) * root(1 + norm(v)), 1 + norm(v))
     claimed = {"claimed": nonzero(Re(v)), "stated": (1, "for Re v ≠ 0")}
     assert decided(statement, **claimed).method.startswith("evidence: 60-digit evaluation at ")
 
 
-def test_a_supporting_identity_must_be_proved() -> None:
+def test_supporting_identity_must_be_proved() -> None:
     with pytest.raises(UndecidedError, match="supporting identity is not proved: false at"):
         decided(square_of_sum, because=equal(a, b))
 
@@ -222,7 +222,7 @@ def test_trigonometry_is_exact() -> None:
 
 
 @pytest.mark.parametrize("parts", [2, 3, 5, 6, 8])
-def test_parts_of_angles_are_exact_as_they_occur(parts: int) -> None:
+def test_fractions_of_angles_are_exact(parts: int) -> None:
     part = alpha / parts
     assert decided(equal(2 * (sin(part) * cos(part)), sin(2 * alpha / parts))).method == "exact"
 
@@ -231,7 +231,7 @@ def test_parts_of_angles_are_exact_as_they_occur(parts: int) -> None:
 
 
 @pytest.mark.parametrize("number", ["50", "55", "88", "89"])
-def test_what_is_said_for_every_order_fails_with_its_theorem(monkeypatch, number: str) -> None:
+def test_statement_for_every_order_fails_without_its_theorem(monkeypatch, number: str) -> None:
     (entry,) = (entry for entry in PAPERS[0].entries() if entry.number == number)
     monkeypatch.setattr(cayley_maps, "citing", lambda _: ())
     cayley_maps._proved_among.cache_clear()

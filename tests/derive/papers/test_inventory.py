@@ -1,4 +1,4 @@
-"""The inventories: every line that displays or claims something names entries, every entry is named at its line."""
+"""Inventories: every line that displays or claims something names the entries that decide it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_no_entry_stands_at_a_line_that_claims_nothing(paper) -> None:
         assert entry.number in inventory[entry.line], f"({entry.number}) is not named at line {entry.line}"
 
 
-def test_the_text_is_covered_to_its_end(paper) -> None:
+def test_text_is_covered_to_its_end(paper) -> None:
     lines = sorted(paper.inventory())
     assert max(line for line in lines if isinstance(paper.inventory()[line], tuple)) >= LAST_LINE[paper.slug]
     gaps = [(a, b) for a, b in pairwise(lines) if b - a > 4 and 28 < b <= LAST_LINE[paper.slug]]

@@ -1,4 +1,4 @@
-"""K10 entry by entry: statuses as regression, the inventory of its text, entries that take components apart."""
+"""K10: expected statuses, single entries, entries that take components apart."""
 
 from __future__ import annotations
 
@@ -70,6 +70,6 @@ def _names(statement) -> set[str]:
     return {node.name for node in walk(statement) if isinstance(node, Symbol)}
 
 
-def test_marks_of_the_extraction() -> None:
+def test_characters_shown_by_the_extraction() -> None:
     assert symbols.shown(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
     assert symbols.shown(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"

@@ -1,4 +1,4 @@
-"""Mutants of statements and domains: which there are, and that execution refutes those of true statements."""
+"""Mutants of statements and domains: their list, and their refutation by execution."""
 
 from __future__ import annotations
 

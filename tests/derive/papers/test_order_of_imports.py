@@ -1,4 +1,4 @@
-"""Inside derive/papers, too, imports run one way: numbers, language, entries, and then what decides them."""
+"""Order of imports inside derive/papers: numbers, language, entries, then their decision."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ ROOMS = (
 """Each room or module may import itself and those before it; the empty name is the package itself."""
 
 IN_A_PAPER = ("symbols", "operators", "definitions", "sections", "inventory")
-"""Likewise inside the package of a paper; the package itself knows only its symbols."""
+"""Order inside the package of a paper; the package itself imports only its symbols."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Importer and imported module, by the parts of their names below derive.papers."""
+    """Return importer and imported module, by the parts of their names below derive.papers."""
     pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
     return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
 
@@ -70,6 +70,6 @@ def test_sections_are_named_in_printed_order(paper) -> None:
      ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
      (("equation",), ("decide",)), (("decide",), ())],
 )  # fmt: skip
-def test_the_other_way_is_refused(importer, name) -> None:
+def test_imports_against_the_order_are_refused(importer, name) -> None:
     assert not allowed(importer, name)
     assert allowed(name, importer) or room(importer) in PACKAGES

@@ -1,4 +1,4 @@
-"""Denominators of a formula are found, and the multiples of their symbols at which they vanish."""
+"""Denominators of a formula, and the multiples of their symbols at which they vanish."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def environment() -> Env:
      (a - b, {a: START * 9 / 5, b: START}), (a**4 - a, {a: 1}), (r - 1, {}), (a - 10, {}),
      (a * (a - 1) * (a - 2), {a: 1})],
 )  # fmt: skip
-def test_a_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
+def test_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
     with mpmath.workdps(DIGITS):
         result = list(poles(equal(1 / below, b), environment()))
         assert [(label, *moved) for label, moved in result] == [
@@ -43,7 +43,7 @@ def test_a_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
 
 
 @pytest.mark.parametrize(("multiple", "found"), [("0.1", []), ("0.13", [a]), ("4.95", [a]), ("5.05", [])])
-def test_multiples_from_an_eighth_to_five_are_looked_at(multiple: str, found) -> None:
+def test_range_of_searched_multiples(multiple: str, found) -> None:
     with mpmath.workdps(DIGITS):
         far = {a: Dual(START, START), r: START * mpmath.mpf(multiple)}
         assert [symbol for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for symbol in moved] == found
@@ -54,7 +54,7 @@ def test_symbols_with_a_definition_are_not_moved() -> None:
         assert [list(moved) for _, moved in poles(equal(1 / y, b), environment())] == []
 
 
-def test_a_denominator_without_a_value_has_no_pole() -> None:
+def test_denominator_without_a_value_has_no_pole() -> None:
     with mpmath.workdps(DIGITS):
         assert list(poles(equal(1 / (1 / (a - a)), b), environment())) == []
 

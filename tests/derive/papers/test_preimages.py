@@ -1,4 +1,4 @@
-"""The number of preimages of the map of order n rests on roots of a polynomial, and a wrong one is noticed."""
+"""Number of preimages of the map of order n, by the roots of a polynomial."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ def test_every_identity_holds() -> None:
     [lambda F, G, t: (F + 2 * t * G, G - t * F), lambda F, G, t: (F + t * G, G + t * F),
      lambda F, G, t: (F + G, G - F), lambda F, G, t: (F + t * t * G, G - t * F)],
 )  # fmt: skip
-def test_an_identity_fails_for_other_polynomials(step) -> None:
+def test_identity_fails_for_other_polynomials(step) -> None:
     assert not all(preimages._identities(step).values())
 
 
 @pytest.mark.parametrize("number", [*THEOREMS, "breusing-vector"])
-def test_the_theorem_is_proved_and_not_only_tried(number: str) -> None:
+def test_theorem_is_proved_by_its_argument(number: str) -> None:
     assert "proved by the argument in" in decide("paper", ENTRIES[number], LOST).method
 
 
 @pytest.mark.parametrize("number", THEOREMS)
-def test_it_fails_with_its_identities(monkeypatch, number: str) -> None:
+def test_theorem_fails_without_its_identities(monkeypatch, number: str) -> None:
     def wrong(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
         return F + t * G, G + t * F
 
@@ -50,14 +50,14 @@ def test_it_fails_with_its_identities(monkeypatch, number: str) -> None:
         decide("paper", ENTRIES[number], LOST)
 
 
-def test_an_argument_needs_an_identity() -> None:
+def test_argument_needs_an_identity() -> None:
     with pytest.raises(UndecidedError, match="an argument leads on from an identity"):
         decide("paper", replace(ENTRIES["theorem-12-branches"], because=None), LOST)
 
 
 @pytest.mark.parametrize(("c", "s"), QUATERNIONS)
-def test_real_roots_are_as_many_as_said_by_another_engine(c: Fraction, s: Fraction) -> None:
-    """By Sturm sequences of SymPy, and the signs of G there."""
+def test_number_of_real_roots_by_sturm_sequences(c: Fraction, s: Fraction) -> None:
+    """Count the roots by SymPy's Sturm sequences, and compare the signs of G there."""
     t = sympy.Symbol("t")
     F, G = sympy.Integer(0) - sympy.Rational(s), sympy.Integer(0) + sympy.Rational(c)
     for n in range(1, 9):

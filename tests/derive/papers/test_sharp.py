@@ -1,4 +1,4 @@
-"""Whether a condition is sharp is read off the denominators of a statement that are always evaluated."""
+"""Sharpness of conditions, by the denominators of a statement that are always evaluated."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ a, b, c = (Symbol(name, "dual number") for name in "abc")
      (nonzero(Re(b)), equal(b ** (-1), a)), (nonzero(Re(det(I + skew(v)))), equal((I + skew(v)) ** (-1), I))],
     ids=str,
 )  # fmt: skip
-def test_where_a_denominator_vanishes_there_is_no_value(condition, statement) -> None:
+def test_condition_on_a_denominator_is_sharp(condition, statement) -> None:
     assert is_sharp(condition, statement)
 
 
@@ -55,5 +55,5 @@ def test_where_a_denominator_vanishes_there_is_no_value(condition, statement) ->
      (nonzero(Re(sin(alpha / 2))), equal(v, tan(alpha / 2) * u)), (equal(b, 1), equal(a / b, c))],
     ids=str,
 )  # fmt: skip
-def test_what_the_form_does_not_show_is_not_said(condition, statement) -> None:
+def test_condition_without_a_matching_denominator_is_not_sharp(condition, statement) -> None:
     assert not is_sharp(condition, statement)

@@ -1,4 +1,4 @@
-"""The numbers that theorems give their equations are those of the paper's entries that say the same."""
+"""Equation numbers of theorems are those of the paper's entries that say the same."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SYMBOLS = {
     "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
     "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
 }  # fmt: skip
-"""The theorems' symbols for the paper's."""
+"""Symbol of a paper to that of the theorems."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,
@@ -43,11 +43,11 @@ FUNCTIONS = {
 
 
 class OtherWordsError(Exception):
-    """The entry speaks of things that the theorems have no symbols for."""
+    """Error of an entry with symbols that the theorems do not have."""
 
 
 def converted(term: Term) -> Any:
-    """A printed formula in the theorems' symbols."""
+    """Return a printed formula in the theorems' symbols."""
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
@@ -76,7 +76,7 @@ def sandwich(_: Term, quaternion: Term) -> Any:
 
 
 def _is_bound(term: Apply, argument: Term) -> bool:
-    """The upper bound of a sum: its terms vanish beyond."""
+    """Return whether an argument is the upper bound of a sum, beyond which its terms vanish."""
     return term.operator.name == "sum" and argument is term.arguments[2]
 
 
@@ -101,7 +101,7 @@ def _applied(head: str, a: list[Any]) -> Any:
 
 
 def chains(statement: Term) -> Iterator[list[Any]]:
-    """The members of every chain of equalities, those that can be converted."""
+    """Yield the convertible members of every chain of equalities."""
     if isinstance(statement, Apply) and statement.operator.name in ("both", "remark"):
         for part in statement.arguments:
             yield from chains(part)
@@ -124,18 +124,18 @@ CHAINS = {
     for entry in PAPERS[0].entries() if entry.number.isdecimal()
 }  # fmt: skip
 RENAMED = {m.R_dual: m.R}
-"""The tensor at a dual vector is the paper's R."""
+"""Tensor at a dual vector, which is the paper's R."""
 
 
 def says(number: int, equation: Equation) -> bool:
-    """Whether the entry of that number says what the equation says."""
+    """Return whether the entry of that number says what the equation says."""
     sides = {sympy.expand(side.xreplace(RENAMED)) for side in (equation.left, equation.right)}
     return any(sides <= members for members in CHAINS[number])
 
 
 @cache
 def equations() -> list[Equation]:
-    """Every equation of a claim or a definition."""
+    """Return every equation of a claim or a definition."""
     found = [e for t in (*stated(Formulas()), *COMPOSITION_AT.values()) for e in (*t.claim, *_definitions(t))]
     return list({(e.left, e.right, e.numbers): e for e in found}.values())
 
@@ -145,21 +145,21 @@ def _definitions(theorem: Any) -> Iterator[Equation]:
 
 
 @pytest.mark.parametrize("equation", equations(), ids=str)
-def test_numbers_are_those_of_the_entries_that_say_the_same(equation: Equation) -> None:
+def test_numbers_of_theorems_match_entries(equation: Equation) -> None:
     same = tuple(number for number in CHAINS if says(number, equation))
     assert same == tuple(sorted(equation.numbers))
 
 
 @cache
 def further() -> list[Equation]:
-    """Every equation with numbers of what is said of one order, of every φ and as n grows."""
+    """Return the numbered equations about one order, about every φ and about growing n."""
     found = [e for _, claim, premises in STATEMENTS for e in (*claim, *(premise.equation for premise in premises))]
     found += [e for t in (*ANY_PHI, *GROWING_ORDER) for e in (*t.claim, *_definitions(t))]
     return [equation for equation in found if equation.numbers]
 
 
 @pytest.mark.parametrize("equation", further(), ids=str)
-def test_numbers_of_further_statements_are_of_entries_that_say_the_same(equation: Equation) -> None:
+def test_numbers_of_further_statements_match_entries(equation: Equation) -> None:
     assert all(says(number, equation) for number in equation.numbers)
 
 
@@ -168,7 +168,7 @@ def test_most_numbers_are_cited() -> None:
     assert len(cited) >= 25
 
 
-def test_a_wrong_number_is_noticed() -> None:
+def test_wrong_number_is_noticed() -> None:
     for equation in equations():
         for number in equation.numbers:
             assert not any(says(other, equation) for other in (number - 1, number + 1) if other not in equation.numbers)
@@ -182,8 +182,8 @@ QUANTITIES = {
 
 @pytest.mark.parametrize("n", range(1, 8))
 @pytest.mark.parametrize("name", QUANTITIES)
-def test_numbers_of_maps_are_those_of_the_entries_about_them(name: str, n: int) -> None:
-    """The general equation, and the one of this order where it is printed."""
+def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
+    """Compare the general equation, and that of this order where it is printed."""
     printed = {entry.title: int(entry.number) for entry in PAPERS[0].entries() if entry.number.isdecimal()}
     at_order = printed.get(f"{QUANTITIES[name]}, n = {n}")
     assert getattr(Cayley(n), name).equations == (*EQUATIONS[name], *([] if at_order is None else [at_order]))
@@ -196,7 +196,7 @@ STATED = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANT
 
 
 @pytest.mark.parametrize("function", STATED, ids=lambda function: f"{function.__module__}.{function.__name__}")
-def test_numbers_in_words_are_those_of_maps(function: Callable[..., Any]) -> None:
+def test_numbers_in_docstrings_match_maps(function: Callable[..., Any]) -> None:
     assert function.__doc__
     cited = re.findall(r"CP23 \((\d+)\)", function.__doc__)
     assert cited == [str(EQUATIONS[function.__name__][0])]

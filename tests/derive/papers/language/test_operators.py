@@ -1,4 +1,4 @@
-"""The table of marks: what mutants make of its terms, and what is to be known of a mark."""
+"""Table of operators: mutants and traits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def statements(entry):
     return [*(reading.statement for reading in entry.readings), *filter(None, (entry.corrected, entry.because))]
 
 
-def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
+def test_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
     assert {text(mutant) for _, mutant in mutants(Sin(a))} == {"Cosa", "a"}
     assert {text(mutant) for _, mutant in mutants(Cos(a))} == {"Sina", "a"}
     assert {text(mutant) for _, mutant in mutants(Tan(a))} == {"cot a", "a"}
@@ -27,33 +27,33 @@ def test_a_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
     assert {text(mutant) for _, mutant in mutants(sin(a))} == {"cos a", "a"}
 
 
-def test_what_takes_numbers_apart() -> None:
+def test_operators_that_take_dual_numbers_apart() -> None:
     assert takes_apart(equal(Re(a), b))
     assert takes_apart(equal(a, b + epsilon * b))
     assert takes_apart(equal(a, r))
     assert not takes_apart(equal(norm(a), sin(b)))
 
 
-def test_delicate_marks_are_found_with_their_symbols() -> None:
+def test_delicate_operators_are_found_with_their_symbols() -> None:
     (found,) = with_trait(Trait.DELICATE, equal(a, b) + nonzero(b))
     assert symbols(found) == (b,)
     assert len(with_trait(Trait.DELICATE, implies(nonzero(a), equal(a, b)))) == 2
 
 
-def test_transcendental_marks_of_either_paper() -> None:
+def test_transcendental_operators_of_either_paper() -> None:
     assert is_algebraic(equal(norm(a), length(b) ** 2))
     for term in (sin(a), cos(a), tan2(a), exp(a), Tan(a)):
         assert not is_algebraic(equal(term, b))
 
 
-def test_what_is_not_in_a_table_is_refused() -> None:
+def test_unknown_operators_and_quantities_are_refused() -> None:
     with pytest.raises(ValueError, match="no operator 'sine'"):
         Apply("sine", a)
     with pytest.raises(ValueError, match="no quantity 'scalar': expected order, branch"):
         Symbol("a", "scalar")
 
 
-def test_every_kind_is_in_use_and_names_are_unique_in_an_entry() -> None:
+def test_every_quantity_is_used_and_names_are_unique_in_an_entry() -> None:
     used = set()
     for entry in (entry for paper in PAPERS for entry in paper.entries()):
         parts = [*statements(entry), *filter(None, (entry.claimed, entry.condition))]

@@ -1,4 +1,4 @@
-"""When values of statements are equal, and what is shown of them."""
+"""Equality of values, and their printed parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What seeded draws are: numbers away from 0, unit vectors and quaternions, functions with their derivatives."""
+"""Seeded draws: numbers away from 0, unit vectors and quaternions, functions with their derivatives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FIELD = Decimal60()
 
 
 SEEDED = ["-0.8848645", "0.8416006", "0.53936883", "0.6785535"]
-"""The committed witnesses rest on such numbers."""
+"""First numbers of a seed; counterexamples depend on them."""
 
 
 @pytest.fixture(autouse=True)
@@ -25,7 +25,7 @@ def _digits():
         yield
 
 
-def test_a_seed_gives_the_same_numbers_for_ever() -> None:
+def test_seed_determines_the_numbers() -> None:
     draw = Draw("a")
     assert [mpmath.nstr(draw.signed(), 8) for _ in range(4)] == SEEDED
 
@@ -48,7 +48,7 @@ def test_numbers_have_as_many_decimals_as_asked_for() -> None:
 
 
 @pytest.mark.parametrize("moving", [False, True])
-def test_parts_are_where_they_belong(moving: bool) -> None:
+def test_layout_of_parts(moving: bool) -> None:
     draw = Draw("parts", moving)
     vector = draw.still((1, 2, 3), (4, 5, 6))
     other = draw.vector((1, 2, 3), (4, 5, 6))
@@ -63,7 +63,7 @@ def test_parts_are_where_they_belong(moving: bool) -> None:
     assert now == [*expected, *expected, Dual(7, 8)]
 
 
-def test_what_is_not_given_is_drawn() -> None:
+def test_parts_not_given_are_drawn() -> None:
     draw = Draw("rest")
     assert all(c.re != 0 != c.du for c in draw.vector())
     assert [c.re for c in draw.vector(re=(1, 2, 3))] == [1, 2, 3]
@@ -92,7 +92,7 @@ def test_quaternions_have_the_half_angle_asked_for(half: str) -> None:
     assert all(FIELD.same(a, b) for a, b in ((q.norm2().re, 1), (q.norm2().du, 0)))
 
 
-def test_a_rotation_is_what_its_quaternion_does() -> None:
+def test_rotation_is_what_its_quaternion_does() -> None:
     q, v = Draw("q").quaternion(mpmath.mpf(1)), Draw("v").vector()
     for one, other in zip(rotation(q) @ v, q.sandwich(v), strict=True):
         assert FIELD.same(one.re, other.re)
@@ -109,7 +109,7 @@ def test_polynomials_have_these_values() -> None:
 
 
 @pytest.mark.parametrize("a", ["-1.5", "0", "0.7", "1.9"])
-def test_the_series_is_the_exponential(a: str) -> None:
+def test_series_is_the_exponential(a: str) -> None:
     f, at = exponential_series(), mpmath.mpf(a)
     assert FIELD.same(f(at), mpmath.exp(at))
     assert FIELD.same(f.derivative(at), mpmath.exp(at))

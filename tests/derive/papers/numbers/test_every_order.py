@@ -40,7 +40,7 @@ def test_exponents_of_quaternions_add_up(base: Quaternion, first, second) -> Non
     assert power.norm2() == FIELD.power(base.norm2(), first)
 
 
-def test_the_root_is_the_positive_one() -> None:
+def test_root_is_the_positive_one() -> None:
     assert FIELD.secant == FIELD.sqrt(1 + X * X) == 1 / FIELD.cos(theta)
     assert FIELD.sin(theta) / FIELD.cos(theta) == X
     assert FIELD.power(FIELD.secant, 2 * n) == FIELD.power(1 + X * X, n)
@@ -71,7 +71,7 @@ def test_turns_of_dual_tangents_are_turns() -> None:
     assert sine.du * (1 + X * X) == n * cosine.re * FIELD.symbol("x")
 
 
-def test_polynomials_of_an_order_that_is_a_number_are_those_of_that_order() -> None:
+def test_polynomials_of_a_given_order() -> None:
     assert FIELD.pair(2, X * X) == (1 - X * X, 2)
     assert FIELD.pair(3, X * X) == (1 - 3 * X * X, 3 - X * X)
     p, q = FIELD.pair(n, X * X)

@@ -23,7 +23,7 @@ def zeros(vector) -> list[bool]:
     return [c == 0 for c in vector]
 
 
-def test_a_frame_is_chosen_along_the_vectors() -> None:
+def test_frame_is_chosen_along_the_vectors() -> None:
     found = Generic([t, v, w], dual=False, moving=False).values
     assert [zeros(found[x]) for x in (t, v, w)] == [[False, True, True], [False, False, True], [False, False, False]]
     found = Generic([t, v], dual=False, moving=False, framed=False).values
@@ -45,7 +45,7 @@ def test_unit_vectors_have_a_frame_too() -> None:
     assert found[u1].dot(found[u1]) == 1 == found[u2].dot(found[u2])
 
 
-def test_a_frame_along_real_parts_leaves_dual_parts_free() -> None:
+def test_frame_along_real_parts_leaves_dual_parts_free() -> None:
     found = Generic([t, v, u1], dual=True, moving=False).values
     assert zeros(found[t].re) == [False, True, True]
     assert zeros(found[v].re) == [False, False, True]
@@ -106,7 +106,7 @@ def test_parts_of_angles_have_sine_and_cosine(steps: int) -> None:
 
 
 @pytest.mark.parametrize("branch", [0, 1, 2])
-def test_a_branch_is_so_many_turns_less(branch: int) -> None:
+def test_branch_subtracts_whole_turns(branch: int) -> None:
     point = Generic([alpha, a], dual=False, moving=False)
     before = dict(point.values)
     point.fix_branch(k, branch)
@@ -126,7 +126,7 @@ def test_displacements_are_unit_quaternions() -> None:
         assert value.scalar == point.field.cos(point.field.symbol("q"))
 
 
-def test_for_every_order_a_displacement_is_a_square() -> None:
+def test_symbolic_order_makes_a_displacement_a_square() -> None:
     for symbols in ([q], [v, q]):
         point = GenericOrder(symbols, n, moving=False)
         assert point.values[q].norm2() == 1
@@ -134,7 +134,7 @@ def test_for_every_order_a_displacement_is_a_square() -> None:
         assert point.values[q].scalar not in (0, 1)
 
 
-def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
+def test_symbolic_order_allows_one_vector_and_one_angle() -> None:
     x, s = Symbol("x", "argument"), Symbol("s", "scale")
     point = GenericOrder([v, alpha, x, s], n, moving=False)
     field = point.field
@@ -146,7 +146,7 @@ def test_for_every_order_one_vector_and_one_angle_are_of_the_field() -> None:
     assert Generic([x, s], dual=False, moving=False).values.keys() == {x, s}
 
 
-def test_what_only_a_definition_has_is_refused() -> None:
+def test_quantities_without_generic_values_are_refused() -> None:
     for name, quantity in QUANTITIES.items():
         if quantity.exact is None:
             with pytest.raises(NotExactError, match=f"no generic {name}"):

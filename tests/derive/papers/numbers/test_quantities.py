@@ -1,4 +1,4 @@
-"""The table of kinds: what symbols stand for at points, and at generic values of an exact field."""
+"""Table of quantities: values at points, and generic values of an exact field."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_unit_draws_are_unit() -> None:
 
 @pytest.mark.parametrize("quantity", EXACT, ids=lambda quantity: quantity.name)
 @pytest.mark.parametrize("dual", [False, True])
-def test_a_generic_value_is_of_the_type_that_is_drawn(quantity, dual: bool) -> None:
+def test_generic_value_is_of_the_type_that_is_drawn(quantity, dual: bool) -> None:
     symbol = Symbol("a", quantity.name)
     value = Generic([symbol], dual, moving=False).values[symbol]
     drawn = quantity.generic(Draw("type"))
@@ -43,7 +43,7 @@ def test_a_generic_value_is_of_the_type_that_is_drawn(quantity, dual: bool) -> N
     assert hasattr(value, "rows") == hasattr(drawn, "rows")
 
 
-def test_only_drawn_kinds_are_exact_and_those_without_either_are_refused() -> None:
+def test_quantities_without_values_are_refused() -> None:
     assert set(DRAWN) - set(EXACT) == {QUANTITIES["sign"]}
     assert set(EXACT) <= set(DRAWN)
     with pytest.raises(ValueError, match="a symbol that is a map has no value of its own"):
@@ -76,15 +76,15 @@ SPECIAL = {
     "orthogonal tensor": {"translation": (3, 3), "identity": (3, 3), "half turn": (-1, -1),
                           "beyond a half turn": TURNED},
 }  # fmt: skip
-"""Between which bounds their size lies."""
+"""Bounds of the size of special values."""
 REAL = {("angle", "0"), ("dual number", "0"), ("dual number", "real"), ("dual vector", "0"), ("dual vector", "real"),
         ("orthogonal tensor", "identity")}  # fmt: skip
-"""Those of dual kinds without a dual part."""
+"""Special values of dual quantities without a dual part."""
 FUNCTIONS = {"smooth function"}
 
 
 def size(value):
-    """A number as it is, the square of a vector, the scalar part of a quaternion, the trace of a tensor."""
+    """Return a number, the square of a vector, the scalar part of a quaternion, or the trace of a tensor."""
     if isinstance(value, Vector):
         value = value.dot(value)
     return real_part(
@@ -102,7 +102,7 @@ def test_every_special_value_is_described() -> None:
 
 
 @pytest.mark.parametrize(("name", "label"), [(name, label) for name, cases in SPECIAL.items() for label in cases])
-def test_special_values_are_what_they_are_called(name: str, label: str) -> None:
+def test_special_values_have_the_size_of_their_names(name: str, label: str) -> None:
     low, high = SPECIAL[name][label]
     with mpmath.workdps(DIGITS):
         for seed in "abcde":
@@ -114,7 +114,7 @@ def test_special_values_are_what_they_are_called(name: str, label: str) -> None:
             assert not duals or any(duals) is ((name, label) not in REAL)
 
 
-def test_a_singular_tensor_has_no_inverse() -> None:
+def test_singular_tensor_has_no_inverse() -> None:
     with mpmath.workdps(DIGITS):
         value = QUANTITIES["tensor"].special["singular"](Draw("s"))
         assert Decimal60().same(value.det().re, 0)
@@ -131,13 +131,13 @@ def test_constants_have_their_values() -> None:
     assert {quantity.name for quantity in QUANTITIES.values() if not quantity.varies} == {*values, "∞", "index"}
 
 
-def test_parts_of_what_is_dual_take_it_apart() -> None:
+def test_quantities_that_take_dual_numbers_apart() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
     real = {name for name in QUANTITIES if name.startswith("real")}
     assert apart == {*real, "proposition", "line", "dual unit"}
 
 
-def test_exact_values_have_as_many_numbers_as_said() -> None:
+def test_exact_values_have_the_declared_number_of_symbols() -> None:
     for quantity in EXACT:
         point = Generic([Symbol("a", quantity.name)], dual=False, moving=False, framed=False)
         declared = {name for name in point.field.functions.names if name[:1] == "a" and name[1:].isdecimal()}

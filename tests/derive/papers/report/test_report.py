@@ -1,4 +1,4 @@
-"""The report in every format."""
+"""Report in every format."""
 
 from __future__ import annotations
 

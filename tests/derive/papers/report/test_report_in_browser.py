@@ -105,5 +105,5 @@ def test_nothing_is_wider_than_the_window(look, width: int, scheme: str) -> None
     assert seen["covered"] is False
 
 
-def test_the_address_of_an_entry_shows_everything(look, report) -> None:
+def test_address_of_an_entry_shows_everything(look, report) -> None:
     assert len(look("#karakilic-2010-14")["shown"]) == len(report.results)

@@ -1,4 +1,4 @@
-"""What is said of one result: as data, in a notebook, in a row of a table, and in words."""
+"""Result as data, in a notebook, in a row of a table, and in words."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_data_of_an_erratum() -> None:
     }  # fmt: skip
 
 
-def test_data_of_others_have_no_correction_and_no_counterexample() -> None:
+def test_only_errata_have_corrections_and_counterexamples() -> None:
     found = IF.as_json()
     assert (found["corrected"], found["counterexample"], found["claimed"], found["stated"]) == (None,) * 4
     assert (found["condition"], found["exact"], found["status"]) == (r"\operatorname{Re} b \neq 0", True, "holds-if")
@@ -67,7 +67,7 @@ def test_data_of_others_have_no_correction_and_no_counterexample() -> None:
     assert (unclear["corrected"], unclear["exact"], unclear["capped"]) == (None, None, False)
 
 
-def test_in_a_notebook_the_correction_is_beside_what_is_printed() -> None:
+def test_notebook_shows_the_correction_beside_the_printed_form() -> None:
     assert ERRATUM._repr_latex_() == (
         r"$\displaystyle \text{(7) erratum:}\quad a = b\quad\longrightarrow\quad a = -b$"
     )  # fmt: skip
@@ -75,7 +75,7 @@ def test_in_a_notebook_the_correction_is_beside_what_is_printed() -> None:
     assert repr(IF) == "<Result condurache-popa-2023 (7): holds-if>"
 
 
-def test_a_row_of_a_table() -> None:
+def test_row_of_a_table() -> None:
     row = {"paper": "condurache-popa-2023", "equation": "7", "printed": r"$\displaystyle a = b$", "method": "exact"}
     assert ERRATUM.cells() == {**row, "status": "erratum", "corrected": r"$\displaystyle a = -b$"}
     assert IF.cells() == {**row, "status": "holds-if", "corrected": ""}
@@ -86,7 +86,7 @@ def test_a_row_of_a_table() -> None:
     [(SOURCE, "9"), ("derive/papers/x/sections/s12_2_more.py", "12.2"), ("derive/papers/x/sections/s10_end.py", "10"),
      ("", "")],
 )  # fmt: skip
-def test_the_section_is_that_of_the_module(source: str, section: str) -> None:
+def test_section_is_that_of_the_module(source: str, section: str) -> None:
     assert result(source=source).section == section
 
 
@@ -131,7 +131,7 @@ def test_domains_are_found_or_stated() -> None:
      ({}, (["0.12345678901234", "7"], ["0.12345678991234", "8"]), ("number 2 of 2: left 7, right 8",)),
      ({"a": ["0.12345678901234"]}, (["1"], ["1"]), ("a = 0.1234567890", "left 1, right 1"))],
 )  # fmt: skip
-def test_a_counterexample_in_lines(symbols, sides, lines) -> None:
+def test_counterexample_in_lines(symbols, sides, lines) -> None:
     assert example(Counterexample("the point", symbols, sides)) == lines
 
 
@@ -149,7 +149,7 @@ def chapter(*results: Result):
     return found
 
 
-def test_an_erratum_has_three_rows() -> None:
+def test_erratum_has_three_rows() -> None:
     grid = errata(chapter(ERRATUM))
     assert [column.heading for column in grid.columns] == ["equation", "printed", "corrected"]
     first, second, third = grid.rows
@@ -173,7 +173,7 @@ def test_other_tables_have_a_row_for_each_entry_or_reading() -> None:
     assert ambiguous(chapter(unclear)).title.startswith("CP23, ambiguous: ")
 
 
-def test_a_text_has_a_table_for_each_status_and_for_proofs() -> None:
+def test_text_has_a_table_for_each_status_and_for_proofs() -> None:
     proof = SimpleNamespace(scope="all orders", status="proved", statement="a = a")
     alone, proved = (as_text(Report.of(PAPERS, [IF, ERRATUM], proofs)) for proofs in ((), (proof,)))
     heads = [line.strip() for line in alone.splitlines() if line.strip().startswith(("CP23, ", "equations", "proofs"))]

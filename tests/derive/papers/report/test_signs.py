@@ -1,4 +1,4 @@
-"""Formulas in one line of Unicode, and plain text for LaTeX: every sign, and what is put beside, above and below."""
+"""Formulas in one line of Unicode, and plain text for LaTeX: signs, scripts and accents."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ WORDS = {"arctan", "cos", "cot", "det", "exp", "lim", "log", "sin", "tan"}
 
 
 @pytest.mark.parametrize("name", GREEK)
-def test_greek_symbols_are_called_so(name: str) -> None:
+def test_greek_letters(name: str) -> None:
     assert unicodedata.name(plain(f"\\{name}")) == f"GREEK SMALL LETTER {name.removeprefix('var').upper()}"
 
 
 @pytest.mark.parametrize(("command", "name"), SIGNS.items())
-def test_a_sign_is_one_character(command: str, name: str) -> None:
+def test_sign_is_one_character(command: str, name: str) -> None:
     assert unicodedata.name(plain(command)) == name
     assert plain(f"a {command} b") == f"a {plain(command)} b"
 
 
-def test_no_command_of_the_papers_is_spelled_out() -> None:
+def test_every_command_of_the_papers_has_a_sign() -> None:
     terms = [
         term
         for paper in PAPERS
@@ -80,7 +80,7 @@ def test_formulas_in_one_line(formula: str, line: str) -> None:
 
 
 @pytest.mark.parametrize("sign", "…‖⊗·×±≠≤≥∈→⇒∞⟨⟩↦⇔∘ΔΣΦαβθΘφψωρστλεπ₀₁₂₃₄₅₆₇₈₉ₙₖ⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻ᵀ#{}")
-def test_a_sign_for_latex_reads_as_before(sign: str) -> None:
+def test_escaped_sign_reads_as_the_sign(sign: str) -> None:
     assert escape(sign).isascii()
     assert plain(escape(sign)) == sign
 
