@@ -198,8 +198,8 @@ def idle(chart: Chart) -> set[str]:
 def scalar_program(name: str, chart: Chart) -> Program:
     """Return a scalar program of a chart.
 
-    Results that are fractions are computed from the first argument, so that they have its type, and so are those of
-    `ray`, whose sizes `gain_product` divides by. Other integers are returned as they are: nothing divides them.
+    Results that are fractions are computed from the first argument, so that they have its type, and so is a size that
+    `gain_product` divides by. Other integers are returned as they are: nothing divides them.
     """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []
@@ -210,6 +210,7 @@ def scalar_program(name: str, chart: Chart) -> Program:
     one = trace.name(trace.free_name("one"), zero + 1)
     outputs = list(results)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
-        if isinstance(result, Constant) and (result.denominator != 1 or name == "ray"):
+        divided = letter == "size" and "size1" in scalar_program("gain_product", chart).operands
+        if isinstance(result, Constant) and (result.denominator != 1 or divided):
             outputs[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, outputs)
