@@ -128,9 +128,7 @@ def _tangent_inv_dot(m: Any, x: Any) -> Result:
 def _ray(m: Any, x: Any) -> Result:
     N = 1 + x
     r = 2 * (N / N / N)
-    zero = x - x
-    one = zero + 1
-    return one, one, one, r, r, 0
+    return 1, 1, 1, r, r, 0
 
 
 # v = gain vec q, for a unit quaternion q
@@ -215,7 +213,7 @@ CHART = Chart(
         _coefficient_of,
     ),
     kernels=SHARED,
-    programs="ce4454073b4a75d8",
+    programs="93e88886f7cb9798",
 )
 
 KERNELS = PoseKernels(CHART)

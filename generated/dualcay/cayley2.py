@@ -156,10 +156,7 @@ def _ray(m: Any, x: Any) -> Result:
     r = 2 * (N / N / N)
     f = 2 * p * r
     g = 4 * r
-    zero = x - x
-    one = zero + 1
-    b = 2 * one
-    return p, b, root, f, g, g
+    return p, 2, root, f, g, g
 
 
 # v = gain vec q, for a unit quaternion q
@@ -285,7 +282,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="c42505c80397c713",
+    programs="e0f3f7028dbb2d61",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -210,9 +210,7 @@ def _ray(m: Any, x: Any) -> Result:
     f = p * q * r
     g = qq * r
     h = 16 * r
-    zero = x - x
-    one = zero + 1
-    return p, q, one, f, g, h
+    return p, q, 1, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -354,7 +352,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="bc83bfef014c1243",
+    programs="23dbcc11c5dfb031",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -234,9 +234,7 @@ def _ray(m: Any, x: Any) -> Result:
     g = qq * r
     c = (80 * x - 96) * x + 80
     h = c * r
-    zero = x - x
-    one = zero + 1
-    return p, q, one, f, g, h
+    return p, q, 1, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -386,7 +384,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="24262514f22b95c4",
+    programs="de6fa3a3419214e4",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -461,8 +461,7 @@ def _ray(m: Any, x: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
-    one = zero + 1
-    return s, w, one, f, g, h
+    return s, w, 1, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -631,7 +630,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="953b703fe5ef0d7b",
+    programs="b67dce0987e51dc7",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -157,8 +157,7 @@ def _ray(m: Any, x: Any) -> Result:
     h = 2 / c
     zero = x - x
     one = zero + 1
-    g = 2 * one
-    return c, one, one, f, g, h
+    return c, 1, one, f, 2, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -256,7 +255,7 @@ CHART = Chart(
         _coefficient_of,
     ),
     kernels=SHARED,
-    programs="f37a5b9eedbfdf40",
+    programs="63d4b6bfe5244dc6",
 )
 
 KERNELS = PoseKernels(CHART)

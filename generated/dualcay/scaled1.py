@@ -35,7 +35,7 @@ ORDER = 1
 
 
 CHART = multiple(
-    BASE, __name__, 2, 1, constant=('pose', 'tangent', 'tangent_dot', 'inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot', 'ray'), programs="7110fc42ea48760e"
+    BASE, __name__, 2, 1, constant=('pose', 'tangent', 'tangent_dot', 'inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot', 'ray'), programs="06a908ef8bf3b787"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=(), programs="0773c08de51d8b1d"
+    BASE, __name__, 6, 1, constant=('ray',), programs="bb16fa2c9df93a6e"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=(), programs="66c002d8e3c36a2c"
+    BASE, __name__, 10, 1, constant=('ray',), programs="0172701bb8dcccf2"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -229,9 +229,7 @@ def _ray(m: Any, x: Any) -> Result:
     ww = w * w
     g = 2 * ww
     h = ((32 * x - 64) * x + 38) / c
-    zero = x - x
-    one = zero + 1
-    return s, w, one, f, g, h
+    return s, w, 1, f, g, h
 
 
 # v = gain vec q, for a unit quaternion q
@@ -392,7 +390,7 @@ CHART = Chart(
         _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="95ca84ce64fca105",
+    programs="96f0bc28e445b7e6",
 )
 
 KERNELS = PoseKernels(CHART)

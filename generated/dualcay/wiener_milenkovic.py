@@ -35,7 +35,7 @@ ORDER = 2
 
 
 CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot'), programs="cde5985392972e33"
+    BASE, __name__, 4, 1, constant=('inverse', 'inverse_at', 'tangent_inv_at', 'tangent_inv', 'tangent_inv_dot', 'ray'), programs="cde5985392972e33"
 )
 
 KERNELS = PoseKernels(CHART)

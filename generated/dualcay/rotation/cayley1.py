@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3c10455f90e00882",
+    programs="37cb5c74f0eacc69",
 )
 
 KERNELS = RotationKernels(CHART)

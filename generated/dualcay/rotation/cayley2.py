@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="7f2b569668cd7780",
+    programs="6aa57695dd0d73ec",
 )
 
 KERNELS = RotationKernels(CHART)

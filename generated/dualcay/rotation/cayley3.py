@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bc42ba99f35b9783",
+    programs="d84cc80a2ab3b79d",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="07112f5dddabc5f7",
+    programs="b4430efae44521de",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="85334044e511ac2c",
+    programs="07ebf8d10ce0f77a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0c8d04e6f17babd8",
+    programs="fc196037a70de765",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2886e475548c2294",
+    programs="bef9d117c09b278d",
 )
 
 KERNELS = RotationKernels(CHART)

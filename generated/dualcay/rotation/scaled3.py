@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="be576990408e8db8",
+    programs="50d7dc37ec037618",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8b0c397000deccba",
+    programs="9c33a2f0b1128d43",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e3b306798dbb59cf",
+    programs="0129041401292c51",
 )
 
 KERNELS = RotationKernels(CHART)
