@@ -46,6 +46,9 @@ ORDINARY = 4
 
 JACOBIANS = ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians")
 
+SHORTER = 2
+"""Divisor of the steps at which derivatives are taken: near the edge of a chart they grow with the rounding of α."""
+
 EDGE_MARGIN = 0.1
 """Least margin to the edge, as of `Vectors.finite`: rounding of the principal v grows by its inverse."""
 
@@ -146,8 +149,10 @@ def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
         derivatives = screw in screws[:ORDINARY]
         for name in ("compose", "between", "local", "body_local", *JACOBIANS[:2] * derivatives):
             yield name, None, (v2, v)
-        for name in ("retract", "body_retract", *JACOBIANS[2:] * derivatives):
+        for name in ("retract", "body_retract"):
             yield name, None, (v, delta)
+        for name in JACOBIANS[2:] * derivatives:
+            yield name, None, (v, tuple(nearby(c / SHORTER) for c in delta))
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws
