@@ -18,7 +18,7 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    s, w, sy, wy = c.quaternion(m, x)
+    s, w, sy, wy = c.quaternion_scalars(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     wo = wy * y
     return s, v1 * w, v2 * w, v3 * w, sy * y, v1o * w + v1 * wo, v2o * w + v2 * wo, v3o * w + v3 * wo
@@ -71,7 +71,7 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     return tensor_at(f, g, h, v)
 
 
@@ -81,7 +81,7 @@ def pose(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
@@ -112,7 +112,7 @@ def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     vr1 = v2 * r3 - v3 * r2
     vr2 = v3 * r1 - v1 * r3
     vr3 = v1 * r2 - v2 * r1
@@ -154,7 +154,7 @@ def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     Ql = rotate_at(f, g, v, (l1, l2, l3))
     Ql1, Ql2, Ql3 = Ql
     Qm1, Qm2, Qm3 = rotate_at(f, g, v, (m1, m2, m3))
@@ -215,7 +215,7 @@ def tangent(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     return tangent_at(f, g, h, fy, gy, hy, v)
 
 
@@ -257,7 +257,7 @@ def tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3, _, _, _ = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, fiy, hiy = c.tangent_inv(m, x)
+    fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
     return tangent_inverse_at(fi, hi, fiy, hiy, v)
 
 
@@ -267,7 +267,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     return tangent_at(f, g, h, fy, gy, hy, (-v1, -v2, -v3, -v1o, -v2o, -v3o))
 
 
@@ -275,7 +275,7 @@ def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, fiy, hiy = c.tangent_inv(m, x)
+    fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
     return tangent_inverse_at(fi, hi, fiy, hiy, (-v1, -v2, -v3, -v1o, -v2o, -v3o))
 
 
@@ -287,7 +287,7 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -321,7 +321,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     w1, w2, w3, w1o, w2o, w3o = omega
     side, half = table
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, fiy, hiy = c.tangent_inv(m, x)
+    fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fio = fiy * y
     hio = hiy * y
@@ -350,7 +350,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot_scalars(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     go = gy * y
     ho = hy * y
@@ -411,7 +411,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
+    f, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot_scalars(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fo = fy * y
     go = gy * y
@@ -468,7 +468,7 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     z1, z2, z3, z1o, z2o, z3o = omega_dot
     side, = table
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
+    fi, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot_scalars(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     fio = fiy * y
     hio = hiy * y
@@ -529,7 +529,7 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot(m, v11, v22, v33)
+    _, g, h, fy, gy, hy, fyy, gyy, hyy = c.tangent_dot_scalars(m, v11, v22, v33)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     go = gy * y
     ho = hy * y
@@ -592,7 +592,7 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     side, = table
     hs = side / 2
     x = v1 * v1 + v2 * v2 + v3 * v3
-    _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot(m, x)
+    _, hi, fiy, hiy, fiyy, hiyy = c.tangent_inv_dot_scalars(m, x)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     hio = hiy * y
     fiyo = fiyy * y
@@ -657,7 +657,7 @@ def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Resu
     v3 = e3 * gain
     x = v1 * v1 + v2 * v2 + v3 * v3
     fe = gain * e0
-    fi, hi = c.inverse(m, x, fe)
+    fi, hi = c.inverse_scalars(m, x, fe)
     along = hi * (v1 * rho1 + v2 * rho2 + v3 * rho3)
     return (
         v1, v2, v3, (rho1 * fi - (v2 * rho3 - v3 * rho2) + v1 * along) / 2,
@@ -798,7 +798,7 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, _, h = c.pose(m, v11, v22, v33)
+    f, _, h = c.pose_scalars(m, v11, v22, v33)
     x = v11 + v22 + v33
     resting = x == 0
     rown = m.sqrt(m.where(resting, 1 + x, x))
@@ -814,7 +814,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
     own, = c.unfolded(m, x, length)
-    rate, _ = c.rate(m, x)
+    rate, _ = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     bend = (rate - share) * y / square
@@ -1419,7 +1419,7 @@ def adjoint(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     R = tensor_at(f, g, h, v)
     return matrix6(R)
 
@@ -1433,7 +1433,7 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22
@@ -1477,7 +1477,7 @@ def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) ->
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     R = tensor_at(f, g, h, v)
     R11, R12, R13, R21, R22, R23, R31, R32, R33, R11o, R12o, R13o, R21o, R22o, R23o, R31o, R32o, R33o = R
     (

@@ -42,7 +42,7 @@ ORDER = 5
 
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (122)
-def _quaternion(m: Any, x: Any) -> Result:
+def _quaternion_scalars(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     qq = q * q
@@ -61,7 +61,7 @@ def _quaternion(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 # f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (123),
 #     (88), (124)
-def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
@@ -76,7 +76,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (124)
-def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
@@ -101,7 +101,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
-def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
@@ -133,7 +133,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 # T v = rate v: rate = 1/phi' = f + x h, with its slope
 # rate = 2n/(1 + x)
-def _rate(m: Any, x: Any) -> Result:
+def _rate_scalars(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 10 / x1
     ee = 2 * e / x1
@@ -143,7 +143,7 @@ def _rate(m: Any, x: Any) -> Result:
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 # fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89), (125)
-def _inverse(m: Any, x: Any, fe: Any) -> Result:
+def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     iq = 1 / q
@@ -183,7 +183,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (125)
-def _tangent_inv(m: Any, x: Any) -> Result:
+def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     iq = 1 / q
@@ -201,7 +201,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
+def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     iq = 1 / q
@@ -379,12 +379,12 @@ CHART = Chart(
         "-0.9510565162951535721164393333793821434057",
     ),
     functions=by_name(
-        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
-        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
-        _turned, _beyond, _coefficient, _coefficient_of,
+        _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
+        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="de6fa3a3419214e4",
+    programs="3585ed6f51436d69",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -37,7 +37,7 @@ ORDER = 1
 
 
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion(m: Any, x: Any) -> Result:
+def _quaternion_scalars(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
     z = m.where(near, x, zero) / 4
@@ -76,7 +76,7 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
-def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     near = x < 6
@@ -114,7 +114,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
-def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     near = x < 6
@@ -159,7 +159,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
-def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
     near = x < 6
@@ -209,12 +209,12 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # T v = rate v: rate = 1/phi' = f + x h, with its slope
-def _rate(m: Any, x: Any) -> Result:
+def _rate_scalars(m: Any, x: Any) -> Result:
     return 1, 0
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
-def _inverse(m: Any, x: Any, fe: Any) -> Result:
+def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     near = x < 6
     zero = x - x
     z = m.where(near, x, zero) / 4
@@ -327,7 +327,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
-def _tangent_inv(m: Any, x: Any) -> Result:
+def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
     z = m.where(near, x, zero) / 4
@@ -374,7 +374,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
+def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     near = x < 6
     zero = x - x
     z = m.where(near, x, zero) / 4
@@ -625,12 +625,12 @@ CHART = Chart(
         "0.0",
     ),
     functions=by_name(
-        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
-        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
-        _turned, _beyond, _coefficient, _coefficient_of,
+        _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
+        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b67dce0987e51dc7",
+    programs="508176a5148051f9",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -37,7 +37,7 @@ ORDER = 1
 
 
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion(m: Any, x: Any) -> Result:
+def _quaternion_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     rho = 2 / c
@@ -47,7 +47,7 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
-def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
@@ -57,7 +57,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
-def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
@@ -70,7 +70,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
-def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     cc = 1 - x
     c = m.sqrt(cc)
@@ -86,7 +86,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # T v = rate v: rate = 1/phi' = f + x h, with its slope
-def _rate(m: Any, x: Any) -> Result:
+def _rate_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     rho = 2 / c
@@ -95,7 +95,7 @@ def _rate(m: Any, x: Any) -> Result:
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
-def _inverse(m: Any, x: Any, fe: Any) -> Result:
+def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     return fe, 0
 
 
@@ -128,7 +128,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
-def _tangent_inv(m: Any, x: Any) -> Result:
+def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     h = 2 / c
@@ -137,7 +137,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
+def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     h = 2 / c
@@ -250,12 +250,12 @@ CHART = Chart(
     returns=(
     ),
     functions=by_name(
-        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
-        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _natural, _unfolded, _reached, _coefficient,
-        _coefficient_of,
+        _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
+        _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="63d4b6bfe5244dc6",
+    programs="9fee13b656a7219f",
 )
 
 KERNELS = PoseKernels(CHART)

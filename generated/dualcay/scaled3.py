@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="bb16fa2c9df93a6e"
+    BASE, __name__, 6, 1, constant=('ray',), programs="0b56c03ce475b265"
 )
 
 KERNELS = PoseKernels(CHART)

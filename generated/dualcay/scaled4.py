@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="e393e81ef90b7175"
+    BASE, __name__, 8, 1, constant=(), programs="d49068fb73494361"
 )
 
 KERNELS = PoseKernels(CHART)

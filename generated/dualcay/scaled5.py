@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="0172701bb8dcccf2"
+    BASE, __name__, 10, 1, constant=('ray',), programs="3941c91acad87f34"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -37,7 +37,7 @@ ORDER = 3
 
 
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion(m: Any, x: Any) -> Result:
+def _quaternion_scalars(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -52,7 +52,7 @@ def _quaternion(m: Any, x: Any) -> Result:
 
 
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
-def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
@@ -67,7 +67,7 @@ def _pose(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
-def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
@@ -87,7 +87,7 @@ def _tangent(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy
-def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
+def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     x_by_4 = 4 * x
     cc = 1 - x
@@ -112,7 +112,7 @@ def _tangent_dot(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 
 # T v = rate v: rate = 1/phi' = f + x h, with its slope
-def _rate(m: Any, x: Any) -> Result:
+def _rate_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     rho = 6 / c
@@ -121,7 +121,7 @@ def _rate(m: Any, x: Any) -> Result:
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
-def _inverse(m: Any, x: Any, fe: Any) -> Result:
+def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     w = 3 - 4 * x
@@ -172,7 +172,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
-def _tangent_inv(m: Any, x: Any) -> Result:
+def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -191,7 +191,7 @@ def _tangent_inv(m: Any, x: Any) -> Result:
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
-def _tangent_inv_dot(m: Any, x: Any) -> Result:
+def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
@@ -385,12 +385,12 @@ CHART = Chart(
         "-0.8660254037844386467637231707529361834714",
     ),
     functions=by_name(
-        _quaternion, _pose, _tangent, _tangent_dot, _rate, _inverse, _inverse_at, _tangent_inv_at, _tangent_inv,
-        _tangent_inv_dot, _ray, _gain_unit, _gain_positive, _gain_product, _direction, _natural, _unfolded, _reached,
-        _turned, _beyond, _coefficient, _coefficient_of,
+        _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
+        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="96f0bc28e445b7e6",
+    programs="f04571e73a5469ee",
 )
 
 KERNELS = PoseKernels(CHART)

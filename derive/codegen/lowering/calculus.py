@@ -23,7 +23,7 @@ def tangent_dot(trace: Geometry) -> Program:
     """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
-    g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
+    g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     s = trace.dual_vector("s", (trace.dual("gt", gy * along) * v + trace.dual_vector("gw", g * w)) * side)
     c = trace.dual_vector("b", trace.dual("ht", hy * along * HALF) * v + trace.dual_vector("hw", h * w))
@@ -38,7 +38,7 @@ def twist_dot(trace: Geometry) -> Program:
     """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
     side = _side(trace)
-    f, g, h, fy, gy, hy = point.lifted("tangent_dot", ("f", "g", "h", "fy", "gy", "hy"))
+    f, g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("f", "g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     turned = trace.dual_vector("gz", g * z + trace.dual("gt", gy * along) * w)
     pull, bend = trace.dual("pull", v.dot(z) + _square(w)), trace.dual("ht", hy * along)
@@ -56,7 +56,7 @@ def rate_dot(trace: Geometry) -> Program:
     """
     point, w, z = trace.point(), trace.argument("omega", "w"), trace.argument("omega_dot", "z")
     side = _side(trace)
-    fi, hi, fiy, hiy = point.lifted("tangent_inv_dot", ("fi", "hi", "fiy", "hiy"))
+    fi, hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("fi", "hi", "fiy", "hiy"))
     v, along, length = point.v, trace.dual("vw", point.v.dot(w)), trace.dual("ww", _square(w))
     spread, half = trace.dual("hvw", hi * along), trace.name("hs", side * HALF)
     change = trace.dual("vu", trace.dual("fvw", fi * along) + spread * Dual(point.x, 2 * point.y))
@@ -73,7 +73,7 @@ def twist_jacobian(trace: Geometry) -> Program:
     """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
-    g, h, fy, gy, hy = point.lifted("tangent_dot", ("g", "h", "fy", "gy", "hy"))
+    g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     turned, gs = trace.dual_vector("t", v.cross(w)), trace.dual("gs", g * side)
     pull, turn, bend = trace.dual("fh", fy + h), trace.dual("gt", gy * side), trace.dual("ht", hy * along)
@@ -89,7 +89,7 @@ def rate_jacobian(trace: Geometry) -> Program:
     """
     point, w = trace.point(), trace.argument("omega", "w")
     side = trace.name("hs", _side(trace) * HALF)
-    hi, fiy, hiy = point.lifted("tangent_inv_dot", ("hi", "fiy", "hiy"))
+    hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("hi", "fiy", "hiy"))
     # halves are taken of w: scalars of some charts are integers
     v, half = point.v, trace.dual_vector("wh", w * HALF)
     along = trace.dual("vwh", v.dot(half))

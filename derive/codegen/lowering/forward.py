@@ -92,7 +92,7 @@ def tensor_at(trace: Geometry) -> Program:
 def quaternion(trace: Geometry) -> Program:
     """q̂ = s + w v, CP23 (50)."""
     point = trace.point()
-    s, w, sy, wy = point.scalars("quaternion")
+    s, w, sy, wy = point.scalars("quaternion_scalars")
     turned = trace.name("wo", wy * point.y)
     return trace.program("quaternion", (s, *(w * point.re), sy * point.y, *(w * point.du + turned * point.re)))
 
@@ -100,13 +100,13 @@ def quaternion(trace: Geometry) -> Program:
 def tensor(trace: Geometry) -> Program:
     """R = I + f skew(v) + g skew(v)², CP23 (57)."""
     point = trace.point()
-    return trace.program("tensor", trace.apply(tensor_at, "R{}", *point.scalars("pose"), point.components))
+    return trace.program("tensor", trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components))
 
 
 def pose(trace: Geometry) -> Program:
     """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
     point = trace.point()
-    f, g, h = point.scalars("pose")
+    f, g, h = point.scalars("pose_scalars")
     pairs = zip(rotation(point, f, g), translation(point, f, g, h), strict=True)
     beside = (entry for row, last in pairs for entry in (*row, last))
     return trace.program("pose", (*beside, 0, 0, 0, 1))
@@ -118,14 +118,14 @@ def transform_point(trace: Geometry) -> Program:
     It moves by ρ besides.
     """
     point, r = trace.point(), trace.real_vector("r")
-    f, g, h = point.scalars("pose")
+    f, g, h = point.scalars("pose_scalars")
     return trace.program("transform_point", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
 
 
 def transform_line(trace: Geometry) -> Program:
     """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
-    f, g, h = point.scalars("pose")
+    f, g, h = point.scalars("pose_scalars")
     direction = Vector(*trace.apply(rotate_at, "Ql{}", f, g, point.components, parts[:3]))
     moment = Vector(*trace.apply(rotate_at, "Qm{}", f, g, point.components, parts[3:]))
     rho = trace.vector("rho", translation(point, f, g, h))

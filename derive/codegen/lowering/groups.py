@@ -32,7 +32,7 @@ def dual_product(trace: Geometry) -> Program:
 def adjoint(trace: Geometry) -> Program:
     """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     point = trace.point()
-    R = trace.apply(tensor_at, "R{}", *point.scalars("pose"), point.components)
+    R = trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components)
     return trace.program("adjoint", trace.apply(matrix6, "J{}", R))
 
 
@@ -42,7 +42,7 @@ def transform_point_jacobians(trace: Geometry) -> Program:
     By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
     """
     point, r = trace.point(), trace.real_vector("r")
-    f, g, h, *slopes = point.scalars("tangent")
+    f, g, h, *slopes = point.scalars("tangent_scalars")
     v = point.components
     Q = flat(rotation(point, f, g))
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, v)
@@ -55,7 +55,7 @@ def transform_point_jacobians(trace: Geometry) -> Program:
 def transform_line_jacobians(trace: Geometry) -> Program:
     """−skew(R l) T and R: the derivatives of a moved line by v and by the line."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
-    f, g, h, *slopes = point.scalars("tangent")
+    f, g, h, *slopes = point.scalars("tangent_scalars")
     R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
     tensor = Tensor.dual(*map(Tensor.from_entries, (R[:9], R[9:])))

@@ -42,7 +42,7 @@ def vector_of(trace: Geometry) -> Program:
     e0, *vector = trace.components("e", "e", 4)
     rho = trace.real_vector("rho", dual="°")
     v = trace.vector("v", gain * Vector(*vector))
-    fi, hi = trace.ask("inverse", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
+    fi, hi = trace.ask("inverse_scalars", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
     return trace.program("vector_of", (*v, *dual_part(trace, fi, hi, v, rho)))
 
 
@@ -305,7 +305,7 @@ def angle(trace: Geometry) -> Program:
     """
     point = trace.point()
     _, _, distance, _ = _axis(trace, point)
-    f, _, h = point.scalars("pose")
+    f, _, h = point.scalars("pose_scalars")
     resting = trace.name("resting", trace.equal(point.x, 0))
     length = trace.name("rown", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, length))

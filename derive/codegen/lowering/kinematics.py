@@ -55,27 +55,27 @@ def tangent_inverse_at(trace: Geometry) -> Program:
 def tangent(trace: Geometry) -> Program:
     """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     point = trace.point()
-    return trace.program("tangent", trace.apply(tangent_at, "T{}", *point.scalars("tangent"), point.components))
+    return trace.program("tangent", trace.apply(tangent_at, "T{}", *point.scalars("tangent_scalars"), point.components))
 
 
 def body_tangent(trace: Geometry) -> Program:
     """Tᵀ, which is T at −v, CP23 (86)."""
     point = trace.point()
-    scalars, back = point.scalars("tangent"), opposite(point.components)
+    scalars, back = point.scalars("tangent_scalars"), opposite(point.components)
     return trace.program("body_tangent", trace.apply(tangent_at, "T{}", *scalars, back))
 
 
 def tangent_inv(trace: Geometry) -> Program:
     """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     point = trace.point()
-    scalars = point.scalars("tangent_inv")
+    scalars = point.scalars("tangent_inv_scalars")
     return trace.program("tangent_inv", trace.apply(tangent_inverse_at, "T{}", *scalars, point.components))
 
 
 def body_tangent_inv(trace: Geometry) -> Program:
     """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     point = trace.point()
-    scalars, back = point.scalars("tangent_inv"), opposite(point.components)
+    scalars, back = point.scalars("tangent_inv_scalars"), opposite(point.components)
     return trace.program("body_tangent_inv", trace.apply(tangent_inverse_at, "T{}", *scalars, back))
 
 
@@ -88,7 +88,7 @@ def twist(trace: Geometry) -> Program:
     """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     (side,) = trace.inputs("table", ("side",))
-    f, g, h = point.lifted("tangent", ("f", "g", "h"))
+    f, g, h = point.lifted("tangent_scalars", ("f", "g", "h"))
     s = trace.dual_vector("gv", trace.dual("gs", g * side) * point.v)
     scale = trace.dual("hvw", h * trace.dual("vw", point.v.dot(w)))
     image = f * w + s.cross(w) + scale * point.v
@@ -102,7 +102,7 @@ def rate(trace: Geometry) -> Program:
     """
     point, w = trace.point(), trace.argument("omega", "w")
     side, half = trace.inputs("table", ("side", "half"))
-    fi, hi = point.lifted("tangent_inv", ("fi", "hi"))
+    fi, hi = point.lifted("tangent_inv_scalars", ("fi", "hi"))
     scale = trace.dual("hvw", trace.dual("his", hi * side) * trace.dual("vw", point.v.dot(w)))
     image = trace.dual("fis", fi * side) * w - point.v.cross(w) + scale * point.v
     return trace.program("rate", (*(half * image.re), *(half * image.du)))

@@ -19,26 +19,26 @@ from ..programs.trace import Trace
 from ..programs.value import Number
 
 FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
-    "quaternion": (
+    "quaternion_scalars": (
         "unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx",
         "s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2)",
         ("quaternion",),
     ),
-    "pose": (
+    "pose_scalars": (
         "R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v",
         "f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q",
         ("tensor", "tangent"),
     ),
-    "tangent": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy", "", ("tangent",)),
-    "tangent_dot": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy", "", ()),
-    "rate": ("T v = rate v: rate = 1/phi' = f + x h, with its slope", "rate = 2n/(1 + x)", ()),
-    "inverse": (
+    "tangent_scalars": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy", "", ("tangent",)),
+    "tangent_dot_scalars": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy and second slopes fyy = 2 dfy/dx, gyy, hyy", "", ()),
+    "rate_scalars": ("T v = rate v: rate = 1/phi' = f + x h, with its slope", "rate = 2n/(1 + x)", ()),
+    "inverse_scalars": (
         "T^-1 = (fi I - skew(v) + hi v(x)v)/2", "fi = p/q, hi = d/(n q), x d = (1 + x) q - n p", ("tangent_inv",)
     ),
     "inverse_at": ("hi of T^-1 at a known angle", "", ()),
     "tangent_inv_at": ("fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy", "", ()),
-    "tangent_inv": ("fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy", "", ("tangent_inv",)),
-    "tangent_inv_dot": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
+    "tangent_inv_scalars": ("fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy", "", ("tangent_inv",)),
+    "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
     "ray": ("a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T", "a = p, b = q", ()),
     "gain_unit": ("v = gain vec q, for a unit quaternion q", "gain = tan(alpha/2n)/sin(alpha/2)", ()),
     "gain_positive": ("v = gain vec q, for a quaternion of any size with e0 >= 0", "", ()),
@@ -152,16 +152,16 @@ def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[N
 E = ("e0", "e1", "e2", "e3")
 
 SCALARS: Mapping[str, Scalar] = {
-    "quaternion": _of_x("s", "w", "sy", "wy"),
-    "pose": _of_squares("f", "g", "h"),
-    "tangent": _of_squares("f", "g", "h", "fy", "gy", "hy"),
-    "tangent_dot": _of_squares("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
-    "rate": _of_x("rate", "ratey"),
-    "inverse": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
+    "quaternion_scalars": _of_x("s", "w", "sy", "wy"),
+    "pose_scalars": _of_squares("f", "g", "h"),
+    "tangent_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy"),
+    "tangent_dot_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
+    "rate_scalars": _of_x("rate", "ratey"),
+    "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
     "inverse_at": _at_angle("hi"),
     "tangent_inv_at": _at_angle("fi", "hi", "fiy", "hiy"),
-    "tangent_inv": _of_x("fi", "hi", "fiy", "hiy"),
-    "tangent_inv_dot": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
+    "tangent_inv_scalars": _of_x("fi", "hi", "fiy", "hiy"),
+    "tangent_inv_dot_scalars": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
     "gain_unit": Scalar(E, ("gain",), _gain_unit),
     "gain_positive": Scalar(E, ("gain",), _gain_positive),

@@ -19,7 +19,7 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
     """q̂ = s + w v, CP23 (50)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    s, w, _, _ = c.quaternion(m, x)
+    s, w, _, _ = c.quaternion_scalars(m, x)
     return s, v1 * w, v2 * w, v3 * w
 
 
@@ -58,7 +58,7 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, _ = c.pose(m, v11, v22, v33)
+    f, g, _ = c.pose_scalars(m, v11, v22, v33)
     return tensor_at(f, g, v)
 
 
@@ -69,7 +69,7 @@ def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, _ = c.pose(m, v11, v22, v33)
+    f, g, _ = c.pose_scalars(m, v11, v22, v33)
     vr1 = v2 * r3 - v3 * r2
     vr2 = v3 * r1 - v1 * r3
     vr3 = v1 * r2 - v2 * r1
@@ -109,7 +109,7 @@ def tangent(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     return tangent_at(f, g, h, v)
 
 
@@ -135,7 +135,7 @@ def tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, _, _ = c.tangent_inv(m, x)
+    fi, hi, _, _ = c.tangent_inv_scalars(m, x)
     return tangent_inverse_at(fi, hi, v)
 
 
@@ -145,7 +145,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     return tangent_at(f, g, h, (-v1, -v2, -v3))
 
 
@@ -153,7 +153,7 @@ def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
     """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, _, _ = c.tangent_inv(m, x)
+    fi, hi, _, _ = c.tangent_inv_scalars(m, x)
     return tangent_inverse_at(fi, hi, (-v1, -v2, -v3))
 
 
@@ -165,7 +165,7 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     gs = g * side
     gv1 = v1 * gs
     gv2 = v2 * gs
@@ -184,7 +184,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
     w1, w2, w3 = omega
     side, half = table
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, _, _ = c.tangent_inv(m, x)
+    fi, hi, _, _ = c.tangent_inv_scalars(m, x)
     his = hi * side
     vw = v1 * w1 + v2 * w2 + v3 * w3
     hvw = his * vw
@@ -203,7 +203,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    _, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    _, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     gt = gy * vw
     gw1 = w1 * g
@@ -238,7 +238,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    f, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     gt = gy * vw
     gz1 = z1 * g + w1 * gt
@@ -265,7 +265,7 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
     z1, z2, z3 = omega_dot
     side, = table
     x = v1 * v1 + v2 * v2 + v3 * v3
-    fi, hi, fiy, hiy = c.tangent_inv(m, x)
+    fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     ww = w1 * w1 + w2 * w2 + w3 * w3
     hvw = hi * vw
@@ -297,7 +297,7 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    _, g, h, fy, gy, hy = c.tangent(m, v11, v22, v33)
+    _, g, h, fy, gy, hy = c.tangent_scalars(m, v11, v22, v33)
     vw = v1 * w1 + v2 * w2 + v3 * w3
     t1 = v2 * w3 - v3 * w2
     t2 = v3 * w1 - v1 * w3
@@ -326,7 +326,7 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     side, = table
     hs = side / 2
     x = v1 * v1 + v2 * v2 + v3 * v3
-    _, hi, fiy, hiy = c.tangent_inv(m, x)
+    _, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
     wh1 = w1 / 2
     wh2 = w2 / 2
     wh3 = w3 / 2
@@ -465,7 +465,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
     own, = c.unfolded(m, x, length)
-    rate, _ = c.rate(m, x)
+    rate, _ = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
     return v1 * share, v2 * share, v3 * share
 
@@ -774,7 +774,7 @@ def adjoint(m: Any, c: Any, v: Components) -> Result:
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, _ = c.pose(m, v11, v22, v33)
+    f, g, _ = c.pose_scalars(m, v11, v22, v33)
     return tensor_at(f, g, v)
 
 
@@ -785,7 +785,7 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
-    f, g, h = c.pose(m, v11, v22, v33)
+    f, g, h = c.pose_scalars(m, v11, v22, v33)
     x23 = v22 + v33
     x13 = v11 + v33
     x12 = v11 + v22

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1cfae70e39edb750",
+    programs="36ef780f08b782ec",
 )
 
 KERNELS = RotationKernels(CHART)

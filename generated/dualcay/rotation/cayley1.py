@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="37cb5c74f0eacc69",
+    programs="45861bf5d26d2083",
 )
 
 KERNELS = RotationKernels(CHART)

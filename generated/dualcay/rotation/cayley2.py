@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6aa57695dd0d73ec",
+    programs="c1973f2c52f6b4e8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d84cc80a2ab3b79d",
+    programs="08fa72cf3cc520ce",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9676b489c8ffe7cb",
+    programs="f188b96a0faebbe2",
 )
 
 KERNELS = RotationKernels(CHART)

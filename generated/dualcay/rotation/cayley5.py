@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b4430efae44521de",
+    programs="b4ffb42b1ecea0aa",
 )
 
 KERNELS = RotationKernels(CHART)

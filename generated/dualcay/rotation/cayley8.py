@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ff1003477996b030",
+    programs="6297fe28bca71f19",
 )
 
 KERNELS = RotationKernels(CHART)

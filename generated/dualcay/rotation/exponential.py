@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="07ebf8d10ce0f77a",
+    programs="0f825f98a70e0e19",
 )
 
 KERNELS = RotationKernels(CHART)

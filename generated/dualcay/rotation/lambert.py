@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9aa5910b6ce8f677",
+    programs="0906c0f22212b7af",
 )
 
 KERNELS = RotationKernels(CHART)

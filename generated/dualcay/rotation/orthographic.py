@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="fc196037a70de765",
+    programs="d163dd527e2c2da1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bef9d117c09b278d",
+    programs="ddf80f8b069d3ba4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="75c13379aef9b39c",
+    programs="83905c515dd046b7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="50d7dc37ec037618",
+    programs="d07ba234c413db7b",
 )
 
 KERNELS = RotationKernels(CHART)

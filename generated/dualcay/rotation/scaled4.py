@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2af57b70c4dba6d9",
+    programs="58bb35461e0fec8a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9c33a2f0b1128d43",
+    programs="2202bdd71457412a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0129041401292c51",
+    programs="f1a2d73d7a77e22e",
 )
 
 KERNELS = RotationKernels(CHART)

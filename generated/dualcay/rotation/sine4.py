@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6c93fd4d4926713a",
+    programs="1563e3f8828738dd",
 )
 
 KERNELS = RotationKernels(CHART)

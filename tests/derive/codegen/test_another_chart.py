@@ -94,8 +94,8 @@ def texts() -> dict[str, str]:
 @pytest.mark.parametrize(
     ("function", "right", "wrong"),
     [
-        ("_quaternion", "-3 * (w / c)", "-2 * (w / c)"),
-        ("_tangent", "128 * c", "64 * c"),
+        ("_quaternion_scalars", "-3 * (w / c)", "-2 * (w / c)"),
+        ("_tangent_scalars", "128 * c", "64 * c"),
         ("_gain_unit", "/ 6", "/ 4"),
         ("_gain_positive", "1 + tt", "1 - tt"),
         ("_direction", "y < 0", "0 < y"),

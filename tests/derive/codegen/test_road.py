@@ -64,7 +64,7 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
     [
-        ("cayley3.py", "_quaternion", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
+        ("cayley3.py", "_quaternion_scalars", r"p = 1 - 3 \* x", "p = 1 + 3 * x"),
         ("cayley4.py", "_ray", r"return p, q, root", "return p, q, 1"),
         ("cayley3.py", "_gain_unit", r"/ 3\b", "/ 4"),
         ("cayley4.py", "_gain_positive", r"\(1 \+ ", "(1 - "),
@@ -168,7 +168,7 @@ def test_failed_validation_writes_nothing(tmp_path: Path, monkeypatch: pytest.Mo
 
     def wrong(*arguments):
         texts, name = original(*arguments), f"{arguments[0].chart.name}.py"
-        return texts | ({name: flipped(texts[name], "_pose", r"N / N / N", "1 / N / N")} if "2" in name else {})
+        return texts | ({name: flipped(texts[name], "_pose_scalars", r"N / N / N", "1 / N / N")} if "2" in name else {})
 
     monkeypatch.setattr(road, "module_texts", wrong)
     with pytest.raises(ValidationFailed, match=r"cayley2\.tensor"):
