@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
+from multiprocessing import get_context
+from typing import Any
+from unittest import mock
 
 import pytest
 
@@ -72,7 +78,14 @@ def test_added_mutants_leave_the_others_in_the_sample() -> None:
     assert first != sampled(many, 20, 2)
 
 
-def test_trials_are_isolated_and_verdicts_come_in_order() -> None:
+@pytest.fixture(scope="module")
+def run_apart() -> Iterator[Callable[..., Any]]:
+    """Run a function in a new interpreter: trials fork, and other tests start threads in this one."""
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        yield lambda function, *given: pool.submit(function, *given).result()
+
+
+def four_trials() -> list[Verdict]:
     def late() -> Verdict:
         time.sleep(0.2)
         return Verdict(SURVIVED)
@@ -81,32 +94,47 @@ def test_trials_are_isolated_and_verdicts_come_in_order() -> None:
         raise ValueError("no pose")
 
     trials = [late, wrong, partial(Verdict, EQUIVALENT), lambda: os.kill(os.getpid(), signal.SIGKILL)]
-    found = list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
+    return list(tried([mutant(trial) for trial in trials], jobs=3))  # type: ignore[arg-type]
+
+
+def long_trial() -> list[Verdict]:
+    return list(tried([mutant(lambda: time.sleep(60))], jobs=1, limit=0.1))  # type: ignore[arg-type, func-returns-value]
+
+
+def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
+    """Return exit code and output of the command on a room whose mutants have these verdicts."""
+    room = [mutant(partial(Verdict, kind, "tests"), change) for change, kind in kinds.items()]
+    with mock.patch.object(command, "ROOMS", {"some": lambda: room}), contextlib.redirect_stdout(io.StringIO()) as out:
+        return command.main(["--room", "some", *arguments]), out.getvalue()
+
+
+def test_trials_are_isolated_and_verdicts_come_in_order(run_apart: Callable[..., Any]) -> None:
+    found = run_apart(four_trials)
     assert [verdict.kind for verdict in found] == [SURVIVED, KILLED, EQUIVALENT, KILLED]
     assert found[1].by == "exception ValueError: no pose"
     assert found[3].by == "crash"
 
 
-def test_long_trials_are_killed() -> None:
-    (verdict,) = tried([mutant(lambda: time.sleep(60))], jobs=1, limit=0.1)  # type: ignore[arg-type, func-returns-value]
-    assert verdict == Verdict(KILLED, "time limit")
+def test_long_trials_are_killed(run_apart: Callable[..., Any]) -> None:
+    assert run_apart(long_trial) == [Verdict(KILLED, "time limit")]
 
 
 @pytest.mark.parametrize(("floor", "code"), [("50", 0), ("51", 1), ("some=40", 0), ("some=60", 1)])
 def test_command_prints_survivors_and_holds_rooms_to_the_floor(
-    floor: str, code: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    floor: str, code: int, run_apart: Callable[..., Any]
 ) -> None:
     verdicts = {"unchanged": SURVIVED, "a": KILLED, "b": SURVIVED, "c": EQUIVALENT}
-    room = [mutant(partial(Verdict, kind, "tests"), change) for change, kind in verdicts.items()]
-    monkeypatch.setattr(command, "ROOMS", {"some": lambda: room})
-    assert command.main(["--room", "some", "--floor", floor]) == code
-    said = capsys.readouterr().out
+    found, said = run_apart(run_command, verdicts, "--floor", floor)
+    assert found == code
     assert "some: survives: place: sign: b" in said
     assert "some: 1 of 2 killed (50.0 %; 1 by tests), 1 more are equivalent; drawn from 3" in said
 
 
-def test_unchanged_tree_must_pass(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(command, "ROOMS", {"some": lambda: [mutant(partial(Verdict, KILLED, "tests"))]})
-    assert command.main(["--room", "some"]) == 3
+def test_unchanged_tree_must_pass(run_apart: Callable[..., Any]) -> None:
+    code, _ = run_apart(run_command, {"unchanged": KILLED})
+    assert code == 3
+
+
+def test_unknown_rooms_are_refused() -> None:
     with pytest.raises(SystemExit):
         command.main(["--room", "other"])
