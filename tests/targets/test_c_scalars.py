@@ -98,7 +98,7 @@ def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
         header = wrong / inside(table, "geometry.h")
         text = header.read_text(encoding="utf-8")
         start = text.index("DUALCAY_NAME(twist_core)(")
-        place = text.index("_at[0] =", text.index("_at[0];", start))
+        place = text.index("omega_at[0] =", start)
         store = text.index(" + ", place)
         header.write_text(text[:store] + " - " + text[store + 3 :], encoding="utf-8")
     found = laws(built(COMPILERS[0], HERE / "scalars.cpp", wrong, tmp_path / "laws"))
