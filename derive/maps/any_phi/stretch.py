@@ -11,9 +11,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
+from typing import TypeAlias
 
 import mpmath
+import numpy as np
 import sympy
+from numpy.typing import NDArray
 
 from ..families import alpha
 from .elementary import evaluate
@@ -22,6 +25,8 @@ POINTS = 400
 """Number of angles among which an extremum is searched."""
 
 DECIMAL_UNITS = 10**6
+
+Angles: TypeAlias = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -78,7 +83,7 @@ def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
     greatest. Of ``φ = c sin(α/c)`` it falls, and ``1/φ′(A)`` grows, as c gets less: where they are equal is the best,
     for every A at c = 4. This is Lambert's chart, whose singular values are ``1/cos(α/4)`` and ``cos(α/4)``.
     """
-    yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda a: (a, 1.0), angle))
+    yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda at: (at, np.ones_like(at)), angle))
     c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))
     yield Best("c sin(α/c)", f"{_decimal(c)}*sin(alpha/{_decimal(c)})", _worst(partial(_sine, float(c)), angle))
     for degree in degrees:
@@ -97,27 +102,26 @@ def _decimal(value: Fraction) -> str:
     return str(value if value.denominator == 1 else float(value))
 
 
-def _worst(sized: Callable[[float], tuple[float, float]], angle: float) -> float:
-    """Return the greatest of both singular values and their inverses."""
-    found = 1.0
-    for k in range(1, POINTS + 1):
-        at = angle * k / POINTS
-        size, slope = sized(at)
-        if not (size > 0 and slope > 0):
-            return math.inf
-        across = 2 * math.sin(at / 2) / size
-        found = max(found, slope, 1 / slope, across, 1 / across)
-    return found
+def _worst(sized: Callable[[Angles], tuple[Angles, Angles]], angle: float) -> float:
+    """Return the greatest of both singular values and their inverses, given φ and φ′ of angles."""
+    at = np.linspace(0, angle, POINTS + 1)[1:]
+    size, slope = sized(at)
+    if not (np.all(size > 0) and np.all(slope > 0)):
+        return math.inf
+    across = 2 * np.sin(at / 2) / size
+    return float(max(1.0, *(found.max() for found in (slope, 1 / slope, across, 1 / across))))
 
 
-def _sine(c: float, angle: float) -> tuple[float, float]:
-    return c * math.sin(angle / c), math.cos(angle / c)
+def _sine(c: float, at: Angles) -> tuple[Angles, Angles]:
+    return c * np.sin(at / c), np.cos(at / c)
 
 
 def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:
-    def sized(a: float) -> tuple[float, float]:
-        powers = [(2 * k + 3, c) for k, c in enumerate(coefficients)]
-        return a + sum(c * a**p for p, c in powers), 1 + sum(p * c * a ** (p - 1) for p, c in powers)
+    def sized(at: Angles) -> tuple[Angles, Angles]:
+        square, size, slope = at * at, np.zeros_like(at), np.zeros_like(at)
+        for k, c in reversed([*enumerate([1.0, *coefficients])]):
+            size, slope = size * square + c, slope * square + (2 * k + 1) * c
+        return size * at, slope
 
     return _worst(sized, angle)
 
