@@ -34,7 +34,7 @@ def oracle_of(chart: Chart) -> oracle.Oracle:
 
 
 def errors(chart: Chart) -> dict[str, dict[str, float]]:
-    """By function and angle, where the chart reaches it; of a logarithm below half a turn, where a pose has one."""
+    """Return errors by function and angle within the chart; for ``from_pose``, only below half a turn."""
     kernels, exact = importlib.import_module(f"dualcay.{chart.name}"), oracle_of(chart)
     found: dict[str, dict[str, float]] = {name: {} for name in MEASURED}
     for label, angle in ANGLES.items():
@@ -49,7 +49,7 @@ def errors(chart: Chart) -> dict[str, dict[str, float]]:
 
 
 def nanoseconds(charts: Sequence[Chart]) -> dict[str, dict[str, dict[str, float]]]:
-    """Of a pose, by chart, function and number of poses; the charts in turn, so that their ratios are right."""
+    """Return ns per pose by chart, function and number of poses; charts are timed in turn, so that ratios are right."""
     kernels = {chart.name: importlib.import_module(f"dualcay.{chart.name}") for chart in charts}
     found: dict[str, dict[str, dict[str, float]]] = {chart: {name: {} for name in TIMED} for chart in kernels}
     for size in GATED:

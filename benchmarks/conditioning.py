@@ -66,7 +66,7 @@ def relative_error(order: int, branch: int, alpha: mpmath.mpf, axes: np.ndarray)
 
 
 def unit(order: int, size: mpmath.mpf) -> mpmath.mpf:
-    """What errors of a vector of some length are relative to."""
+    """Return the length that errors of a vector are relative to: its own, or φ′(0) if that is larger."""
     return max(abs(size), mpmath.mpf(1) / (2 * order))
 
 

@@ -22,7 +22,7 @@ from derive.maps.polynomials import x
 from tests.support import packages
 
 STEP = 1e-40
-"""Of complex steps: nothing is subtracted, so it may be as small as its square underflows."""
+"""Complex step: nothing is subtracted, so it may be far below a unit of rounding."""
 
 Symbols = Sequence[sympy.Symbol]
 Parts = tuple[sympy.Matrix, sympy.Matrix]
@@ -61,7 +61,7 @@ def rate_dot(cayley: Cayley, v: Symbols, w: Symbols, z: Symbols) -> Iterator[sym
 
 
 def compose_jacobians(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
-    """Of tan(atan2(|U|, S)/n) U/|U|, where S + U is the product of both quaternions, and of its derivative."""
+    """Yield the Jacobians of tan(atan2(|U|, S)/n) U/|U|, where S + U is the product of both quaternions."""
     s, u = quaternion_product(cayley, v[:3], w[:3])
     length = sympy.sqrt(u.dot(u))
     real = u * (sympy.tan(sympy.atan2(length, s) / cayley.order) / length)
@@ -73,7 +73,7 @@ def compose_jacobians(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.
 
 
 def quaternion_product(cayley: Cayley, v: Symbols, w: Symbols) -> tuple[sympy.Expr, sympy.Matrix]:
-    """Of p + q v at both, which are not normalized."""
+    """Return the product of the quaternions p + q v at both vectors, which are not normalized."""
     one, other = sympy.Matrix(v), sympy.Matrix(w)
     (p2, q2), (p1, q1) = ([f.subs(x, a.dot(a)) for f in (cayley.p, cayley.q)] for a in (one, other))
     s = p2 * p1 - q2 * q1 * one.dot(other)
@@ -84,7 +84,7 @@ COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
     function.__name__: function
     for function in (tangent_dot, twist_jacobian, rate_jacobian, rate_dot, compose_jacobians)
 }
-"""What SymPy derives for each function measured."""
+"""Generators of SymPy components, by measured function."""
 
 ARGUMENTS = {name: 3 if name == "rate_dot" else 2 for name in COMPONENTS}
 """How many dual vectors each takes."""
@@ -136,7 +136,7 @@ def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
 
 
 def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> dict[str, Call]:
-    """Compiled; of one pose also traced anew at every call, of many mapped over them."""
+    """Return calls of the compiled derivative, mapped over poses; for one pose, also one traced anew at every call."""
     jax.config.update("jax_enable_x64", True)
     one = differentiated(jax, order, function)
     given = [jax.numpy.asarray(a) for a in arguments]

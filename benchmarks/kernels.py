@@ -43,10 +43,10 @@ OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
 """By function, how many times faster than SciPy it has to be on one pose and on 10^4."""
 
 FORWARD = ("pose", "quaternion")
-"""What has gates at n ≥ 3 too, where inverse maps take an arc tangent."""
+"""Functions with gates also at n ≥ 3, where inverse maps take an arc tangent."""
 
 LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
-"""From so many poses on one call takes so long that fewer rounds do."""
+"""Number of poses from which calls are slow, and the smaller number of rounds for them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ def _times(ratio: float) -> str:
 
 
 def measured(calls: dict[str, Call | None], size: int, kept: bool = True) -> dict[str, float]:
-    """Medians by name, of the calls there are; ``kept`` to one core."""
+    """Return medians by name, without calls that are None; ``kept`` keeps the process on one core."""
     present = {name: call for name, call in calls.items() if call is not None}
     count = ROUNDS if size < LARGE else ROUNDS_OF_LARGE
     return dict(zip(present, medians(list(present.values()), count, kept), strict=True))

@@ -1,8 +1,8 @@
 """Poses from vectors, vectors from poses, and products, from one to a million, beside every library that is installed.
 
-All libraries take exponential coordinates, so our exponential chart does what they do, and n = 2 the same for another
-vector. SymForce's vector of a pose is that of its rotation and the translation as it is, which is less work. What has
-no function of arrays is called in a loop, up to some thousand poses. The plot is docs/benchmarks.png.
+All libraries take exponential coordinates, as our exponential chart does. The chart n = 2 takes its own vector.
+SymForce's vector of a pose joins that of the rotation and the unchanged translation, which is less work. Libraries
+without functions on arrays are called in a loop, up to a thousand poses. The plot is docs/benchmarks.png.
 """
 
 from __future__ import annotations

@@ -37,11 +37,11 @@ FUNCTIONS = {
 """What is measured, and what of the poses it takes."""
 
 COMPARED = ("pose", "quaternion", "from_pose", "compose")
-"""Of those, what libraries have."""
+"""Functions of `FUNCTIONS` that SciPy has too."""
 
 SMALL = 1_000
 LEAST = {"SciPy RigidTransform": (20, 12), "pytransform3d": (10, 6)}
-"""How many times faster than a library up to so many poses, and beyond."""
+"""Least ratios of a library's time to ours: up to `SMALL` poses, and beyond."""
 
 ALONE = 1.2e-6
 """Seconds of a call on one pose."""
@@ -51,7 +51,7 @@ LOOP = 1 / 1.15
 
 THREADED = 10_000
 THREADS, LINEAR = 2, 1.8
-"""How much more so many threads do in the same time, at least, each with poses of its own."""
+"""Number of threads, and least ratio of their throughput to that of one; each thread has its own poses."""
 
 
 def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
@@ -94,7 +94,7 @@ def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call
 
 
 def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
-    """How much more poses several threads make than one, by the clock: calls let go of the interpreter's lock."""
+    """Return the gate on wall-clock throughput of several threads against one: calls release the interpreter's lock."""
     poses = [Poses.draw(native, THREADED).v for _ in range(THREADS)]
     results = [native.pose(v) for v in poses]
 

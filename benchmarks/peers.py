@@ -1,4 +1,4 @@
-"""What the kernels are measured against; each peer is optional, and named where it is missing."""
+"""Peers that the kernels are measured against; each is optional, and named where it is missing."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ DERIVED = {"compose_jacobians": 2}
 """The largest order at which SymPy derives a function in some ten seconds, where there is one."""
 
 ROOM = 4e9
-"""Bytes that may be used: what SymPy's functions compute on the way they keep to their end."""
+"""Memory limit in bytes: SymPy's functions keep all intermediate values until they return."""
 
 
 @cache
@@ -115,7 +115,7 @@ def lambdified(order: int, function: str) -> Callable[..., Any]:
 
 
 def lambdify_call(order: int, function: str, rows: tuple[Any, ...]) -> Call | None:
-    """It on these rows; None where it takes long to derive, or its intermediate values would not fit."""
+    """Return `lambdified` bound to these rows; None if derivation is slow or intermediate values exceed `ROOM`."""
     if order > DERIVED.get(function, order):
         return None
     compute, given = lambdified(order, function), [row for array in rows for row in array]

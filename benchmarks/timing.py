@@ -16,7 +16,7 @@ Call = Callable[[], object]
 
 ROUNDS = 9
 SECONDS = 0.02
-"""Of one call in one round, at least."""
+"""Seconds that one call, repeated, takes in a round."""
 
 
 def medians(calls: Sequence[Call], count: int = ROUNDS, kept: bool = True) -> list[float]:
@@ -69,7 +69,7 @@ def _repeats(call: Call, seconds: float) -> int:
 
 
 def _seconds(call: Call, repeats: int) -> float:
-    """Of one call."""
+    """Return the mean seconds of one call."""
     start = process_time()
     for _ in range(repeats):
         call()

@@ -1,4 +1,4 @@
-"""What needs something that may be missing is deselected, and said to be; expensive folders are made once for all."""
+"""Tests whose requirements are missing are deselected and reported; expensive folders are made once for all tests."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ IN_CODEGEN = (
     "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
     "build", "publish",
 )  # fmt: skip
-"""Likewise the rooms and modules of codegen; inside derive.papers a test of its own says what may."""
+"""Each room or module of codegen may import itself and those before it; derive.papers has its own test."""
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
 

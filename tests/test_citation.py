@@ -1,4 +1,4 @@
-"""What is cited is what is decided: both papers, by their DOI, and the version that decides them."""
+"""The citations name the papers that are decided, by title and DOI, and the current version."""
 
 from __future__ import annotations
 

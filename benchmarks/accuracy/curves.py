@@ -110,7 +110,7 @@ def forward(xi: np.ndarray, result: Errors) -> None:
 
 
 def inverse_maps(xi: np.ndarray, result: Errors) -> None:
-    """The pose to v or ξ."""
+    """Measure the inverse maps, from pose to v or ξ."""
     dual = [result.oracle.unpack(row) for row in xi]
     pairs = [exponential(row) for row in dual]
     poses = np.stack([rounded(homogeneous(tensor), np.float64) for tensor, _ in pairs])
@@ -146,7 +146,7 @@ Curves = dict[tuple[str, str, str], np.ndarray]
 
 
 def curves(report: Callable[[int, int], None]) -> Curves:
-    """All of them; `report(done, total)` after every angle."""
+    """Compute all curves; `report(done, total)` is called after every angle."""
     tasks = [(panel, i) for panel, angles in ANGLES.items() for i in range(len(angles))]
     found: Curves = {}
     for done, (panel, index, errors_there) in enumerate(_points(tasks), 1):
@@ -158,7 +158,7 @@ def curves(report: Callable[[int, int], None]) -> Curves:
 
 
 MAY_BE = 2
-"""Eps that the exponential may be off by where another library is off by less."""
+"""Error in eps that our exponential may have even where another library has less."""
 
 COMPARED = ("Q", "ρ", "log", "log°")
 """Parts of the exponential map and its logarithm."""
@@ -177,7 +177,7 @@ class Behind:
 
 
 def behind(found: Curves) -> list[Behind]:
-    """All of them."""
+    """Return the angles at which our exponential falls behind."""
     worse = []
     for (panel, part, name), row in found.items():
         others = {other: r for (p, q, other), r in found.items() if (p, q) == (panel, part) and other in peers.MAKERS}

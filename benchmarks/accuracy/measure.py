@@ -78,7 +78,7 @@ class Measurement:
 
 
 def vectors(function: str, given: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
-    """Of what a function was given the vectors of poses."""
+    """Return those arguments of a function that are vectors of poses."""
     row = POSES.functions.get(function)
     both = row is not None and row.arguments[-1].name in RODRIGUES
     return given if both else given[:1]

@@ -29,7 +29,7 @@ class Peer:
 
 
 def ours() -> Peer:
-    """Of `dualcay.exponential`."""
+    """Return the maps of `dualcay.exponential`."""
     from dualcay import exponential
 
     def matrix(operator: Any) -> Map:

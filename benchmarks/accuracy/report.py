@@ -216,7 +216,7 @@ def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
 
 
 def verdict(measurements: Sequence[Measurement]) -> list[str]:
-    """A line for every gate missed, and for what no gate was applied to."""
+    """Return a line for every missed gate, and for every type and order with samples out of range."""
     lines = short_of_gate(measurements) or ["all gates are met by what is in range"]
     for (dtype, order), count in sorted(left_out(measurements).items()):
         lines.append(f"out of range, n = {order}, {dtype}: {count} poses on shadows overflow, results there are NaN")

@@ -116,7 +116,7 @@ class RationalFunctions:
         return a
 
     def reduced(self, a: Polynomial) -> Polynomial:
-        """Return what is kept of a product."""
+        """Return the form in which a product is stored."""
         return self.normal_form(a)
 
     def fraction(self, above: Polynomial, below: Polynomial) -> Element:

@@ -24,7 +24,7 @@ def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) 
 
 
 def _terms(cayley: Cayley, name: str) -> dict[str, str]:
-    """Coefficients of a formula by what they multiply; a polynomial by the empty text."""
+    """Return the coefficients of a formula by basis element; a polynomial has the empty text as its key."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
         return {"": _text(value)}

@@ -17,8 +17,8 @@ from .programs.program import Program
 class Array:
     """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to.
 
-    Its first components along every axis are what rotations alone have of it: so many as ``real`` says, None where
-    there is no such array, which may have a name of its own.
+    Rotations alone have its first ``real`` components along every axis, under ``real_name`` if that is given.
+    ``real`` is None where they have no such array.
     """
 
     name: str
@@ -178,7 +178,7 @@ class Function:
         return made
 
     def restricted(self, arguments: Sequence[Sequence[Any]]) -> tuple[tuple[Any, ...], ...]:
-        """Return its own flat arguments, of those that the function of poses takes."""
+        """Select its own flat arguments from those of the function of poses."""
         if self.pose is None:
             return tuple(map(tuple, arguments))
         pairs = zip(self.pose.arguments, arguments)
@@ -193,8 +193,8 @@ class Function:
 class Table:
     """The functions of one kind of kernel module, which lies in the folder of that name.
 
-    They are by name all, those with a ``recipe``, and those that users call. ``sources`` are all by the name of the
-    function of poses that they are, or are the real part of.
+    By name, ``functions`` are all, ``kernels`` have a ``recipe``, and ``public`` ones are called by users. ``sources``
+    are all by `Function.source`, the name of the function of poses.
     """
 
     name: str

@@ -145,7 +145,7 @@ POSES = Table.of("", _ROWS)
 """The functions of a kernel module."""
 
 ROTATIONS = Table.of("rotation", (row.of_rotation for row in _ROWS if row.rotation is not None))
-"""Those of a module of rotations alone: their real parts."""
+"""Functions of a module of rotations alone: the real parts of those of poses."""
 
 FUNCTIONS: Mapping[str, Function] = POSES.functions
 KERNELS: Mapping[str, Function] = POSES.kernels

@@ -46,13 +46,13 @@ def call_branch(chart: Chart, name: str, branch: int, *given: Any) -> Array:
 
 
 def shifted(chart: Chart, branch: int, *given: Any) -> Array:
-    """Return the vector some branches on; v itself for none."""
+    """Return the shadow of v that is ``branch`` branches on; v itself for branch 0."""
     turn = turn_of(chart, branch)
     return call(chart, "shadow", *given, table=turn) if turn else unchanged(chart, *given)
 
 
 def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
-    """Return the derivative of the vector some branches on; the unit matrix for none."""
+    """Return the derivative of the shadow that is ``branch`` branches on; the unit matrix for branch 0."""
     turn = turn_of(chart, branch)
     return call(chart, "shadow_jacobian" if turn else "identity_jacobian", *given, table=turn)
 

@@ -343,7 +343,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
 
 
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -403,7 +403,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
 
 
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     z1, z2, z3, z1o, z2o, z3o = v_ddot

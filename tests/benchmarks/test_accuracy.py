@@ -70,7 +70,7 @@ def test_worst_inputs_of_each_function_are_kept() -> None:
 
 
 def measurements(scale: float) -> list[measure.Measurement]:
-    """Of every function of poses and of rotations in two regimes, the errors this part of the gates."""
+    """Return errors of this fraction of the gates, for every function of poses and of rotations in two regimes."""
     return [
         measure.Measurement(
             name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3, table

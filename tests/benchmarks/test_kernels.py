@@ -14,7 +14,7 @@ from benchmarks.peers import Poses
 from tests.support.kernels import load
 
 ORDER = 1
-"""At which SymPy derives everything in a second."""
+"""Order at which SymPy derives every function in a second."""
 CLOSE = {"rtol": 1e-12, "atol": 1e-12}
 """Both are sums of some hundred terms of size 1 to 10, away from poles."""
 FUNCTIONS = tuple(derivatives.ARGUMENTS)
@@ -45,7 +45,7 @@ def test_derivatives_agree_with_sympy_and_complex_steps(function: str) -> None:
 
 
 def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of functions whose derivatives are known: ``v² w``, and its value where two vectors are composed."""
+    """Replace the kernels by ``v²`` and ``v² w``, whose derivatives are known."""
     jax = pytest.importorskip("jax")
     square = SimpleNamespace(tangent=lambda v: v * v, twist=lambda v, w: v * v * w)
     square.rate = square.compose = square.twist
@@ -114,7 +114,7 @@ def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("name", kernels.FAMILIES)
 def test_vectors_of_a_chart_are_the_poses_that_libraries_are_given(name: str) -> None:
-    """Both of a composition, none beyond the end of the chart; of sin 1.5 the angle is off by 14 roundings."""
+    """Compare both vectors of a composition. At 3 rad, sin(α/2) has an angle that is off by 14 roundings."""
     module = importlib.import_module(f"dualcay.{name}")
     poses = Poses.draw(module, 5)
     np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)

@@ -24,7 +24,7 @@ def quaternion(v, *, axis=-1, out=None):
 
 
 class Clock:
-    """Time that passes as the calls say, faster and faster."""
+    """Simulated clock: each call advances it by its own duration times a factor that grows with every call."""
 
     def __init__(self) -> None:
         self.now = 0.0

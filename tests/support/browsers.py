@@ -10,5 +10,5 @@ MISSING = "no browser is installed (apt-get install chromium, or name one in the
 
 
 def find() -> str | None:
-    """The one named in CHROMIUM, which must then be there, else the first that is found."""
+    """Return the browser named in CHROMIUM, unchecked; without it, the first one found."""
     return os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)

@@ -44,7 +44,7 @@ _DEFINITION = re.compile(r"^static inline [\w ]*?\b(\w+)\([^{;]*\)\s*\{[\s\S]*?^
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """An excerpt with one change, which is in ``function``."""
+    """Excerpt with one change, made in the function named ``function``."""
 
     kind: str
     function: str

@@ -1,7 +1,7 @@
-"""Derivatives and maps of several steps against the oracle, allowed what their exact factors make of roundings.
+"""Derivatives and maps of several steps against the oracle; tolerances follow from roundings of exact factors.
 
-Such a result is a product of exact dual tensors, or a vector whose exact Jacobian is one: it may be wrong by what a
-unit of rounding in each of its factors, or in its arguments, does to it. The factors are the oracle's.
+Such a result is a product of exact dual tensors, or a vector whose exact Jacobian is one. Its tolerance is the effect
+of a unit of rounding in each factor, or in each argument. The factors are the oracle's.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ class CalculusTrial(Trial):
         return self._of_two("body_local", self.body_local_by)
 
     def inverted(self, result: Any, moved: Nil) -> Nil:
-        """Scale of T⁻¹ at a result that is wrong by as much as its own scale allows: there it goes by T⁻¹ DT T⁻¹."""
+        """Return the scale of T⁻¹ at a result with an error of ``moved``, which enters by T⁻¹ DT T⁻¹."""
         here, back = errors.scales(self.order, result), errors.majorant(inverse(self._operator(result)))
         return back * (1 + here.condition) + back * back * (here.slope * moved)
 

@@ -11,6 +11,6 @@ MISSING = "no C compiler is found (install gcc and g++, or name one in the varia
 
 
 def find() -> str | None:
-    """The one named in CC, if it is there, else the first that is found."""
+    """Return the compiler named in CC, or None if it is missing; without CC, the first one found."""
     named = shlex.split(os.environ.get("CC", ""))
     return next(filter(None, map(shutil.which, named[:1] or NAMES)), None)

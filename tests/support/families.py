@@ -92,7 +92,7 @@ def oracle_of(name: str) -> Oracle:
 
 
 def vectors(oracle: Oracle, low: float, high: float, count: int = 4) -> np.ndarray:
-    """Dual vectors of angles between two, drawn evenly in their logarithms."""
+    """Return dual vectors of rotation angles between two bounds, drawn log-uniformly."""
     rng = sampling.generator("families", low, high)
     angles = np.exp(rng.uniform(np.log(low), np.log(high), count))
     axes, rest = sampling.unit_vectors(rng, (count,)), rng.normal(size=(count, 3))
@@ -162,7 +162,7 @@ def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch:
 
 
 def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndarray], *chosen: int) -> float:
-    """The same of arguments, and of a branch where there is one."""
+    """Return the largest error of a function at given arguments, on a branch if one is given."""
 
     def function(*values: Any) -> Any:
         return getattr(oracle, name)(*values, *chosen)

@@ -20,14 +20,14 @@ NESTED = 4
 
 
 class OfSquare(Oracle):
-    """v = α share(α²) u, α² from x by Newton's method; for nilpotent parts with the slope at what is real."""
+    """v = α share(α²) u; α² follows from x by Newton's method, nilpotent parts with the slope at the real part."""
 
     def __init__(self, share: Share) -> None:
         super().__init__(1, DIGITS)
         self.share = share
 
     def square(self, x: Any) -> Any:
-        """α² of v·v."""
+        """Return α² at x = v·v."""
         real, one = _real(x), self.field.number(1)
         with mpmath.workdps(DIGITS):
             found = mpmath.findroot(lambda u: self._x(u) / real - 1, self._bounds(real)) if real else real

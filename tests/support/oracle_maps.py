@@ -175,7 +175,7 @@ class Maps(FirstPrinciples):
         return pack(tuple(2 * half * c for c in axis or (Nil(zero, zero),) * 3))
 
     def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 24) -> np.ndarray:
-        """Step by step: of all α u of a pose on the way, the one nearest the last."""
+        """Follow the motion in steps; at each pose take the exponential coordinate α u nearest to the last one."""
         here, (share,) = self.unpack(v1), np.ravel(t)
         way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))
         half, axis = self.half_screw(tuple(-c for c in way) if way[0].re < 0 else way)

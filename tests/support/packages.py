@@ -39,7 +39,7 @@ def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
 
 
 def write(orders: Iterable[int], target: str, folder: Path) -> None:
-    """Put them into a folder."""
+    """Write a package, proved and printed but not validated, into a folder."""
     from derive.output import files
 
     files.write(folder, dict(printed(orders, target)))

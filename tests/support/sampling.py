@@ -67,7 +67,7 @@ def generator(*key: object, seed: int = 0) -> np.random.Generator:
 
 
 def _filled(values: np.ndarray, rng: np.random.Generator, dtype: type) -> np.ndarray:
-    """Doubles as another type, with digits of their own below a double's where that type has them."""
+    """Return doubles as another type; if it is longer than double, the further digits are random."""
     if np.finfo(dtype).eps >= np.finfo(float).eps:
         return values.astype(dtype)
     return values.astype(dtype) * (1 + np.finfo(float).eps * rng.uniform(-0.5, 0.5, values.shape).astype(dtype))
@@ -79,7 +79,7 @@ def unit_vectors(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray
 
 
 def _leading_in_turn(vectors: np.ndarray) -> np.ndarray:
-    """Largest component first, second, third in turn: inverse maps of matrices go by it, and samples are few."""
+    """Rotate components so that the largest is the first, second, third in turn: matrix inverse maps select by it."""
     for i, row in enumerate(vectors):
         row[:] = np.roll(row, i - np.argmax(np.abs(row)))
     return vectors

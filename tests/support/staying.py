@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def stay(folder: Path) -> None:
-    """Leave a temporary file, say in the folder which process has left which, and go on; say it if interrupted."""
+    """Create a temporary file, write its name to ``folder/<pid>``, and sleep; create ``interrupted`` if interrupted."""
     _, name = tempfile.mkstemp()
     (folder / str(os.getpid())).write_text(name)
     try:

@@ -91,7 +91,7 @@ class Measured:
         return [errors.errors(result.got, e, s, self.oracle) for e, s in zip(result.exact, result.scales, strict=True)]
 
     def fractions(self, result: Result) -> tuple[float, float]:
-        """Error over gate, of the nearer of the values allowed."""
+        """Return the errors of both parts over their gates, against the nearest of the allowed exact values."""
         found = [(re / result.gates[0], du / result.gates[1]) for re, du in self.in_eps(result)]
         return min(found, key=max)
 

@@ -30,8 +30,8 @@ def package(
 ) -> Iterator[Callable[[str], str]]:
     """The import name of the package of a target.
 
-    What Numba compiles stays in this process: of what two write into one cache at the same time, a loop and the
-    function around it may come from different ones, and crash the next that loads them.
+    Each process has its own cache of Numba. In a shared cache, a loop and the function around it may come from
+    different processes, and crash the next process that loads them.
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("numba.config.CACHE_DIR", str(tmp_path_factory.mktemp("numba")))

@@ -27,7 +27,7 @@ ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") else [])]
-"""Compilers of C and of C++, both of one making."""
+"""C and C++ compilers, paired by vendor."""
 
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-DDUALCAY_SIMD_MATH")
 SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")

@@ -23,7 +23,7 @@ LIBRARY = {"tan", "atan2"}
 COUNT = 300
 
 QUICKLY = (*FLAGS, "-O1")
-"""Values are what is compared; of two levels of optimization the later counts, and to vectorize takes most time."""
+"""Flags that compile fast: the last optimization level counts, and vectorization takes most of the time."""
 
 
 # geometry is the same for all orders: each in one type

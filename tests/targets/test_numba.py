@@ -237,7 +237,7 @@ def test_kernels_are_called_pose_by_pose(compiled, inside, name):
 
 
 def test_code_that_numba_compiles_calls_kernels(compiled, inside):
-    """Those of space and of body twists are one kernel, with constants of their own."""
+    """Functions in the space frame and in the body frame share one kernel, with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 
     @njit
@@ -255,7 +255,7 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
 
 
 def test_compiled_functions_are_cached(compiled, inside):
-    """Of one kernel with other constants each is its own."""
+    """Each function is compiled once; functions of one kernel with different constants are separate."""
     module = compiled(ORDER)
     assert inside(module.twist) is inside(module.twist)
     assert inside(module.twist) is not inside(module.body_twist)

@@ -20,7 +20,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 def tangent_dot(trace: Geometry) -> Program:
-    """``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
@@ -35,7 +35,7 @@ def tangent_dot(trace: Geometry) -> Program:
 
 
 def twist_dot(trace: Geometry) -> Program:
-    """``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
     side = _side(trace)
     f, g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("f", "g", "h", "fy", "gy", "hy"))

@@ -236,7 +236,7 @@ def narrowed(statement: Statement) -> Statement:
 
 
 class Point:
-    """Traced components of a dual vector v, with what is computed of them once."""
+    """Traced components of a dual vector v, and values derived from them, each computed once."""
 
     def __init__(self, trace: Geometry, components: Sequence[Number], mark: str = "") -> None:
         self.trace = trace

@@ -93,7 +93,7 @@ class Trace(Folding):
         return self.rounded_off(first) + self.rounded_off(second) + ((first - (whole - share)) + (second - share))
 
     def name_rest(self, letter: str) -> None:
-        """Name values that are used more than once by a letter and a number, where they have no name."""
+        """Give unnamed values that are used more than once a name: a letter and a number."""
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:

@@ -29,7 +29,7 @@ SMALL = 1e-21 / 7
 fraction, or sums might be exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
-"""Size of small components in charts that end at half a turn: the scalar part may not be smaller."""
+"""Size of small components in charts with the edge at half a turn, where the scalar part must not be smaller."""
 
 EDGE_MARGIN = 1e-12
 """Least margin to the edge, as of `Vectors.finite`: nearer to it vectors are too ill-conditioned to compare."""
@@ -196,8 +196,8 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
 def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
     """Yield exact half turns: all on the principal branch, one of them on others.
 
-    There u and -u are one rotation: the vector part stands, or its first component is positive. The scalar part is
-    exactly 0, the rotation exactly symmetric.
+    At a half turn u and −u are one rotation. Inverse maps of quaternions keep the given sign of the vector part; those
+    of matrices make its first non-zero component positive. The scalar part is exactly 0, the rotation symmetric.
     """
     for screw in [screws[branch % len(screws)]] if branch else screws:
         if not chart.finite(screw, branch, margin(chart)):

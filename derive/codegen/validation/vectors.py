@@ -149,7 +149,7 @@ class Vectors:
         return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
 
     def _turned(self, screw: Screw, branch: int) -> Dual:
-        """Return α + 2πk; branches are taken modulo their number, so that the angle is nearest to 0."""
+        """Return α + 2πk, with k taken modulo the number of branches so that the angle is nearest to 0."""
         count = self.chart.branches
         nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
         angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))

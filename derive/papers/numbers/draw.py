@@ -46,7 +46,7 @@ class Draw:
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
 
     def number(self, re: Any, du: Any | None = None) -> Any:
-        """Return a dual number; if symbols move its parts have random rates."""
+        """Return a dual number; if symbols move, its parts have random time derivatives."""
         du = self.signed() if du is None else du
         if self.moving:
             return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))

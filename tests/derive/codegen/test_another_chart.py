@@ -131,7 +131,7 @@ def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
 
 
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """What a function is given: v, or what v is the vector of, and a second argument."""
+    """Return arguments of a function: v, or a representation of its pose, and the remaining arguments."""
     first = FUNCTIONS[name].arguments[0].name
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
@@ -274,7 +274,7 @@ def test_edges_have_full_precision_at_any_working_precision():
 
 
 def test_long_vectors_are_no_tie():
-    """There 1 - α/π is some 1e-155: far from nothing in as many digits."""
+    """The difference 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
     with mpmath.workdps(670):
         v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
         chart = Vectors(Cayley(1))

@@ -103,7 +103,7 @@ def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
 
 
 def test_beyond_a_fold_there_is_no_vector():
-    """Just beyond half a turn: a branch begins there that only half turns are on, and nothing of it is replayed."""
+    """The fold lies just beyond half a turn. Only angles near half a turn are on branch −1, and none is replayed."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
     at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
     with mpmath.workdps(50):

@@ -14,7 +14,7 @@ SQUARES = [17 + 0.07 * k for k in range(310)]
 
 
 class Lossy(ExponentialScalars):
-    """The same with nothing put back."""
+    """Scalars without correction of the rounding error of the angle."""
 
     def _bounded(self, left: float) -> float:
         return 0.0

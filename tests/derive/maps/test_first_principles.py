@@ -1,4 +1,4 @@
-"""Operators by differentiation of nothing but displacements, against their closed forms; exponentials."""
+"""Operators by differentiation of displacements alone, against their closed forms; exponentials."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, 
 
 
 def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """Where not every direction across it is one."""
+    """For u along a coordinate axis e, the product u × e is zero and cannot serve as a direction across."""
     for axis in Tensor.identity().rows:
         u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
         assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY

@@ -134,7 +134,7 @@ def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
 
 
 def test_breusing_quaternion_has_norm_one_for_any_rounding_of_the_cosine():
-    """To 64 eps, where 2 c² − 1 and 2 √c³ would make of c its error times 8."""
+    """Allow 64 eps. The formulas 2 c² − 1 and 2 √c³ would magnify the error of c up to 8 times."""
     for x in (mpmath.mpf("1e-3"), mpmath.mpf(1)):
         at = family("breusing").scalars(x, PLAIN)
         off = at.c * (1 + mpmath.mpf("1e-3"))
