@@ -38,7 +38,8 @@ def test_there_are_forty_of_them() -> None:
 @pytest.mark.parametrize(
     ("phi", "target"),
     [
-        pytest.param(phi, target, marks=[] if (phi, target) in SAMPLE else pytest.mark.thorough) for phi, target in PAIRS
+        pytest.param(phi, target, marks=[] if (phi, target) in SAMPLE else pytest.mark.thorough)
+        for phi, target in PAIRS
     ],
 )
 def test_every_phi_generates(tmp_path: Path, phi: str, target: str) -> None:
