@@ -1,4 +1,4 @@
-"""Entry for an equation or claim of a paper, and the rules by which it is decided.
+"""Entry for an equation or claim of a paper, and the rules for deciding it.
 
 An `Equation` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
 `Result` with the computed status:
@@ -35,7 +35,7 @@ class UndecidedError(Exception):
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read a display.
+    """Reading of a display: one way to interpret its characters.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Equation:
-    """Entry of the report. Use `equation` to make one.
+    """Entry for a printed equation or claim; create one with `equation`.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ class Equation:
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
-        """Return the free symbols of a statement, including arguments of its definitions and symbols of its domain."""
+        """Return the free symbols of a statement, of its domain and of the definitions that they use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
         seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
         queue = list(seen)

@@ -119,7 +119,7 @@ def _pairs(draw: Draw, free: Sequence[Symbol]) -> Iterator[tuple[str, dict[Symbo
 
 
 def _special(free: Sequence[Symbol]) -> list[tuple[Symbol, str, Make]]:
-    """Return every special value of every symbol."""
+    """Return all special values of all symbols: symbol, label and function that draws the value."""
     return [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
 
 

@@ -15,12 +15,12 @@ from .language.terms import Apply, Symbol, Term, symbols, text, walk
 from .numbers.fields import innermost
 
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
-"""Factors that scale a symbol; a sign change is searched between neighbours."""
+"""Scale factors for a symbol; sign changes are searched between neighbouring factors."""
 SCALED = ("dual vector", "dual number", "argument")
 
 
 def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
-    """Yield, for each denominator and symbol, the first multiple of the symbol that makes its real part 0."""
+    """Yield, per denominator and symbol, the first multiple of the symbol that makes the denominator's real part 0."""
     for below in dict.fromkeys(denominators(statement)):
         for symbol in symbols(below):
             if symbol.quantity.name in SCALED and symbol not in env.definitions:

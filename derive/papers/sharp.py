@@ -54,7 +54,7 @@ def _needed(node: Term) -> Iterator[Term]:
 
 
 def _factors(below: Term) -> Iterator[Term]:
-    """Yield a denominator and its factors, also inside powers and magnitudes, whose real parts must be nonzero."""
+    """Yield a denominator and its factors, including factors inside powers and magnitudes."""
     yield below
     if not isinstance(below, Apply):
         return

@@ -16,7 +16,7 @@ CLAIMS: dict[int, str] = {
     355: "69", 361: "theorem-19-unique", 368: "73", 408: "90 91", 452: "121", 457: " ".join(map(str, range(92, 126))),
     458: "126 127 128 129 130 131", 469: "six-real-equations", 503: "10",
 }
-"""Numbers of the deciding entries, which belong to other lines, by line of the text."""
+"""Entries, listed at other lines, that decide each line of the text."""
 
 REASONS: dict[str, str] = {
     "title":

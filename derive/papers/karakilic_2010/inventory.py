@@ -15,7 +15,7 @@ CLAIMS: dict[int, str] = {
     221: "6-expanded", 225: "18", 254: "conclusion-22 conclusion-20 conclusion-21",
     265: "real-parameters conclusion-20 conclusion-21 conclusion-22", 269: "positions",
 }
-"""Numbers of the deciding entries, which belong to other lines, by line of the text."""
+"""Entries, listed at other lines, that decide each line of the text."""
 
 REASONS: dict[str, str] = {
     "title": "1 3 5 7 9 15 17 51 107 252",

@@ -84,7 +84,7 @@ class Env:
         return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
 
     def now(self, a: Any) -> Any:
-        """Return a value without its time derivative."""
+        """Return the current value, without its time derivative."""
         if not self.moving or callable(a):
             return a
         if hasattr(a, "map"):

@@ -32,7 +32,7 @@ class Either:
 
 @dataclass(frozen=True)
 class Solution:
-    """Condition in place of a value: equality with a value means that the value satisfies the condition."""
+    """Condition in place of a value; a value equals it if it satisfies the condition."""
 
     test: Callable[[Any], bool]
 

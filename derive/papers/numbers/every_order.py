@@ -66,7 +66,7 @@ class EveryOrder(Exact):
 
     @property
     def secant(self) -> Element:
-        """Return the root of 1 + X²."""
+        """Return the square root of 1 + X²."""
         secant: Element = 1 / super()._cos(self.theta)
         return secant
 
@@ -89,7 +89,7 @@ class EveryOrder(Exact):
         return Quaternion(size * cosine, size * sine / X * base.vector)
 
     def turn(self, exponent: Element, X: Any) -> tuple[Any, Any]:
-        """Return cosine and sine of ``exponent · arctan X``."""
+        """Return the cosine and sine of ``exponent · arctan X``."""
         if isinstance(X, Dual):
             slope = X.du / (1 + X.re * X.re)
             cosine, sine = self.turn(exponent, X.re)

@@ -46,7 +46,7 @@ class Generic:
     dual, moving : bool
         Whether coefficients are dual and whether they carry rates, as in `derive.papers.language.evaluation.Env`.
     steps : int
-        Sine and cosine of multiples of ``angle/steps`` are exact.
+        Divisor of angles: multiples of ``angle/steps`` have exact sine and cosine.
     framed : bool
         Whether a frame may be chosen along the vectors.
     """

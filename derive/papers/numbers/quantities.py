@@ -28,7 +28,7 @@ class Role(Enum):
     """Role of a quantity in the choice of exact coordinates."""
 
     ANGLE = auto()
-    """Angle with exact sine and cosine of its parts; on branch k the generic angle is α + 2kπ."""
+    """Angle whose fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ."""
     TURN = auto()
     """Displacement, given by an angle and an axis."""
     VECTOR = auto()

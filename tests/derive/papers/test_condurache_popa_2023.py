@@ -27,7 +27,7 @@ HOLDS_IF = {
 }
 EVIDENCE = {"arc-tangent", "quaternion-norm", "25", "42", "43"}
 SAMPLE = 6
-"""Step through the entries that hold: every sixth is decided here; `make check` decides all."""
+"""Stride of the sample: every sixth entry that holds is decided here; `make check` decides all."""
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 u, v, p = Symbol("u", "dual vector"), Symbol("v", "dual vector"), Symbol("p", "proposition")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 EVERY = 97
-"""Step through the mutants of the papers' true statements; `make mutants` samples from all of them."""
+"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` samples from all."""
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Equation:

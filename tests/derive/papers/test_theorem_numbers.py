@@ -33,7 +33,7 @@ SYMBOLS = {
     "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
     "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
 }  # fmt: skip
-"""Symbols of the theorems by name of the paper's symbol."""
+"""Symbols of the theorems, by the name of the paper's symbol."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,

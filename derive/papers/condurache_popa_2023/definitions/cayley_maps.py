@@ -20,7 +20,7 @@ from .quaternion_maps import half_angle
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:
-    """Return the claim that theorems for every order state these equations and are proved."""
+    """Return the definition of a claim: theorems for every order state these equations and are proved."""
     return lambda env: set(numbers) <= _proved_among(numbers)
 
 
@@ -111,7 +111,7 @@ def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
 
 
 def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
-    """Return the map (59); the sign is ± unless n is known to be even."""
+    """Return the map (59); the sign is ± unless n is an even integer."""
     q = modified(env, n, a, v)
     return q if isinstance(n, int) and n % 2 == 0 else values.Either(q, -q)
 
@@ -122,7 +122,7 @@ def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
 
 
 def direction(env: Env, v: Vector) -> Vector:
-    """Return ``v/|v|``."""
+    """Return the direction ``v/|v|``."""
     u: Vector = v / _pole(env.field.magnitude(v))
     return u
 

@@ -33,7 +33,7 @@ def moved_lines(g: Pose) -> Tensor:
 
 
 def poses_of(env: Env) -> Callable[[Tensor], values.Solution]:
-    """Return a function from a tensor to the condition on a pose: both move lines equally."""
+    """Return a function from a tensor to the condition on a pose: both act equally on lines."""
     return lambda R: values.Solution(lambda g: values.equal(env.field, moved_lines(g), R))
 
 

@@ -52,7 +52,7 @@ def solution(env: Env, n: Any, target: Quaternion) -> values.Solution:
 
 
 def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
-    """Return a vector, also from a quaternion with scalar part 0; raise for other quaternions."""
+    """Return a vector or the vector part of a quaternion; raise if its scalar part is not 0."""
     if isinstance(a, Vector):
         return a
     if not values.equal(env.field, a.scalar, 0):

@@ -10,6 +10,6 @@ from ...language.terms import Term, walk
 
 
 def displays(entries: Sequence[Equation], number: str, part: Term) -> Callable[[Env], bool]:
-    """Return the claim that the printed form of the equation with this number contains a term."""
+    """Return the definition of a claim: the printed equation with this number contains a term."""
     (entry,) = (entry for entry in entries if entry.number == number)
     return lambda env: part in walk(entry.readings[0].statement)

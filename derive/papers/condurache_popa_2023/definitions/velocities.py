@@ -35,12 +35,12 @@ def at_rest(env: Env, a: Any) -> Any:
 
 
 def twist(env: Env, R: Tensor) -> Vector:
-    """Return ``vect(Ṙ Rᵀ)``."""
+    """Return the twist ``vect(Ṙ Rᵀ)``."""
     return first_principles.twist(R, env.rate(R))
 
 
 def body_twist(env: Env, R: Tensor) -> Vector:
-    """Return ``vect(Rᵀ Ṙ)``."""
+    """Return the twist in the body frame, ``vect(Rᵀ Ṙ)``."""
     return first_principles.body_twist(R, env.rate(R))
 
 
@@ -67,12 +67,12 @@ def moved_line(env: Env, R: Tensor, point: Vector, along: Vector) -> Vector:
 
 
 def rotation_part(env: Env, R: Tensor) -> Tensor:
-    """Return Q of ``R = (I + ε ρ̃) Q``: the real parts as dual numbers, with their rates."""
+    """Return the rotation Q in ``R = (I + ε ρ̃) Q``: the real parts as dual numbers, with their rates."""
     return R.map(lambda c: Dual(c.re, 0 * c.re))
 
 
 def displacement_part(env: Env, R: Tensor) -> Vector:
-    """Return ρ of ``R = (I + ε ρ̃) Q``."""
+    """Return the displacement ρ in ``R = (I + ε ρ̃) Q``."""
     du = R.map(lambda c: Dual(c.du, 0 * c.du))
     rho: Vector = (du @ rotation_part(env, R).transpose).vect()
     return rho
@@ -101,7 +101,7 @@ def not_orthogonal(R: Symbol, omega: Symbol) -> Callable[[Draw], dict[str, dict[
 
 
 def axis_operator(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """Return the operator Θ from the twist to u̇."""
+    """Return the operator Θ that maps the twist to u̇."""
     return first_principles.axis_rates(lambda a, w: screw_tensor(env, a, w), env.now(alpha), env.now(u))
 
 
@@ -111,7 +111,7 @@ def half_sine(env: Env, alpha: Any) -> Any:
 
 
 def sinc(env: Env) -> Callable[[Any], Any]:
-    """Return the function ``sin α/α``, with value 1 and slope 0 at α = 0."""
+    """Return the function ``(sin α)/α``, with value 1 and slope 0 at α = 0."""
     return lambda a: 1 + 0 * a if innermost(a) == 0 else values.divide(env.field.sin(a), a)
 
 

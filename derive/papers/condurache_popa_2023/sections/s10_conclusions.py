@@ -1,4 +1,4 @@
-"""Section 10, the only new claim of the conclusions: line 469."""
+"""Section 10, the only claim of the conclusions without a display: line 469."""
 
 from __future__ import annotations
 
