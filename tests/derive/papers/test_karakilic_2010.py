@@ -1,4 +1,4 @@
-"""K10: expected statuses, single entries, entries that take components apart."""
+"""Tests of K10: statuses, single entries, and entries that use single components."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The HTML report in a real browser: formulas are laid out, the filter filters."""
+"""HTML report in a real browser: layout of formulas and filter by status."""
 
 from __future__ import annotations
 
