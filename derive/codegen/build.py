@@ -21,7 +21,7 @@ from .targets import Target
 GEOMETRY = Cayley(3)
 """Chart that checks the shared geometry if no requested chart fits: the lowest order whose scalars all differ."""
 
-GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers take long in higher orders
+GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
 
 GC_THRESHOLD = 20_000
 """Number of allocations between two garbage collections while charts are built."""
@@ -88,7 +88,7 @@ def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
 def relaxed_gc() -> Iterator[None]:
     """Run the garbage collector less often: hardly any of the millions of objects is in a reference cycle."""
     first, *others = gc.get_threshold()
-    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 is never
+    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 disables collection
     try:
         yield
     finally:

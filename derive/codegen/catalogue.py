@@ -33,7 +33,7 @@ C_HEADERS = frozenset({
 def charts(
     orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
 ) -> list[Chart]:
-    """Return the charts of the orders or the chart of φ, followed by those of the families, without duplicates.
+    """Return the charts of the orders or the chart of φ, then the charts of the families, without duplicates.
 
     If φ is given, the order is the value of n in it.
 

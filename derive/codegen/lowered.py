@@ -1,4 +1,4 @@
-"""Programs of a chart: the geometry that all charts share, and the chart's own scalar programs."""
+"""Programs of a chart: geometry programs that all charts share, and the chart's own scalar programs."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
     return _lowered(chart, table)
 
 
-@lru_cache(maxsize=8)  # apart from the default argument, which the cache would store under two keys
+@lru_cache(maxsize=8)  # not on `lower_chart`: a default argument would make two cache keys
 def _lowered(chart: Chart, table: Table) -> Lowered:
     scalars, counted, called = scalar_programs(chart), {}, set()
     for name, program in geometry(table).items():

@@ -34,7 +34,7 @@ LETTERS_MAX = 600
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
 HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
-"""Suffixes of files whose comments begin with #, in every target."""
+"""Suffixes of files whose comments begin with # in every target."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ class Module:
 
     @property
     def text(self) -> str:
-        """Text of the module for poses."""
+        """Return the text of the module for poses."""
         return self.texts[self.name]
 
     def __repr__(self) -> str:
@@ -76,7 +76,7 @@ class Package:
 
     @property
     def texts(self) -> dict[str, str]:
-        """All files by name."""
+        """Return all files by name."""
         return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
@@ -96,7 +96,7 @@ class Facts:
 
     @property
     def parameter(self) -> str:
-        """φ(α) in ASCII, for comments of any language."""
+        """Formula φ(α) in ASCII, for comments of any language."""
         return self.chart.parameter.replace("α", "alpha")
 
     @cached_property

@@ -85,12 +85,12 @@ def generate_charts(
     progress: Progress | None = None,
     processes: int = 1,
 ) -> Package:
-    """Write proven kernels of charts into a folder; the other parameters equal those of `generate`."""
+    """Write proven kernels of charts into a folder; `generate` describes the other parameters."""
     chosen, folder = _target(target), Path(output) if output else home(target)
     if folder is None:
         raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
     charts, entry = with_bases(charts, target), notices(charts, chosen)
-    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
+    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before the long work
     package = build(charts, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
     return package
@@ -121,7 +121,7 @@ def check(
 ) -> list[files.Difference]:
     """Prove and print the expected files of a folder and return the differences; no kernel is executed.
 
-    The expected modules are those of the given orders and families, by default the committed ones. Each further
+    The folder should hold the modules of the given orders and families, by default the committed modules. Each further
     module with our header is printed by its own command, unless its order is above ``cap``.
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()

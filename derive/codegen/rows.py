@@ -81,7 +81,7 @@ class Function:
     constants : tuple of str
         Components of its program's argument ``table``, if they are the same for all charts.
     branch : bool
-        True if it takes a branch.
+        True if it has a branch as last argument.
     real : bool
         True if it selects branches or angles, and so takes no complex numbers.
     public : bool
@@ -99,7 +99,7 @@ class Function:
     rotation : str, optional
         Name among the functions of rotations alone; empty for the same name, None if there is no such function.
     pose : Function, optional
-        Function of poses whose real part, at dual parts 0, is this function of rotations.
+        For a function of rotations: the function of poses that it is the real part of, at dual parts 0.
     """
 
     name: str
@@ -138,7 +138,7 @@ class Function:
 
     @property
     def kernel(self) -> str:
-        """Return the name of the function whose program it runs."""
+        """Return the name of the function whose program this function runs."""
         return self.shares or self.name
 
     def aliases_in(self, chart: Chart) -> list[str]:

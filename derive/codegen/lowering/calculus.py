@@ -20,7 +20,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 def tangent_dot(trace: Geometry) -> Program:
-    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
@@ -35,7 +35,7 @@ def tangent_dot(trace: Geometry) -> Program:
 
 
 def twist_dot(trace: Geometry) -> Program:
-    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
     side = _side(trace)
     f, g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("f", "g", "h", "fy", "gy", "hy"))
@@ -74,7 +74,7 @@ def twist_jacobian(trace: Geometry) -> Program:
 
     The formula is ``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``,
     where v⊗w = w⊗v − skew(v × w).
-"""
+    """
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
@@ -119,7 +119,7 @@ def matrix6(trace: Geometry) -> Program:
 def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
     """Yield the entries of the real matrix of a dual tensor, as in `matrix6`."""
     re = list(tensor.re)
-    if not trace.real:  # each stands there twice
+    if not trace.real:  # each entry occurs twice, so it needs a name
         re = [trace.name(f"J{place}", entry) for place, entry in zip(NINE, re, strict=True)]
     du = list(tensor.du)
     for i in (0, 3, 6):

@@ -172,7 +172,7 @@ def between(trace: Geometry) -> Program:
 
 
 def turn(trace: Geometry) -> Program:
-    """Vector φ(α + 2kπ) u, which is v after k further whole turns about its own axis, CP23 (49)."""
+    """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     point = trace.point()
     return trace.program("turn", _turned(trace, point, _axis(trace, point), *_turn(trace)))
 

@@ -1,8 +1,8 @@
 """Screw-linear motion from one vector to another, on the continuously followed branch.
 
 Its quaternion ``exp(t δ/2) q̂(v1)`` equals ``cos(α/2) + sin(α/2) u`` at every t. Between two whole turns
-``sin(α/2)`` keeps the sign of v1, and α stays within the turn. Only a motion about v1's own axis passes through
-whole turns.
+``sin(α/2)`` keeps the sign that it has at v1, and α stays within the turn. Only a motion about v1's own axis passes
+through whole turns.
 """
 
 from __future__ import annotations

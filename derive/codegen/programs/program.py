@@ -89,8 +89,8 @@ def all_results(call: Call) -> tuple[str, ...]:
 class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
 
-    ``corrected`` values are corrected afterwards: their rounding makes no difference. ``called`` are the geometry programs
-    that it calls. ``results`` are the output names of a program that others call. ``contract`` describes the result.
+    ``corrected`` values are corrected afterwards, so their rounding makes no difference. ``called`` are the called
+    geometry programs. ``results`` are the output names, for a program that others call. ``contract`` describes them.
     """
 
     name: str

@@ -1,9 +1,9 @@
 """C: headers for C99 and C++, with straight-line code that compilers can vectorize.
 
-``geometry.h`` holds what all charts share and is included once per chart. A chart defines its scalars and macros
-before it includes it. The macros give the chart's name in its functions (``DUALCAY_NAME``) and in its scalars
-(``DUALCAY_CHART``), its branches, and the level of ``math.h`` that its functions need. Rotations have their own folder
-with geometry; a chart's header there uses the scalars of its header for poses.
+``geometry.h`` holds what all charts share and is included once per chart, after the chart's scalars and macros. Macros
+give the chart's name in names of functions (``DUALCAY_NAME``) and scalars (``DUALCAY_CHART``), its branches, and the
+functions that it needs of ``math.h``. Rotations have a geometry in a folder of their own; a chart's header there uses
+the scalars of the chart's header for poses.
 """
 
 from __future__ import annotations

@@ -138,5 +138,5 @@ class Native(C):
 
 
 def _up(table: Table) -> str:
-    """Return the relative path from the folder of a table to that of the package."""
+    """Return the relative path from a table's folder to the package folder."""
     return "../" if table.name else ""

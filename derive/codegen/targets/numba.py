@@ -1,8 +1,8 @@
 """Compiled loops: geometry programs on scalars, and the loops that run them.
 
 LLVM does not vectorize a loop with more than nine stores, so a larger result is computed in parts. Each loop stores
-some results, and the compiler drops operations for the others. Constants get the type of the arguments: beside a bare
-integer, Numba computes float32 in double precision.
+some results, and the compiler drops the operations of the others. Constants get the type of the arguments: beside a
+bare integer, Numba computes float32 in double precision.
 """
 
 from __future__ import annotations

@@ -39,7 +39,7 @@ class Target(Printer, Protocol):
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests of its companions; return the number of calls that agree, None without a compiler."""
+        """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
 
 
 def require_functions(where: str, found: Iterable[str], table: Table) -> None:
