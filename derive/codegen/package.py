@@ -294,7 +294,7 @@ def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
 
 
 def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
-    """Render the temporary entry of a package, in place while its other files are replaced, by name."""
+    """Render the entry file that a package has while its other files are replaced, by name."""
     template = f"interrupted/{target.entry}.j2"
     made_by = command(target.name, *charts)
     header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))

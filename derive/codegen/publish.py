@@ -35,7 +35,7 @@ def generate(
     target : str
         ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"`` or ``"native"``.
     output : path, optional
-        Folder of the package, made if missing. The default is ``generated/dualcay`` of a checkout, for ``"numpy"``.
+        Folder of the package, made if missing. ``"numpy"`` has the default ``generated/dualcay`` of a checkout.
     families : iterable of str
         Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
     phi : str, optional

@@ -33,7 +33,7 @@ LAYOUTS = {
 """Suffixes of component names: vector, quaternion, dual vector, tensor, dual tensor, matrix."""
 
 REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
-"""Names of programs for rotations, by the name for poses; other programs have one name."""
+"""Names of programs for rotations by their name for poses; other programs keep their name."""
 
 TABLE = "table"
 """Argument that holds constants, which have no dual part."""

@@ -104,7 +104,7 @@ class Program:
 
     @property
     def context(self) -> str:
-        """Names of the needed arguments: the number functions ``m``, the chart's scalars ``c``, both or none."""
+        """Names of the needed arguments: number functions ``m`` and the chart's scalars ``c``, ``m`` alone, or none."""
         if any(not call.result or "c" in call.context for call in self.calls):
             return "m, c"
         functions = {*FUNCTIONS, "where"}.intersection(self.operations)
