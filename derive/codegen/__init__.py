@@ -1,20 +1,20 @@
-"""From proved formulas to files of kernels.
+"""Generator: proved formulas become files of kernels.
 
 ============ ==============================================================================
 programs     straight-line programs: traced and scheduled
-lowering     recipes: the geometry that all charts share, and the scalars of a chart
-rows         a row of the table of kernel functions: arrays, recipe, names, its part for rotations
-signatures   the table of kernel functions, and of those of rotations
+lowering     recipes of the geometry programs that all charts share, and of a chart's scalar programs
+rows         one row of the table of kernel functions: arrays, recipe, names, and its real part
+signatures   the tables of kernel functions: for poses, and for rotations alone
 lowered      all programs of a proved chart
-validation   expected results, from the formulas alone; the file on disk computes them
-package      the texts of a package, and what its templates are told about a chart
-targets      the languages: a printer and a template folder each
-catalogue    which charts exist, and names that are reserved
-build        the road: prove -> lower -> print -> write -> check
-publish      kernels into a folder, or a folder compared with them
+validation   results expected from the formulas alone, compared with those of the files on disk
+package      texts of a package, and the data of a chart for its templates
+targets      languages: a printer and a template folder each
+catalogue    existing charts, and reserved names
+build        pipeline: prove -> lower -> print -> write -> check
+publish      write kernels into a folder, or compare a folder with them
 ============ ==============================================================================
 
-A module imports only from those above it.
+Each module imports only modules listed above it.
 """
 
 from ..output import Difference, RefusedError

@@ -1,4 +1,4 @@
-"""The road from charts to kernels: prove -> lower -> print -> write -> check. `publish` puts them into a folder."""
+"""Pipeline from charts to kernels: prove -> lower -> print -> write -> check. `publish` writes them into a folder."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from .package import Counts, Facts, Module, Package, module_name, module_texts, 
 from .targets import Target
 
 GEOMETRY = Cayley(3)
-"""The chart in which the shared geometry is checked where no other fits: the lowest order whose scalars all differ."""
+"""Chart that checks the shared geometry if no requested chart fits: the lowest order whose scalars all differ."""
 
-GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers take long in higher orders
+GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
 
 GC_THRESHOLD = 20_000
-"""Allocations between two searches for unreachable cycles while charts are built."""
+"""Number of allocations between two garbage collections while charts are built."""
 
 Progress = Callable[[str], None]
 
 
 def build(charts: Sequence[Chart], target: Target, progress: Progress | None = None, processes: int = 1) -> Package:
-    """Prove, lower, print and check charts, in several processes if asked; publish nothing.
+    """Prove, lower, print and check charts, without publishing; ``processes`` is the number of workers that check.
 
-    `ProofFailed` or `ValidationFailed` is raised if any chart fails.
+    Raise `ProofFailed` or `ValidationFailed` if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
@@ -55,7 +55,7 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress | None = N
 
 
 def print_package(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
-    """Prove, lower and print charts, but check nothing: enough to compare a folder with what would be printed."""
+    """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
     return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
 
 
@@ -68,27 +68,27 @@ def print_module(chart: Chart, target: Target, report: Progress) -> Module:
 
 
 def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:
-    """Execute the module of a chart on disk, perhaps with the geometry that all charts share."""
+    """Execute a chart's module on disk; with ``geometry`` check the functions that all charts share too."""
     with relaxed_gc():
         validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
         return Counts(validated, replayed, target.test(folder, chart))
 
 
 def geometry_chart(charts: Sequence[Chart]) -> Chart:
-    """Return the chart in which the shared geometry is checked: the first Cayley map of a fit order, or `GEOMETRY`."""
+    """Return the chart that checks the shared geometry: the first Cayley map of a suitable order, or `GEOMETRY`."""
     return next((chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS), GEOMETRY)
 
 
 def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
-    """Return the charts to build, with one in which the shared geometry is checked."""
+    """Return the charts to build, including one that checks the shared geometry."""
     return charts if geometry_chart(charts) in charts else [GEOMETRY, *charts]
 
 
 @contextmanager
 def relaxed_gc() -> Iterator[None]:
-    """Search for unreachable cycles less often: of millions of objects hardly one is part of a cycle."""
+    """Run the garbage collector less often: hardly any of the millions of objects is in a reference cycle."""
     first, *others = gc.get_threshold()
-    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 is never
+    gc.set_threshold(max(first, GC_THRESHOLD) if first else 0, *others)  # 0 disables collection
     try:
         yield
     finally:

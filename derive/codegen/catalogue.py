@@ -1,4 +1,4 @@
-"""Which charts exist: orders, families, a user's φ; those committed, those in a folder, and names that are reserved."""
+"""Catalogue of charts: by order, by family, by a user's φ, committed, and in a folder; also reserved names."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ C_HEADERS = frozenset({
     "signal", "stdalign", "stdarg", "stdatomic", "stdbit", "stdbool", "stdckdint", "stddef", "stdint", "stdio",
     "stdlib", "stdnoreturn", "string", "tgmath", "threads", "time", "uchar", "wchar", "wctype", "python",
 })  # fmt: skip
-"""Headers of the C library (C23, 7.1.2) and of Python, which a module of the same name would hide."""
+"""Headers of the C library (C23, 7.1.2) and of Python; a module of the same name would hide them."""
 
 
 def charts(
     orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
 ) -> list[Chart]:
-    """Return the charts of some orders or the chart of φ, then those of some families, each once.
+    """Return the charts of the orders or the chart of φ, then the charts of the families, without duplicates.
 
-    With φ, an order is the n in it.
+    If φ is given, the order is the value of n in it.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def committed() -> list[Chart]:
 
 
 def chart_of(line: str) -> Chart | None:
-    """Return the chart in the command of a module; None for any other command."""
+    """Return the chart that a module's command names; None for any other command."""
     words = shlex.split(line)
     chosen = dict(itertools.pairwise(words))
     try:
@@ -75,7 +75,7 @@ def chart_of(line: str) -> Chart | None:
 
 
 def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
-    """Yield the charts of modules in a folder whose first line is the command that makes them."""
+    """Yield the charts of modules in a folder whose first line is the command that generates them."""
     for path in sorted(folder.glob(f"*.{target.extension}")):
         line = files.header_command(path) or ""
         chart = chart_of(line)
@@ -87,7 +87,7 @@ def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
 
 
 def require_free(name: str) -> None:
-    """Raise ValueError for a name that a user's chart may not have."""
+    """Raise ValueError if a user's chart may not have this name."""
     if name.split("_")[0] == ROTATIONS.name:  # C functions of rotations begin with dualcay_rotation_
         raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
     if name in {chart.name for chart in committed()}:
@@ -102,7 +102,7 @@ def require_free(name: str) -> None:
 
 @cache
 def reserved_names() -> frozenset[str]:
-    """Names of files and folders in packages of any target, and names that their entries use."""
+    """Return the names of files and folders in packages of any target, and the global names of their entries."""
     return frozenset(name for target in TARGETS.values() for name in _reserved(target))
 
 
@@ -117,7 +117,7 @@ def _reserved(target: Target) -> Iterator[str]:
 
 
 def _globals(table: symtable.SymbolTable) -> Iterator[str]:
-    """Yield every global name of a module, built-in functions among them: a submodule would hide each."""
+    """Yield every global name of a module, with built-in functions: a submodule of that name would hide it."""
     module = table.get_type() == "module"
     yield from (symbol.get_name() for symbol in table.get_symbols() if module or symbol.is_global())
     for inner in table.get_children():
@@ -125,7 +125,7 @@ def _globals(table: symtable.SymbolTable) -> Iterator[str]:
 
 
 def _require_same_chart(own: Chart) -> None:
-    """Raise ValueError if the name denotes another chart; sin(α/N) may also be called sineN."""
+    """Raise ValueError if the name belongs to a different chart; sin(α/N) may also be called sineN."""
     cayley = re.fullmatch(r"cayley([1-9]\d*)", own.name)
     try:
         other: Chart = Cayley(int(cayley[1])) if cayley else family(own.name)

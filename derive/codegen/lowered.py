@@ -1,4 +1,4 @@
-"""Programs of a chart: the geometry that all charts share, and the chart's own scalar programs."""
+"""Programs of a chart: geometry programs that all charts share, and the chart's own scalar programs."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from .signatures import POSES
 
 
 def geometry(table: Table = POSES) -> Mapping[str, Program]:
-    """Return the programs of a table's functions by name, for analyses: geometry programs that they call written out.
+    """Return a table's programs by name, for analyses, with called geometry programs written out.
 
-    Scalars of the chart are calls in them.
+    Scalar programs remain calls.
     """
     return _written_out(table)
 
@@ -30,7 +30,7 @@ def _written_out(table: Table) -> Mapping[str, Program]:
 
 
 def printed_geometry(table: Table = POSES) -> Mapping[str, Program]:
-    """Return the geometry programs that all charts share, by name, as they are printed: each after those it calls."""
+    """Return the shared geometry programs by name, in print order: each follows the programs that it calls."""
     return _printed(table)
 
 
@@ -43,14 +43,14 @@ def _printed(table: Table) -> Mapping[str, Program]:
 
 
 def shared_with_poses(table: Table) -> frozenset[str]:
-    """Return the names of geometry programs of a further table that are the same for poses, where they stand."""
+    """Return the names of helper programs that a table shares with poses, which define them; empty for poses."""
     found, poses = printed_geometry(table), printed_geometry(POSES)
     same = (name for name in found.keys() - table.kernels.keys() if found[name] == poses.get(name))
     return frozenset() if table is POSES else frozenset(same)
 
 
 def _add(found: dict[str, Program], program: Program) -> None:
-    """Add a program after those it calls."""
+    """Add a program, after the programs that it calls."""
     for called in program.called:
         _add(found, called)
     found.setdefault(program.name, program)
@@ -58,9 +58,9 @@ def _add(found: dict[str, Program], program: Program) -> None:
 
 @dataclass(frozen=True)
 class Lowered:
-    """Programs of one chart for the functions of a ``table``: the scalar programs that geometry calls.
+    """Scalar programs of one chart that the functions of a ``table`` call.
 
-    ``operations`` counts those of every function that the chart has, its scalars included.
+    ``operations`` counts the operations of every function that the chart has, including its scalars.
     """
 
     table: Table
@@ -69,16 +69,16 @@ class Lowered:
 
 
 def lower(proved: Proved) -> Lowered:
-    """Return every program of a proved chart."""
+    """Return the scalar programs and operation counts of a proved chart."""
     return lower_chart(proved.formulas)
 
 
 def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
-    """Return the scalar programs that a table's functions call, and operation counts of those functions."""
+    """Return the scalar programs that a table's functions call, and the operation counts of the functions."""
     return _lowered(chart, table)
 
 
-@lru_cache(maxsize=8)  # apart from the default argument, which the cache would store under two keys
+@lru_cache(maxsize=8)  # not on `lower_chart`: a default argument would make two cache keys
 def _lowered(chart: Chart, table: Table) -> Lowered:
     scalars, counted, called = scalar_programs(chart), {}, set()
     for name, program in geometry(table).items():

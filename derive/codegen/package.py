@@ -1,4 +1,4 @@
-"""The texts of a package of kernels, and what its templates are told about a chart."""
+"""Texts of a package of kernels, and the data of a chart for its templates."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ WIDTH = 110
 """Largest number of characters in a comment line."""
 
 LETTERS_MAX = 600
-"""Largest number of characters of the polynomials in a header; longer ones are left to the command that shows them."""
+"""Largest total length of the polynomials in a header; longer ones are replaced by the command that shows them."""
 
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 
 HASH_COMMENTS = (".txt", ".cmake", ".py", ".pyi", ".toml", ".build", ".options")
-"""Suffixes of files whose comments begin with #, in every target."""
+"""Suffixes of files whose comments begin with # in every target."""
 
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """Calls that agree with the formulas: on exact numbers, on floats, and in compiled code (None: no compiler)."""
+    """Numbers of calls that agree with the formulas: exact, on floats, and in compiled code (None: no compiler)."""
 
     validated: int = 0
     replayed: int = 0
@@ -48,9 +48,9 @@ class Counts:
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """A proved and printed chart: its files by name, and how many calls of them agree with its formulas.
+    """Proved and printed chart: its files by name, and the number of calls that agree with its formulas.
 
-    ``name`` is the file of the module for poses; further files are companions, such as the module for rotations.
+    ``name`` is the file of the module for poses; other files are companions, such as the module for rotations.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Module:
 
     @property
     def text(self) -> str:
-        """Text of the module for poses."""
+        """Return the text of the module for poses."""
         return self.texts[self.name]
 
     def __repr__(self) -> str:
@@ -69,14 +69,14 @@ class Module:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """Files that all modules of a package share, by name, and the modules."""
+    """Package of kernels: the files that all its modules share, by name, and the modules."""
 
     shared: Mapping[str, str]
     modules: tuple[Module, ...]
 
     @property
     def texts(self) -> dict[str, str]:
-        """All files by name."""
+        """Return all files by name."""
         return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
@@ -85,7 +85,7 @@ class Package:
 
 @dataclass(frozen=True)
 class Facts:
-    """A proved chart and its programs, with the texts that templates ask for."""
+    """Proved chart and its programs, with the texts that templates use."""
 
     proved: Proved
     lowered: Lowered
@@ -96,12 +96,12 @@ class Facts:
 
     @property
     def parameter(self) -> str:
-        """φ(α) in ASCII, for comments of any language."""
+        """Formula φ(α) in ASCII, for comments of any language."""
         return self.chart.parameter.replace("α", "alpha")
 
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
-        """Decimals of the two numbers that turn v to each branch; those of one branch for an unbounded chart."""
+        """Decimals of the two numbers that turn v to each branch; for an unbounded chart, to branch 1 only."""
         with mpmath.workdps(DIGITS + 10):
             return [(_decimal(a), _decimal(b)) for a, b in map(self.chart.turn, range(self.chart.branches) or [1])]
 
@@ -121,7 +121,7 @@ class Facts:
         return chart.quaternion, chart.tensor, chart.tangent, chart.tangent_inv
 
     def definitions(self, indent: str) -> dict[str, str]:
-        """Formulas of the maps in LaTeX, broken into lines."""
+        """Return the formulas of the maps in LaTeX, wrapped into lines."""
         texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
         return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
 
@@ -140,12 +140,12 @@ class Facts:
 
     @property
     def largest(self) -> dict[str, str]:
-        """Largest Re|v| by dtype for which forward maps are finite."""
+        """Largest Re|v| with finite forward maps, by dtype."""
         most = {name: float(np.finfo(name).max) for name in ("float32", "float64")}
         return {name: f"{self.chart.overflow(value)[1]:.1g}" for name, value in most.items()}
 
     def header(self, command: str, template: str) -> list[str]:
-        """Lines of the header: command, licence, template, φ, polynomials, and the number of proofs."""
+        """Return the header lines: command, licence, template, φ, polynomials, and the number of proofs."""
         chart = self.chart
         polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
         if sum(map(len, polynomials)) > LETTERS_MAX:
@@ -158,7 +158,7 @@ class Facts:
 
 
 def command(target: str, *charts: Chart) -> str:
-    """Return the command that writes the modules of charts; without charts, that of shared files."""
+    """Return the command that writes the modules of charts; without charts, the command for shared files."""
     chosen: dict[str, list[str]] = {}
     for option, value in (chart.selection for chart in charts):
         chosen.setdefault(option, []).append(value)
@@ -169,18 +169,18 @@ def command(target: str, *charts: Chart) -> str:
 
 
 def head(command: str, template: str) -> list[str]:
-    """First lines of a generated file: its command, its licence, its template."""
+    """Return the first lines of a generated file: its command, its licence, its template."""
     return [command, LICENCE, f"Generated by the command above from templates/{template}: change that, not this file."]
 
 
 def comment(lines: Iterable[str], mark: str) -> str:
-    """Return lines as comment lines, with long ones broken."""
+    """Return lines as comment lines, with long ones wrapped."""
     wrapped = [part for line in lines for part in _wrap(line)]
     return "\n".join(f"{mark} {line}".rstrip() for line in wrapped)
 
 
 def numbers(equations: Iterable[int]) -> str:
-    """Equation numbers in brackets."""
+    """Return equation numbers in brackets, separated by commas."""
     return ", ".join(f"({number})" for number in equations)
 
 
@@ -207,7 +207,7 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
-    """Digest of the programs of a chart and of the geometry; equal in two packages that compute the same."""
+    """Return a digest of a chart's programs and the geometry: packages with equal digests compute the same."""
     lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
@@ -232,32 +232,32 @@ def _statement_line(statement: Statement) -> str:
 
 
 Data = Mapping[str, Any]
-"""Values for the names in a template, but for ``header``."""
+"""Values for the names in a template, except ``header``."""
 
 
 class Printer(Protocol):
-    """The part of a target that makes texts."""
+    """Part of a target that prints texts."""
 
     name: str
-    """Name of its template folder too."""
+    """Name of the target and of its template folder."""
 
     extension: str
     """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
 
     entry: str
-    """The shared file that is read before any other."""
+    """Name of the shared file that is read before any other."""
 
     comment: str
-    """Beginning of a comment line."""
+    """Prefix of a comment line."""
 
     def shared(self) -> Mapping[str, Data]:
-        """Files that every package of the target holds, each from the template of its name."""
+        """Return the files that every package of the target holds, each from the template of its name."""
 
     def module(self, facts: Facts) -> Data:
-        """Data for the module of a chart."""
+        """Return the data for the module of a chart."""
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Further files of a chart: by name, the template and its data."""
+        """Return further files of a chart: by name, the template and its data."""
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Raise ValueError unless the shared texts define the functions of the table."""
@@ -277,12 +277,12 @@ def shared_texts(target: Printer) -> dict[str, str]:
 
 
 def module_name(chart: Chart, target: Printer) -> str:
-    """File name of the module of a chart."""
+    """Return the file name of a chart's module."""
     return f"{chart.name}.{target.extension}"
 
 
 def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
-    """Render the module of a proved chart and its companions, by name."""
+    """Render the module of a proved chart and its companions, by file name."""
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
     header = comment(facts.header(made_by, template), target.comment)
@@ -294,7 +294,7 @@ def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
 
 
 def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
-    """Render the entry that stands in a package while its other files are exchanged, by name."""
+    """Render the entry file that a package has while its other files are replaced, by name."""
     template = f"interrupted/{target.entry}.j2"
     made_by = command(target.name, *charts)
     header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))

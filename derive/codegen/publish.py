@@ -1,4 +1,4 @@
-"""Publish kernels into a folder, or compare a folder with what would be published."""
+"""Publish kernels into a folder, or compare a folder with the kernels that would be written."""
 
 from __future__ import annotations
 
@@ -31,29 +31,29 @@ def generate(
     Parameters
     ----------
     orders : iterable of int, optional
-        Orders n >= 1 of Cayley maps. Without orders and families, the committed charts.
+        Orders n >= 1 of Cayley maps. Without orders, families and φ, the committed charts are written.
     target : str
         ``"numpy"``, ``"array-api"``, ``"numba"``, ``"c"`` or ``"native"``.
     output : path, optional
-        Folder of the package, made if missing; by default ``generated/dualcay`` of a checkout, for ``"numpy"`` only.
+        Folder of the package, made if missing. ``"numpy"`` has the default ``generated/dualcay`` of a checkout.
     families : iterable of str
         Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
     phi : str, optional
-        φ of a further one, such as ``"alpha/(1 + alpha**2/40)"``; an order is then the n in it.
+        Formula φ of a user's chart, such as ``"alpha/(1 + alpha**2/40)"``; the order is then the value of n in it.
     name : str, optional
-        Name of its module.
+        Name of the module of φ.
     force : bool
         Overwrite files that do not bear the generated header.
     progress : callable, optional
         Called with a line of text before each step.
     processes : int
-        Number of worker processes that check printed charts. They are spawned: a script that asks for more than one
-        calls `generate` under ``if __name__ == "__main__":``.
+        Number of worker processes that check printed charts. Workers are spawned: a script that asks for more than
+        one must call `generate` under ``if __name__ == "__main__":``.
 
     Returns
     -------
     Package
-        Texts and proofs of what was written.
+        Texts and proofs of the written modules.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def generate(
     ProofFailed, ValidationFailed, ChildProcessError
         If a formula or a printed kernel fails, or a worker process dies; nothing is written.
     RefusedError
-        If a file in the way is not generated, the folder holds another target, or it cannot be written.
+        If an existing file is not generated, the folder holds another target, or a file cannot be written.
 
     Examples
     --------
@@ -85,25 +85,25 @@ def generate_charts(
     progress: Progress | None = None,
     processes: int = 1,
 ) -> Package:
-    """Write proven kernels of charts into a folder; parameters are those of `generate`."""
+    """Write proven kernels of charts into a folder; `generate` describes the other parameters."""
     chosen, folder = _target(target), Path(output) if output else home(target)
     if folder is None:
         raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
     charts, entry = with_bases(charts, target), notices(charts, chosen)
-    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before long work
+    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before the long work
     package = build(charts, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
     return package
 
 
 def with_bases(charts: Sequence[Chart], target: str) -> list[Chart]:
-    """Return charts with the bases of multiples before them, where modules of multiples import those."""
+    """Return the charts, preceded by the base charts of multiples if their modules import them."""
     bases = [chart.base for chart in charts if chart.base] if _target(target).imports_bases else []
     return list({chart.name: chart for chart in (*bases, *charts)}.values())
 
 
 def home(target: str) -> Path | None:
-    """Return the folder of the committed kernels, if the target is theirs and this is a checkout."""
+    """Return the folder of the committed kernels; None for another target or outside a checkout."""
     root = about.checkout()
     return root / "generated" / "dualcay" if root and target == about.TARGET else None
 
@@ -119,10 +119,10 @@ def check(
     phi: str | None = None,
     name: str | None = None,
 ) -> list[files.Difference]:
-    """Prove and print again what a folder should hold, and return the differences; no kernel is executed.
+    """Prove and print the expected files of a folder and return the differences; no kernel is executed.
 
-    The folder should hold the modules of the given orders and families, by default the committed ones. Every further
-    module with our header is printed by the command in it, unless its order is above the cap.
+    The folder should hold the modules of the given orders and families, by default the committed modules. Each further
+    module with our header is printed by its own command, unless its order is above ``cap``.
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return check_charts(folder, *expected(folder, asked, target, cap), target, progress)
@@ -131,7 +131,7 @@ def check(
 def expected(
     folder: Path, asked: Iterable[Chart], target: str, cap: int = about.MAX_ORDER
 ) -> tuple[list[Chart], dict[str, str]]:
-    """Return the charts whose modules a folder should hold, and by file name why others are not printed."""
+    """Return the charts that a folder should hold, and reasons by file name why other modules are not compared."""
     chosen, wanted = _target(target), {chart.name: chart for chart in with_bases(list(asked), target)}
     further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
@@ -142,7 +142,7 @@ def expected(
 def check_charts(
     folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Progress | None = None
 ) -> list[files.Difference]:
-    """Return the differences of a folder from the modules of charts; ``unmade`` are the reasons of `expected`."""
+    """Return the differences between a folder and the modules of charts; ``unmade`` are the reasons of `expected`."""
     return list(files.compare(folder, print_package(charts, _target(target), progress).texts, unmade))
 
 

@@ -15,10 +15,10 @@ from .programs.program import Program
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """A named array of components; ``part_of`` says which part (real, dual and so on) each belongs to.
+    """Named array of components; ``part_of`` gives the part (real, dual and so on) of each component.
 
-    Rotations alone have its first ``real`` components along every axis, under ``real_name`` if that is given.
-    ``real`` is None where they have no such array.
+    For rotations alone, the array keeps its first ``real`` components along every axis, named ``real_name`` if given.
+    ``real`` is None if rotations have no such array.
     """
 
     name: str
@@ -33,7 +33,7 @@ class Array:
 
     @property
     def size(self) -> int:
-        """Return how many components it has."""
+        """Return the number of components."""
         return len(self.part_of)
 
     @property
@@ -52,7 +52,7 @@ class Array:
         Raises
         ------
         ValueError
-            If there are none.
+            If rotations alone have no such array.
         """
         if self.real is None:
             raise ValueError(f"rotations alone have no array {self.name}")
@@ -62,44 +62,44 @@ class Array:
 
     @property
     def of_rotation(self) -> Array:
-        """Return the array of rotations alone."""
+        """Return the corresponding array of rotations alone."""
         return Array(self.real_name or self.name, self.real or (), tuple(0 for _ in self.places), self.real)
 
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function of a kernel module.
+    """Function of a kernel module.
 
     Parameters
     ----------
     name : str
     arguments, results : tuple of Array
     recipe : callable, optional
-        Traces its program; None for a function that shares the program of another, `kernel`.
+        Function that traces its program; None if it shares the program of another function, `kernel`.
     exact : bool
-        Whether its expectation is exact, on elements of a ring, or at 50 digits.
+        True if its expected result is exact, on elements of a ring; otherwise it has 50 digits.
     constants : tuple of str
-        Components of the argument ``table`` of its program, where they are the same for all charts.
+        Components of its program's argument ``table``, if they are the same for all charts.
     branch : bool
-        Whether a branch is chosen.
+        True if it has a branch as last argument.
     real : bool
-        Whether it selects branches or angles, and so takes no complex numbers.
+        True if it selects branches or angles, and so takes no complex numbers.
     public : bool
-        Whether users call it.
+        True if users call it.
     at_rest : str
-        The function whose program it runs for a turn by no branch, where it runs its own for others; empty where the
-        argument stands.
+        Function whose program replaces its own for a turn by no branch; empty if the argument is then returned
+        unchanged.
     aliases : tuple of str
-        Further names in the modules of Cayley maps; with dexp for dcay, in that of the exponential.
+        Further names in the modules of Cayley maps; with dexp for dcay, also in the module of the exponential.
     keywords : tuple of str
-        Keyword parameters besides those of every function, in languages that have them: they choose what is done to
-        arguments and results, and change no program.
+        Keyword parameters in addition to the common ones, in languages that have them. They affect arguments and
+        results, but change no program.
     remainder : float
-        What its own series leave off, however many digits numbers have.
+        Truncation error of its own series, independent of the number of digits.
     rotation : str, optional
-        Its name among the functions of rotations alone; None where they have no such function.
+        Name among the functions of rotations alone; empty for the same name, None if there is no such function.
     pose : Function, optional
-        Of a function of rotations, that of poses whose real part it is, at dual parts 0.
+        For a function of rotations: the function of poses that it is the real part of, at dual parts 0.
     """
 
     name: str
@@ -121,16 +121,16 @@ class Function:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Return the shape of its program's result: several results stand side by side."""
+        """Return the shape of its program's result; several results are flattened and joined."""
         return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
 
     def traced(self) -> Program:
-        """Return its program.
+        """Return the program of the function.
 
         Raises
         ------
         ValueError
-            If it has no recipe.
+            If the function has no recipe.
         """
         if self.recipe is None:
             raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
@@ -138,7 +138,7 @@ class Function:
 
     @property
     def kernel(self) -> str:
-        """Return the name of the function whose program it runs."""
+        """Return the name of the function whose program this function runs."""
         return self.shares or self.name
 
     def aliases_in(self, chart: Chart) -> list[str]:
@@ -150,23 +150,23 @@ class Function:
 
     @property
     def source(self) -> str:
-        """Return the name of the function of poses that it is, or whose real part it is."""
+        """Return the name of the corresponding function of poses."""
         return self.pose.name if self.pose else self.name
 
     @property
     def kept(self) -> tuple[int, ...]:
-        """Return the places of the results that rotations alone have, results side by side."""
+        """Return the places of the results that rotations alone have, among all results joined."""
         starts = itertools.accumulate((array.size for array in self.results), initial=0)
         return tuple(start + place for array, start in zip(self.results, starts) for place in array.places)
 
     @property
     def of_rotation(self) -> Function:
-        """Return the function of rotations alone that is its real part."""
+        """Return the function of rotations alone that is the real part of this function."""
         arguments, results = (tuple(a.of_rotation for a in group) for group in (self.arguments, self.results))
         return replace(self, name=self.rotation or self.name, arguments=arguments, results=results, pose=self)
 
     def embedded(self, arguments: Sequence[Sequence[Any]], zero: Any) -> list[tuple[Any, ...]]:
-        """Return flat arguments as the function of poses takes them, with dual parts 0."""
+        """Return flat arguments for the function of poses, with dual parts 0."""
         return [tuple(a) for a in arguments] if self.pose is None else self._with_zeros(self.pose, arguments, zero)
 
     @staticmethod
@@ -178,23 +178,23 @@ class Function:
         return made
 
     def restricted(self, arguments: Sequence[Sequence[Any]]) -> tuple[tuple[Any, ...], ...]:
-        """Select its own flat arguments from those of the function of poses."""
+        """Select this function's arguments from the flat arguments of the function of poses."""
         if self.pose is None:
             return tuple(map(tuple, arguments))
         pairs = zip(self.pose.arguments, arguments)
         return tuple(tuple(given[place] for place in array.places) for array, given in pairs)
 
     def part(self, result: Sequence[Any]) -> tuple[Any, ...]:
-        """Return its own flat result, of that of the function of poses."""
+        """Select this function's result from the flat result of the function of poses."""
         return tuple(result) if self.pose is None else tuple(result[place] for place in self.pose.kept)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Table:
-    """The functions of one kind of kernel module, which lies in the folder of that name.
+    """Functions of one kind of kernel module, which lies in the folder ``name``.
 
-    By name, ``functions`` are all, ``kernels`` have a ``recipe``, and ``public`` ones are called by users. ``sources``
-    are all by `Function.source`, the name of the function of poses.
+    Mappings by name: ``functions`` are all, ``kernels`` have a ``recipe``, and ``public`` ones are called by users.
+    ``sources`` are all functions by `Function.source`, the name of the function of poses.
     """
 
     name: str
@@ -205,14 +205,14 @@ class Table:
 
     @classmethod
     def of(cls, name: str, rows: Iterable[Function]) -> Table:
-        """Return the table of some rows."""
+        """Return the table of the given rows."""
         functions = {row.name: row for row in rows}
         kernels = {name: row for name, row in functions.items() if row.recipe}
         public = {name: row for name, row in functions.items() if row.public}
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
 
     def aliases(self, chart: Chart) -> dict[str, str]:
-        """Return further names in the module of a chart, and the functions they name."""
+        """Return further names in the module of a chart, each with the name of its function."""
         return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}
 
 

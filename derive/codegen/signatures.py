@@ -1,7 +1,7 @@
-"""The table of kernel functions: a row each, from which exports, prototypes, recipes and validation derive.
+"""Table of kernel functions, a row each; exports, prototypes, recipes and validation derive from it.
 
-A new function is a row here, a recipe in ``lowering``, an expectation in ``cases`` and a docstring in the templates of
-the interface; without one of them nothing is generated.
+A new function needs a row here, a recipe in ``lowering``, an expectation in ``cases`` and a docstring in the templates
+of the interface; without one of them nothing is generated.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .rows import Array, Function, Table
 
 
 def _array(name: str, shape: tuple[int, ...], *parts: int, real: tuple[int, ...] | None = None) -> Array:
-    """Return an array whose parts, of these sizes, follow each other."""
+    """Return an array whose parts have these sizes and follow each other."""
     return Array(name, shape, tuple(part for part, size in enumerate(parts) for _ in range(size)), real)
 
 
@@ -28,7 +28,7 @@ def _tensor(name: str) -> Array:
 
 
 def _jacobian(name: str) -> Array:
-    """Return a dual tensor as a real matrix: its real part beside zeros, then its dual part beside the real one."""
+    """Return the array of a dual tensor as a real matrix, [[Re, 0], [Du, Re]]."""
     return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3, real=(3, 3))
 
 
@@ -49,21 +49,21 @@ SHARE = _array("t", (), 1, real=())
 ANGLE = _array("angle", (2,), 1, 1, real=())
 
 SPACE, BODY = ("1",), ("-1",)
-"""The side of T: itself, which gives the twist in space, or its transpose, in the body; of T⁻¹ also half the side."""
+"""Side of T: 1 selects T (space), −1 its transpose (body). For T⁻¹, half the side follows."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
 CHECK, SCALAR_FIRST = "check", "scalar_first"
-"""Keywords: whether arguments are checked for what they have to be, and where in a quaternion the scalar stands."""
+"""Keywords: ``check`` asks for valid arguments, ``scalar_first`` places the scalar of a quaternion."""
 
 
 def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Function:
-    """Return an inverse map: from a representation of a pose to v on a branch."""
+    """Return the row of an inverse map, from a representation of a pose to v on a branch."""
     keywords = (CHECK, *keywords)
     return Function(name, (given,), (V,), recipe, exact=False, branch=True, real=True, keywords=keywords)
 
 
 def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
-    """Return a function in space, and the same in the body, by the other side of T."""
+    """Return the rows of a function in space and of its body form, which has the other side of T."""
     return (
         Function(name, arguments, (result,), recipe, constants=SPACE),
         Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),
@@ -71,7 +71,7 @@ def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe:
 
 
 def _by_exponential(name: str, arguments: tuple[Array, ...], recipe: Recipe, *results: Array) -> Function:
-    """Return a function whose value depends on the exponential's series."""
+    """Return the row of a function whose value depends on the exponential's series."""
     remainder = retraction.EXPONENTIAL.remainder
     return Function(name, arguments, results, recipe, exact=False, real=True, remainder=remainder)
 
@@ -142,10 +142,10 @@ _ROWS = (
 )
 
 POSES = Table.of("", _ROWS)
-"""The functions of a kernel module."""
+"""Functions of a kernel module for poses."""
 
 ROTATIONS = Table.of("rotation", (row.of_rotation for row in _ROWS if row.rotation is not None))
-"""Functions of a module of rotations alone: the real parts of those of poses."""
+"""Functions of a module of rotations alone: the real parts of the functions of poses."""
 
 FUNCTIONS: Mapping[str, Function] = POSES.functions
 KERNELS: Mapping[str, Function] = POSES.kernels

@@ -1,4 +1,4 @@
-"""Recipes of straight-line programs: of the geometry that all charts share, and of the scalars of one chart.
+"""Recipes of straight-line programs: geometry programs that all charts share, and scalar programs of one chart.
 
 ============ ========================================================================
 forward      quaternion, tensor, pose, transform_point, transform_line, inverse
@@ -8,10 +8,10 @@ inverse      from_quaternion, from_tensor, from_pose, compose, between, screws, 
 groups       adjoint, Jacobians of composition and of moved points and lines
 retraction   steps by the exponential, and the step from one vector to another
 motion       the screw-linear motion between two vectors
-coordinates  exponential coordinates of a vector, and back
-point        traces of geometry, of poses and of rotations alone, and the vectors in them
+coordinates  vectors to exponential coordinates, and back
+point        traces of geometry, for poses and for rotations alone, and vectors in them
 scalars      the scalar programs of a chart, traced from its formulas
 ============ ========================================================================
 
-A recipe needs no trust: its printed text is proved equal to the formula afterwards (``codegen.validation``).
+Recipes need no trust: validation proves their printed text equal to the formulas (``codegen.validation``).
 """

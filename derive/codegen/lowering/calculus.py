@@ -1,8 +1,8 @@
 """Derivatives of the tangent operator and its inverse, by time and by v, in dual numbers.
 
-What is differentiated are f, g, h of ``T = f I + side (g skew(v)) + h v⊗v`` and fi, hi of
-``2 T⁻¹ = fi I − side skew(v) + hi v⊗v``, side 1 in space and −1 in the body: ``df = fy v·dv``. A derivative by v is a
-dual tensor and is returned as the real matrix that acts on dual vectors as it does.
+The scalars are f, g, h of ``T = f I + side (g skew(v)) + h v⊗v`` and fi, hi of
+``2 T⁻¹ = fi I − side skew(v) + hi v⊗v``, with slopes such as ``df = fy v·dv``. The side is 1 in space and −1 in the
+body. A derivative by v is a dual tensor, returned as the real matrix with the same action on dual vectors.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 def tangent_dot(trace: Geometry) -> Program:
-    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
@@ -35,7 +35,7 @@ def tangent_dot(trace: Geometry) -> Program:
 
 
 def twist_dot(trace: Geometry) -> Program:
-    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
     side = _side(trace)
     f, g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("f", "g", "h", "fy", "gy", "hy"))
@@ -48,9 +48,9 @@ def twist_dot(trace: Geometry) -> Program:
 
 
 def rate_dot(trace: Geometry) -> Program:
-    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them.
+    """Time derivative of the rate v̇ = T⁻¹ ω: ``T⁻¹ ω̇ + (d/dt T⁻¹) ω``, in products of v, ω and ω̇ without v̇.
 
-    With a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v it is half of
+    Let a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v. The result is half of
     ``fi ω̇ + side (ω̇ + s ω) × v + (fiy b + a + s fi)/2 ω + (hi (2 v·ω̇ + 2 a s + fi ω²) + hiy a b − ω²)/2 v``,
     where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
     """
@@ -70,7 +70,11 @@ def rate_dot(trace: Geometry) -> Program:
 
 
 def twist_jacobian(trace: Geometry) -> Program:
-    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
+    """Derivative of the twist T w by v, at constant w = v̇.
+
+    The formula is ``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``,
+    where v⊗w = w⊗v − skew(v × w).
+    """
     point, w = trace.point(), trace.argument("v_dot", "w")
     side = _side(trace)
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
@@ -83,14 +87,15 @@ def twist_jacobian(trace: Geometry) -> Program:
 
 
 def rate_jacobian(trace: Geometry) -> Program:
-    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v).
+    """Derivative of the rate T⁻¹ w by v, at constant w = ω.
 
-    That leaves one dyad, v⊗b, which is 0 where fiy = −hi, as for n = 2.
+    The formula is half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``. With
+    w⊗v = v⊗w − skew(w × v) one dyad is left, v⊗b, which is 0 where fiy = −hi, as for n = 2.
     """
     point, w = trace.point(), trace.argument("omega", "w")
     side = trace.name("hs", _side(trace) * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("hi", "fiy", "hiy"))
-    # halves are taken of w: scalars of some charts are integers
+    # halve w, not the scalars: in some charts they are integers
     v, half = point.v, trace.dual_vector("wh", w * HALF)
     along = trace.dual("vwh", v.dot(half))
     image = trace.dual_vector("b", trace.dual("fh", hi + fiy) * half + trace.dual("ht", hiy * along) * v)
@@ -100,21 +105,21 @@ def rate_jacobian(trace: Geometry) -> Program:
 
 
 def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) -> Program:
-    """Return the program of a dyad plus ``a I + skew(s)``."""
+    """Return the program that adds a dyad to ``a I + skew(s)``."""
     spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
     return trace.program(name, entries6(trace, dyad + spread))
 
 
 def matrix6(trace: Geometry) -> Program:
-    """The real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D: it acts on dual vectors as D does."""
+    """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
     entries = trace.components("D", "D", 18)
     return trace.program("matrix6", entries6(trace, Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))))
 
 
 def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
-    """Return the entries of that matrix."""
+    """Yield the entries of the real matrix of a dual tensor, as in `matrix6`."""
     re = list(tensor.re)
-    if not trace.real:  # each stands there twice
+    if not trace.real:  # each entry occurs twice, so it needs a name
         re = [trace.name(f"J{place}", entry) for place, entry in zip(NINE, re, strict=True)]
     du = list(tensor.du)
     for i in (0, 3, 6):

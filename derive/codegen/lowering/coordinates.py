@@ -1,6 +1,6 @@
-"""Exponential coordinates α u of a vector on its own branch, and back: the way from chart to chart.
+"""Exponential coordinates α u of a vector on its own branch, and the inverse map: conversion between charts.
 
-A function of r times u has the dual part of r times its slope along the axis, and no other: regular at no rotation.
+A vector k(r) u, r = |v|, has the dual part (k/r) v° + (k' − k/r) (v·v°/v²) v, which is regular at v = 0.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from .point import Geometry, Point
 
 
 def to_exponential(trace: Geometry) -> Program:
-    """α u of v = φ(α) u, on the branch of v."""
+    """Exponential coordinates α u of v = φ(α) u, on the branch of v."""
     point = trace.point()
     resting, square, length = _length(trace, point)
     (own,) = trace.ask("unfolded", (point.x, length))
@@ -21,7 +21,7 @@ def to_exponential(trace: Geometry) -> Program:
 
 
 def from_exponential(trace: Geometry) -> Program:
-    """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
+    """Vector φ(α) u of exponential coordinates α u; α beyond the edge of the chart is reduced by whole turns."""
     point = trace.point("w")
     resting, square, length = _length(trace, point)
     (angle,) = trace.ask("reached", (trace.name("alpha", trace.where(resting, point.x, length)),))
@@ -31,13 +31,13 @@ def from_exponential(trace: Geometry) -> Program:
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether the length is 0, its square, and itself; at 0 others, for no root is taken of 0."""
+    """Return whether the length is 0, its square, and the length; both become 1 at 0, to avoid the root of 0."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
     return resting, square, trace.name("length", trace.sqrt(square))
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:
-    """Return a vector times a share of its length, whose slope by that length is given."""
+    """Return a vector scaled by ``share``, new over old length; ``slope`` is the derivative of the new length."""
     bend = trace.name("bend", (slope - share) * point.y / square)
     return *(share * point.re), *(share * point.du + bend * point.re)

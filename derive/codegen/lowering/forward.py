@@ -1,4 +1,4 @@
-"""Forward maps: dual quaternion, orthogonal dual tensor, pose, moved points and lines. No branch, no singular point."""
+"""Forward maps, regular and without branch: dual quaternion, orthogonal dual tensor, pose, moved points and lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Rows = tuple[Vector, Vector, Vector]
 
 
 def flat(rows: Iterable[Iterable[Number]]) -> Iterator[Number]:
-    """Return the entries of a matrix in C order."""
+    """Yield the entries of a matrix in C order."""
     for row in rows:
         yield from row
 
@@ -24,7 +24,7 @@ def rows_of(entries: Sequence[Number]) -> Rows:
 
 
 def rotation(point: Point, f: Number, g: Number) -> Rows:
-    """Return Q = I + f skew(v) + g skew(v)², whose diagonal is 1 − g (x − v_i²)."""
+    """Return the rows of Q = I + f skew(v) + g skew(v)², with the diagonal 1 − g (x − v_i²)."""
     trace = point.trace
     first, second, third = point.squares
     squares = (("x23", second + third), ("x13", first + third), ("x12", first + second))
@@ -41,7 +41,7 @@ def rotation(point: Point, f: Number, g: Number) -> Rows:
 
 
 def translation(point: Point, f: Number, g: Number, h: Number) -> Vector:
-    """Return ρ = Re(T) v° = f v° + g v × v° + h (v·v°) v: the dual part of R is skew(ρ) Q."""
+    """Return the translation ρ = Re(T) v° = f v° + g v × v° + h (v·v°) v; the dual part of R is skew(ρ) Q."""
     v, vo = point.re, point.du
     gv = point.trace.vector("gv" + point.mark, g * v)
     along = point.name("along", h * point.y)
@@ -50,7 +50,7 @@ def translation(point: Point, f: Number, g: Number, h: Number) -> Vector:
 
 
 def rotated(trace: Geometry, v: Vector, f: Number, g: Number, r: Vector) -> Vector:
-    """Return Q r = r + f v × r + v × (g v × r)."""
+    """Return the rotated vector Q r = r + f v × r + v × (g v × r)."""
     turned = trace.vector("vr", v.cross(r))
     twice = trace.vector("gvr", g * turned)
     moved: Vector = r + (f * turned + v.cross(twice))
@@ -58,7 +58,7 @@ def rotated(trace: Geometry, v: Vector, f: Number, g: Number, r: Vector) -> Vect
 
 
 def crossed(a: Vector, rows: Rows) -> Iterator[Number]:
-    """Return the entries of skew(a) B, of the rows of B."""
+    """Return the entries of skew(a) B, given the rows of B."""
     a1, a2, a3 = a
     first, second, third = rows
     return flat((a2 * third - a3 * second, a3 * first - a1 * third, a1 * second - a2 * first))
@@ -68,15 +68,15 @@ def crossed(a: Vector, rows: Rows) -> Iterator[Number]:
 
 
 def rotate_at(trace: Geometry) -> Program:
-    """Q r = r + f v × r + v × (g v × r), at the real part of v."""
+    """Rotated vector Q r = r + f v × r + v × (g v × r), at the real part of v."""
     f, g = trace.numbers("f", "g")
     return trace.program("rotate_at", rotated(trace, trace.point().re, f, g, trace.real_vector("r")))
 
 
 def tensor_at(trace: Geometry) -> Program:
-    """R = Q of f and g, CP23 (57).
+    """Tensor R = Q of the scalars f and g, CP23 (57).
 
-    Its dual part is skew(ρ) Q, ρ of f, g and h.
+    The dual part is skew(ρ) Q, with ρ of f, g and h.
     """
     f, g, h = trace.numbers("f", "g", "h")
     point = trace.point()
@@ -90,7 +90,7 @@ def tensor_at(trace: Geometry) -> Program:
 
 
 def quaternion(trace: Geometry) -> Program:
-    """q̂ = s + w v, CP23 (50)."""
+    """Unit quaternion q̂ = s + w v, CP23 (50)."""
     point = trace.point()
     s, w, sy, wy = point.scalars("quaternion_scalars")
     turned = trace.name("wo", wy * point.y)
@@ -98,13 +98,13 @@ def quaternion(trace: Geometry) -> Program:
 
 
 def tensor(trace: Geometry) -> Program:
-    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    """Orthogonal tensor R = I + f skew(v) + g skew(v)², CP23 (57)."""
     point = trace.point()
     return trace.program("tensor", trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components))
 
 
 def pose(trace: Geometry) -> Program:
-    """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
+    """Homogeneous matrix [[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
     point = trace.point()
     f, g, h = point.scalars("pose_scalars")
     pairs = zip(rotation(point, f, g), translation(point, f, g, h), strict=True)
@@ -113,9 +113,9 @@ def pose(trace: Geometry) -> Program:
 
 
 def transform_point(trace: Geometry) -> Program:
-    """Q r of a point r.
+    """Image Q r of a point r.
 
-    It moves by ρ besides.
+    The translation ρ is added: Q r + ρ.
     """
     point, r = trace.point(), trace.real_vector("r")
     f, g, h = point.scalars("pose_scalars")
@@ -123,7 +123,7 @@ def transform_point(trace: Geometry) -> Program:
 
 
 def transform_line(trace: Geometry) -> Program:
-    """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
+    """Image R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
     f, g, h = point.scalars("pose_scalars")
     direction = Vector(*trace.apply(rotate_at, "Ql{}", f, g, point.components, parts[:3]))
@@ -133,5 +133,5 @@ def transform_line(trace: Geometry) -> Program:
 
 
 def inverse(trace: Geometry) -> Program:
-    """−v: R(−v) = R(v)ᵀ."""
+    """Vector −v of the inverse: R(−v) = R(v)ᵀ."""
     return trace.program("inverse", [-component for component in trace.point().components])

@@ -1,6 +1,6 @@
-"""Displacements as a group: the adjoint, and Jacobians of what is moved and of what is composed.
+"""Displacements as a group: the adjoint, and Jacobians of moved points and lines and of compositions.
 
-With ``T v̇`` the twist, a moved line ``R l`` changes by ``T v̇ × R l``, and ``R(v) = R(v2) R(v1)`` gives
+The twist is ``T v̇``: a moved line ``R l`` changes by ``T v̇ × R l``, and ``R(v) = R(v2) R(v1)`` gives
 ``T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1``.
 """
 
@@ -17,9 +17,9 @@ from .point import Geometry
 
 
 def dual_product(trace: Geometry) -> Program:
-    """A B.
+    """Product A B of two tensors.
 
-    A and B are dual tensors: the dual part is A° B + A B°.
+    The tensors are dual: the dual part is A° B + A B°.
     """
     A, B = (
         Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))
@@ -30,16 +30,16 @@ def dual_product(trace: Geometry) -> Program:
 
 
 def adjoint(trace: Geometry) -> Program:
-    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
+    """Adjoint of R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     point = trace.point()
     R = trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components)
     return trace.program("adjoint", trace.apply(matrix6, "J{}", R))
 
 
 def transform_point_jacobians(trace: Geometry) -> Program:
-    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r.
+    """Derivatives −skew(Q r) T and Q of a moved point by v and by r.
 
-    By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
+    The derivative by v is (T° − skew(Q r + ρ) T, T): three columns by Re v, then three columns by v°.
     """
     point, r = trace.point(), trace.real_vector("r")
     f, g, h, *slopes = point.scalars("tangent_scalars")
@@ -53,7 +53,7 @@ def transform_point_jacobians(trace: Geometry) -> Program:
 
 
 def transform_line_jacobians(trace: Geometry) -> Program:
-    """−skew(R l) T and R: the derivatives of a moved line by v and by the line."""
+    """Derivatives −skew(R l) T and R of a moved line by v and by the line."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
     f, g, h, *slopes = point.scalars("tangent_scalars")
     R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
@@ -68,7 +68,7 @@ def transform_line_jacobians(trace: Geometry) -> Program:
 
 
 def compose_jacobians(trace: Geometry) -> Program:
-    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    """Derivatives T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1) of v = compose(v2, v1), by v2 and by v1."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     by_second, by_first = _by_factors(trace, v2, v1)
     by_v2, by_v1 = trace.apply(matrix6, "by_v2{}", by_second), trace.apply(matrix6, "by_v1{}", by_first)
@@ -76,7 +76,7 @@ def compose_jacobians(trace: Geometry) -> Program:
 
 
 def between_jacobians(trace: Geometry) -> Program:
-    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    """Derivatives T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1) of v = compose(−v1, v2), by v2 and by v1."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     by_second, by_first = _by_factors(trace, opposite(v1), v2)
     by_v2 = trace.apply(matrix6, "by_v2{}", by_first)
@@ -86,7 +86,7 @@ def between_jacobians(trace: Geometry) -> Program:
 def _by_factors(
     trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
 ) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
-    """Return the derivatives of a product by its factors."""
+    """Return the derivatives of a composition by its second and by its first factor."""
     v = trace.apply(compose, "v{}", second, first)
     back = trace.apply(tangent_inv, "back{}", v)
     T2, T1 = trace.apply(tangent, "T2{}", second), trace.apply(tangent, "T1{}", first)

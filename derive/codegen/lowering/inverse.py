@@ -1,7 +1,7 @@
 """Inverse maps, composition, and shadows.
 
-Each inverse map needs only its real part: with T = Re dcay at Re v, the dual part of v is v° = T⁻¹ ρ. Signs follow the
-principal quaternion: scalar part >= 0, and where it is 0 the given vector part stands.
+Each inverse map computes only Re v: with T = Re dcay at Re v, the dual part is v° = T⁻¹ ρ. Signs follow the principal
+quaternion: its scalar part is >= 0; if the scalar part is 0, the given vector part is kept.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from .kinematics import opposite
 from .point import TABLE, Geometry, Point
 
 Axis = tuple[Number, Vector, Number, Vector]
-"""Magnitude and direction of a dual vector, and the dual parts of both."""
+"""Magnitude and direction of a dual vector, followed by the dual parts of both."""
 
 DISPLACEMENT = ("e0", "e1", "e2", "e3", "size", "f°", "g°", "rho1°", "rho2°", "rho3°")
 """Results of `displacement`."""
 
 
 def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
-    """Return v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2."""
+    """Return the dual part v° = T⁻¹ ρ = (fi ρ − v × ρ + hi (v·ρ) v)/2."""
     along = trace.name("along", hi * v.dot(rho))
     du: Vector = (fi * rho - v.cross(rho) + along * v) / 2
     return du
@@ -34,9 +34,9 @@ def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -
 
 
 def vector_of(trace: Geometry) -> Program:
-    """v = gain vec e of a quaternion e.
+    """Vector v = gain vec e of a quaternion e.
 
-    Its dual part is v° = T⁻¹ ρ.
+    The dual part is v° = T⁻¹ ρ.
     """
     (gain,) = trace.numbers("gain")
     e0, *vector = trace.components("e", "e", 4)
@@ -47,9 +47,9 @@ def vector_of(trace: Geometry) -> Program:
 
 
 def quaternion_of(trace: Geometry) -> Program:
-    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0.
+    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0.
 
-    That is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    The result is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
     """
     (q11, q12, q13), (q21, q22, q23), (q31, q32, q33) = rows_of(trace.components("Q", "Q", 9))
     a, b, c = (trace.name(f"a{i}", d) for i, d in enumerate((q32 - q23, q13 - q31, q21 - q12), 1))
@@ -69,7 +69,7 @@ def quaternion_of(trace: Geometry) -> Program:
 
 
 def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...]:
-    """Return a quaternion or its opposite: the scalar >= 0, or the first other component that is not 0 positive."""
+    """Return a quaternion or its opposite, so that the first component that is not 0 is positive."""
     negative: Number = trace.less(entries[3], 0)
     for entry in (entries[2], entries[1], entries[0]):
         negative = trace.either(trace.less(entry, 0), trace.both(trace.equal(entry, 0), negative))
@@ -78,9 +78,9 @@ def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...
 
 
 def displacement(trace: Geometry) -> Program:
-    """A positive multiple e of the quaternion of v, its size, and f and g.
+    """Positive multiple e of the quaternion of v, its size, and the scalars f and g.
 
-    ρ = Re(T) v°, the translation.
+    The translation is ρ = Re(T) v°.
     """
     point = trace.point()
     a, b, size, f, g, h = point.scalars("ray")
@@ -89,9 +89,9 @@ def displacement(trace: Geometry) -> Program:
 
 
 def composed(trace: Geometry) -> Program:
-    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
+    """Product e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
 
-    ρ = ρ2 + Q2 ρ1, Q2 of f and g at v2.
+    The translation is ρ = ρ2 + Q2 ρ1, with Q2 of f and g at v2.
     """
     e2 = Quaternion.from_components(trace.inputs("e2", [f"p{i}" for i in range(4)]))
     f, g = (trace.inputs(name, [name + "°"])[0] for name in ("f", "g"))
@@ -107,7 +107,7 @@ def composed(trace: Geometry) -> Program:
 def product(
     trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
 ) -> tuple[tuple[Number, ...], tuple[Number, ...], tuple[Number, ...]]:
-    """Return e and ρ of one displacement after another, and the sizes of both quaternions."""
+    """Return e and ρ of the composition of two displacements, and the sizes of both quaternions."""
     *e2, size2, f, g, r1, r2, r3 = trace.apply(displacement, "{}_2", second)
     *e1, size1, _, _, s1, s2, s3 = trace.apply(displacement, "{}_1", first)
     found = trace.apply(composed, "{}", e2, f, g, second, (r1, r2, r3), e1, (s1, s2, s3))
@@ -118,9 +118,9 @@ def product(
 
 
 def from_quaternion(trace: Geometry) -> Program:
-    """v = gain vec q̂ of a unit dual quaternion, CP23 (47).
+    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47).
 
-    v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
     """
     parts = trace.inputs("e", [f"e{i}{mark}" for mark in ("", "o") for i in range(4)])
     e, eo = Quaternion.from_components(parts[:4]), Quaternion.from_components(parts[4:])
@@ -130,9 +130,9 @@ def from_quaternion(trace: Geometry) -> Program:
 
 
 def from_tensor(trace: Geometry) -> Program:
-    """v of a rotation Q, by its quaternion.
+    """Vector v of a rotation Q, computed from its quaternion.
 
-    v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
+    The dual part is v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
     """
     entries = trace.inputs("R", [f"R{i}{j}{mark}" for mark in ("", "o") for i in (1, 2, 3) for j in (1, 2, 3)])
     rotation, dual = rows_of(entries[:9]), rows_of(entries[9:])
@@ -142,7 +142,7 @@ def from_tensor(trace: Geometry) -> Program:
 
 
 def from_pose(trace: Geometry) -> Program:
-    """v of a homogeneous matrix [[Q, ρ], [0, 1]]; v° = T⁻¹ ρ."""
+    """Vector v of a homogeneous matrix [[Q, ρ], [0, 1]], with the dual part v° = T⁻¹ ρ."""
     entries = trace.inputs("T", [f"{'Q' if j < 4 else 'T'}{i}{j}" for i in (1, 2, 3, 4) for j in (1, 2, 3, 4)])
     rotation = (*entries[:3], *entries[4:7], *entries[8:11])
     return trace.program("from_pose", _from_rotation(trace, rotation, (entries[3], entries[7], entries[11])))
@@ -155,7 +155,7 @@ def _from_rotation(trace: Geometry, Q: tuple[Number, ...], rho: Vector | tuple[N
 
 
 def compose(trace: Geometry) -> Program:
-    """The principal v of R(v2) R(v1), CP23 (58)."""
+    """Principal vector v of R(v2) R(v1), CP23 (58)."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     e, rho, sizes = product(trace, v2, v1)
     (gain,) = trace.ask("gain_product", (*e, *sizes))
@@ -163,7 +163,7 @@ def compose(trace: Geometry) -> Program:
 
 
 def between(trace: Geometry) -> Program:
-    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    """Principal vector v of R(v1)⁻¹ R(v2), where R(v1)⁻¹ = R(−v1)."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     return trace.program("between", trace.apply(compose, "v{}", opposite(v1), v2))
 
@@ -172,25 +172,25 @@ def between(trace: Geometry) -> Program:
 
 
 def turn(trace: Geometry) -> Program:
-    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
+    """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     point = trace.point()
     return trace.program("turn", _turned(trace, point, _axis(trace, point), *_turn(trace)))
 
 
 def shadow(trace: Geometry) -> Program:
-    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
+    """Shadow φ(α + 2kπ) u of v, with the axis u of its principal angle α, CP23 (49)."""
     point = trace.point()
     cosine, sine = _turn(trace)
     axis = _axis(trace, point)
-    # of the axis' length, not of x: its gradient is finite at Re v = 0
+    # take the length from the axis, not from x: its gradient is finite at Re v = 0
     (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
     return trace.program("shadow", _turned(trace, point, axis, cosine, point.name("sn", sign * sine)))
 
 
 def principal(trace: Geometry) -> Program:
-    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
+    """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     point = trace.point()
-    trace.inputs(TABLE, ())  # of a length that only the chart knows
+    trace.inputs(TABLE, ())  # only the chart knows its length
     beyond, cosine, sine = trace.ask("beyond", (point.x,))
     turned = _turned(trace, point, _axis_where(trace, point, beyond), cosine, sine)
     stays = (*point.re, *point.du)
@@ -199,7 +199,7 @@ def principal(trace: Geometry) -> Program:
 
 
 def shadow_jacobian(trace: Geometry) -> Program:
-    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
+    """Derivative T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u of v_k = r_k u by v = r u; regular at whole turns."""
     point = trace.point()
     cosine, sine = _turn(trace)
     size, u, size_du, moment = _axis(trace, point)
@@ -207,7 +207,7 @@ def shadow_jacobian(trace: Geometry) -> Program:
     length, slope, bend = trace.ask("turned", (size, cosine, point.name("sn", sign * sine)))
     ratio = point.name("ratio", length / size)
     spread = point.name("spread", slope - ratio)
-    # by division of each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows where r is small
+    # divide each entry of I − u⊗u, which may be 0: the dual part of r_k/r overflows for small r
     change, along = point.name("change", spread * size_du), point.name("along", bend * size_du)
     entries = []
     for (i, (ui, mi)), (j, (uj, mj)) in itertools.product(enumerate(zip(u, moment), 1), repeat=2):
@@ -219,7 +219,7 @@ def shadow_jacobian(trace: Geometry) -> Program:
 
 
 def identity_jacobian(trace: Geometry) -> Program:
-    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
+    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
     point = trace.point()
     none = point.name("none", sum(((c - c) for c in (*point.re, *point.du)), start=0))
     one = Dual(point.name("one", 1 + none), none)
@@ -240,22 +240,22 @@ def _axis(trace: Geometry, point: Point) -> Axis:
 
 
 def axis_of(trace: Geometry) -> Program:
-    """r = |v| and u = v/|v|; u is NaN at v = 0.
+    """Length r = |v| and axis u = v/|v|; u is NaN at v = 0.
 
-    Dual parts are r° and u°; at Re v = 0 the axis is that of v°, through the origin.
+    The dual parts are r° and u°. At Re v = 0 the axis passes through the origin in the direction of v°.
     """
-    # vectors are scaled by their sums before they are squared: no length underflows or overflows but where it must
+    # scale vectors by their sums before squaring: a length underflows or overflows only where unavoidable
     point = trace.point()
     v, vo = point.re, point.du
     total = point.name("total", _sum(trace, v))
     still = point.name("still", trace.equal(total, 0))
-    # with no dual part nothing else is left at Re v = 0
+    # without a dual part, v itself is the only choice at Re v = 0
     where = v if point.is_real else Vector(*(trace.where(still, b, a) for a, b in zip(v, vo, strict=True)))
     along = trace.vector("a", where)
     extent = point.name("extent", _sum(trace, along))
     scale = point.name("scale", trace.where(trace.equal(extent, 0), 1, extent))
     scaled = trace.vector("s", along / scale)
-    # one root, never of 0 but at the identity: so the gradient is finite wherever the axis is defined
+    # one root, of 0 only at the identity: the gradient is finite wherever the axis is defined
     root = point.name("root", trace.sqrt(scaled.dot(scaled)))
     u = trace.vector("u", scaled / root)
     size_du = point.name("ro", trace.where(still, scale * root, u.dot(vo)))
@@ -271,7 +271,7 @@ def _sum(trace: Geometry, v: Vector) -> Number:
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
-    """Return the same where it is needed, Re v ≠ 0; elsewhere numbers that are not used and spoil no gradient."""
+    """Return |v| and v/|v| where ``selected``, for Re v ≠ 0; elsewhere unused numbers that spoil no gradient."""
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
     u = trace.vector("u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
@@ -280,7 +280,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
 
 
 def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
-    """Return the vector a turn on along u: its coefficient r becomes rk, with the slope of that in the dual part."""
+    """Return the vector turned along u: the coefficient r becomes rk, and the dual part contains the slope drk/dr."""
     size, u, size_du, moment = axis
     length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)
@@ -288,9 +288,9 @@ def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Num
 
 
 def to_screw(trace: Geometry) -> Program:
-    """The angle α in [0, π] and the axis u, CP23 Theorem 3.
+    """Angle α in [0, π] and axis u of v, CP23 Theorem 3.
 
-    The dual part of α is r° dα/dr, along the axis of that angle.
+    The dual part of α is r° dα/dr, along the axis u.
     """
     point = trace.point()
     size, u, size_du, moment = _axis(trace, point)
@@ -299,9 +299,9 @@ def to_screw(trace: Geometry) -> Program:
 
 
 def angle(trace: Geometry) -> Program:
-    """The angle α of v on its own branch.
+    """Angle α of v on its own branch.
 
-    Its dual part is r° (f + x h), since dα/dr = f + x h.
+    The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     point = trace.point()
     _, _, distance, _ = _axis(trace, point)
@@ -313,7 +313,7 @@ def angle(trace: Geometry) -> Program:
 
 
 def from_screw(trace: Geometry) -> Program:
-    """v = φ(α) u, over dual numbers."""
+    """Vector v = φ(α) u, in dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
     line = trace.argument("line", "u")
     u, moment = line.re, line.du

@@ -1,7 +1,7 @@
 """Tangent operator and its inverse: as dual tensors, and applied to rates and twists in either frame.
 
-Both are ``a I + skew(s) + c v⊗v`` with s a multiple of v; dual parts of the scalars are slopes times y = v·v°. The body
-forms are the transposes, which differ by the sign of s alone: a constant, the side, says which is meant.
+Both have the form ``a I + skew(s) + c v⊗v`` with s a multiple of v; dual parts of the scalars are slopes times
+y = v·v°. Body forms are the transposes, which differ only in the sign of s: the constant ``side`` gives that sign.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from .point import Geometry
 
 
 def assembled(trace: Geometry, a: Number, s: Vector, diagonal: Vector, off: tuple[Number, ...]) -> Tensor:
-    """Return a I + skew(s) + a symmetric tensor given by its diagonal and the entries 12, 13, 23."""
+    """Return a I + skew(s) plus the symmetric tensor with this diagonal and the entries 12, 13, 23 in ``off``."""
     s1, s2, s3 = s
     d11, d22, d33 = (a + entry for entry in diagonal)
     d12, d13, d23 = (trace.dual(name, entry) for name, entry in zip(("d12", "d13", "d23"), off, strict=True))
@@ -21,9 +21,9 @@ def assembled(trace: Geometry, a: Number, s: Vector, diagonal: Vector, off: tupl
 
 
 def tangent_at(trace: Geometry) -> Program:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88).
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88).
 
-    fy, gy, hy are slopes: the dual part of f is fy v·v°.
+    The slopes are fy, gy, hy: the dual part of f is fy v·v°.
     """
     f, g, h, fy, gy, hy = trace.numbers("f", "g", "h", "fy", "gy", "hy")
     point = trace.point()
@@ -35,15 +35,15 @@ def tangent_at(trace: Geometry) -> Program:
 
 
 def tangent_inverse_at(trace: Geometry) -> Program:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
 
-    fiy, hiy are slopes: the dual part of fi is fiy v·v°.
+    The slopes are fiy, hiy: the dual part of fi is fiy v·v°.
     """
     fi, hi, fiy, hiy = trace.numbers("fi", "hi", "fiy", "hiy")
     point = trace.point()
     pairs = (("fio", fi, fiy), ("hio", hi, hiy))
     fi, hi = (Dual(value, trace.name(letter, slope * point.y)) for letter, value, slope in pairs)
-    # half of v, not of fi or hi: those of some charts are integers
+    # halve v, not fi or hi: in some charts they are integers
     half = trace.dual_vector("half", point.v / 2)
     (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("hv", point.v * hi), point.v
     _, second, third = half
@@ -53,27 +53,27 @@ def tangent_inverse_at(trace: Geometry) -> Program:
 
 
 def tangent(trace: Geometry) -> Program:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     point = trace.point()
     return trace.program("tangent", trace.apply(tangent_at, "T{}", *point.scalars("tangent_scalars"), point.components))
 
 
 def body_tangent(trace: Geometry) -> Program:
-    """Tᵀ, which is T at −v, CP23 (86)."""
+    """Transposed tangent operator Tᵀ, which is T at −v, CP23 (86)."""
     point = trace.point()
     scalars, back = point.scalars("tangent_scalars"), opposite(point.components)
     return trace.program("body_tangent", trace.apply(tangent_at, "T{}", *scalars, back))
 
 
 def tangent_inv(trace: Geometry) -> Program:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     point = trace.point()
     scalars = point.scalars("tangent_inv_scalars")
     return trace.program("tangent_inv", trace.apply(tangent_inverse_at, "T{}", *scalars, point.components))
 
 
 def body_tangent_inv(trace: Geometry) -> Program:
-    """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
+    """Transposed inverse tangent operator T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     point = trace.point()
     scalars, back = point.scalars("tangent_inv_scalars"), opposite(point.components)
     return trace.program("body_tangent_inv", trace.apply(tangent_inverse_at, "T{}", *scalars, back))
@@ -85,7 +85,7 @@ def opposite(v: tuple[Number, ...]) -> tuple[Number, ...]:
 
 
 def twist(trace: Geometry) -> Program:
-    """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
+    """Twist T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); side −1 gives the body twist Tᵀ v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
     (side,) = trace.inputs("table", ("side",))
     f, g, h = point.lifted("tangent_scalars", ("f", "g", "h"))
@@ -96,9 +96,9 @@ def twist(trace: Geometry) -> Program:
 
 
 def rate(trace: Geometry) -> Program:
-    """T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); with the side −1 the body's, T⁻ᵀ ω.
+    """Rate T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); side −1 gives T⁻ᵀ ω of a body twist.
 
-    The table holds the side and half of it, by which ``side fi ω − v × ω + side hi (v·ω) v`` is multiplied.
+    The table holds side and half = side/2; half multiplies ``side fi ω − v × ω + side hi (v·ω) v``.
     """
     point, w = trace.point(), trace.argument("omega", "w")
     side, half = trace.inputs("table", ("side", "half"))

@@ -1,8 +1,8 @@
-"""The screw-linear motion from a vector to another, on the branch that is followed continuously.
+"""Screw-linear motion from one vector to another, on the continuously followed branch.
 
-Its quaternion ``exp(t δ/2) q̂(v1)`` is that of the closed form, ``cos(α/2) + sin(α/2) u``, all the way: so between two
-whole turns the sign of ``sin(α/2)`` is that of v1, and α stays within the turn. Only a motion about v1's own axis goes
-through whole turns, as its angle does.
+Its quaternion ``exp(t δ/2) q̂(v1)`` equals ``cos(α/2) + sin(α/2) u`` at every t. Between two whole turns
+``sin(α/2)`` keeps the sign that it has at v1, and α stays within the turn. Only a motion about v1's own axis passes
+through whole turns.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ from .point import LAYOUTS, Geometry, Point
 from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
-"""Angle in rad: a motion that begins below it and ends before a whole turn never reaches one, about any axis."""
+"""Angle in rad: a motion about any axis that begins below it and ends before a whole turn reaches no whole turn."""
 
 OWN_AXIS = 64
-"""A δ × v below |v| eps/2 times this counts as 0: rounding of two quaternions and their product stays below it."""
+"""Limit of δ × v in units of |v| eps/2: smaller values count as 0, since rounding of two quaternions and their
+product stays below it."""
 
 
 def interpolate(trace: Geometry) -> Program:
-    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    """Vector v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch followed from v1."""
     v1, v2 = trace.components("v1", "a", 6), trace.components("v2", "b", 6)
     (t,) = trace.inputs("time", ("t",))
     delta = trace.apply(local, "d{}", v2, v1)
@@ -39,7 +40,7 @@ def interpolate(trace: Geometry) -> Program:
 
 
 class _Followed:
-    """The branch of v that is followed from v1, while the quaternion turns about the axis of δ."""
+    """Branch of v that is followed from v1 while the quaternion turns about the axis of δ."""
 
     def __init__(self, trace: Geometry, start: Point, first: Quaternion, delta: Vector, gone: Vector) -> None:
         self.trace = trace
@@ -49,7 +50,7 @@ class _Followed:
         (own,) = trace.ask("unfolded", (start.x, r))
         self.own = name("alpha", where(resting, start.x, own))
         along = trace.vector("along", start.re / r)
-        # once more: where the square of v is subnormal, its root has few digits
+        # normalize again: if the square of v is subnormal, its root has few digits
         unit = name("unit", trace.sqrt(where(resting, r, along.dot(along))))
         self.axis = trace.vector("axis", along / unit)
         self.gone = name("gone", gone.dot(self.axis))
@@ -61,11 +62,11 @@ class _Followed:
         _, self.begun = self._half(first, "1")
 
     def _half(self, q: Quaternion, mark: str) -> tuple[Number, Number]:
-        """Return ``sin(α/2)`` with its sign along the axis that is followed, and α/2 up to whole turns."""
+        """Return the signed ``sin(α/2)`` along the followed axis, and α/2 up to whole turns."""
         trace, name = self.trace, self.trace.name
         ss = name("ss" + mark, q.vector.dot(q.vector))
         still = name("still" + mark, trace.equal(ss, 0))
-        # the root is not taken of 0: its slope there is infinite, and 0 times that is no gradient
+        # never take the root of 0: its infinite slope times 0 would spoil the gradient
         root = name("root" + mark, trace.sqrt(trace.where(still, 1 + ss, ss)))
         length = trace.where(still, ss, self.side * root)
         sine = name("sine" + mark, trace.where(self.apart, length, q.vector.dot(self.axis)))
@@ -77,15 +78,15 @@ class _Followed:
         trace, name, where = self.trace, self.trace.name, self.trace.where
         sine, half = self._half(z, "t")
         turns = name("turns", self.own + where(self.apart, -2 * self.begun, self.gone - 2 * half))
-        whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, but for rounding
+        whole = where(trace.less(trace.abs(turns), 1), 0, turns)  # a multiple of 2π, up to rounding
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))
         size, slope = trace.ask("coefficient", (angle,), "n")
-        # a turn so small that its square is 0 is in the vector part nevertheless
+        # the vector part keeps a turn whose square underflows to 0
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
         turned = size / name("nosine", where(still, 1 + sine, sine))
         factor = name("factor", where(still, least, turned))
-        # next to whole turns v1's own axis; elsewhere that of z is as good, and its slope is the motion's
+        # near whole turns take v1's own axis; elsewhere the axis of z is as good and has the slope of the motion
         clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))

@@ -1,8 +1,8 @@
-"""Traces of geometry: programs that call a chart's scalars and one another, and the vectors in them.
+"""Traces of geometry: programs that call scalar programs and one another, and the vectors in them.
 
-A recipe is a function of a trace that returns a program. Its docstring is the contract of that program: the first
-paragraph of all of it, the second one of its dual part. A name that ends in ``o`` is that of a dual part, as ° says in
-the formulas; one that ends in ° is of a dual part too, and written without the mark.
+A recipe is a function of a trace that returns a program. Its docstring is the program's contract: the first paragraph
+describes the whole result, the second one the dual part. Names that end in ``o`` are dual parts, marked ° in formulas.
+Names that end in ° are dual parts too, but are printed without the mark.
 """
 
 from __future__ import annotations
@@ -30,23 +30,23 @@ LAYOUTS = {
     18: (*NINE, *(f"{place}o" for place in NINE)),
     36: tuple(f"{i}{j}" for i in range(1, 7) for j in range(1, 7)),
 }
-"""Names of components after the letter of the whole: vector, quaternion, dual vector, tensor, dual tensor, matrix."""
+"""Suffixes of component names: vector, quaternion, dual vector, tensor, dual tensor, matrix."""
 
 REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
-"""Names of programs of rotations that differ from those of poses."""
+"""Names of programs for rotations by their name for poses; other programs keep their name."""
 
 TABLE = "table"
-"""The argument that holds constants: it has no dual part."""
+"""Argument that holds constants, which have no dual part."""
 
 
 class Geometry(Trace):
-    """A trace of geometry, which all charts share: scalars of a chart and further geometry programs are calls."""
+    """Trace of geometry, which all charts share; scalar programs and other geometry programs appear as calls."""
 
     real = False
-    """Whether dual parts are the constant 0."""
+    """True if dual parts are the constant 0."""
 
     def ask(self, function: str, arguments: Sequence[Number], mark: str = "") -> tuple[Number, ...]:
-        """Return the results of a scalar program, under their own names and a mark."""
+        """Return the results of a scalar program, under their own names followed by a mark."""
         row = SCALARS[function]
         names, truths = ([name + mark for name in group] for group in (row.results, row.truths))
         return self.call(function, arguments, names, truths, TABLE if TABLE in row.arguments else "")
@@ -59,7 +59,7 @@ class Geometry(Trace):
         return self.call_program(program, _list_name(pattern, program), names, groups)
 
     def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
-        """Freeze what the outputs need; ``results`` are their names, by default those of `LAYOUTS`."""
+        """Freeze the operations that the outputs need; ``results`` are the output names, by default from `LAYOUTS`."""
         program = super().program(name, outputs)
         count = len(program.outputs)
         names = tuple(results) or LAYOUTS.get(count, tuple(map(str, range(1, 1 + count))))
@@ -72,7 +72,7 @@ class Geometry(Trace):
         return tuple(self.inputs(name, [name])[0] for name in names)
 
     def components(self, argument: str, letter: str, count: int) -> tuple[Number, ...]:
-        """Declare an argument with so many components."""
+        """Declare an argument with ``count`` components."""
         return self.inputs(argument, [f"{letter}{place}" for place in LAYOUTS[count]])
 
     def point(self, argument: str = "v", letter: str = "") -> Point:
@@ -80,7 +80,7 @@ class Geometry(Trace):
         return Point(self, self.components(argument, letter or argument, 6))
 
     def real_vector(self, argument: str, letter: str = "", dual: str = "") -> Vector:
-        """Declare three components; ``dual`` is ° where they vanish for rotations alone."""
+        """Declare three components; ``dual`` is ° if they vanish for rotations alone."""
         return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
 
     def argument(self, argument: str, letter: str) -> Vector:
@@ -89,13 +89,13 @@ class Geometry(Trace):
         return Vector.dual(parts[:3], parts[3:])
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
-        """Declare an argument; a mark ° is dropped."""
+        """Declare an argument; drop the mark ° from its names."""
         return super().inputs(argument, [name.rstrip("°") for name in names])
 
     # --- names --------------------------------------------------------------------------------------------------
 
     def dual(self, name: str, value: Number) -> Number:
-        """Name the parts of a dual number, that of the dual part ending in o."""
+        """Name both parts of a dual number; the name of the dual part ends in o."""
         return Dual(self.name(name, value.re), self.name(name + "o", value.du))
 
     def dual_vector(self, letter: str, value: Vector) -> Vector:
@@ -108,7 +108,7 @@ class Geometry(Trace):
 
 
 class Found(NamedTuple):
-    """A result of a program of poses among those of rotations: a result, a component that is given, or a constant."""
+    """Replacement of a pose program's result for rotations: a result, a given component, or a constant."""
 
     result: int | None = None
     given: str = ""
@@ -116,16 +116,16 @@ class Found(NamedTuple):
 
 
 class RealGeometry(Geometry):
-    """A trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
+    """Trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
 
-    What reads a dual part folds away or is read by no result, so a recipe serves rotations alone as it stands.
+    Operations on dual parts fold away or no result reads them, so the recipe needs no change.
 
     Parameters
     ----------
     function : str
-        The program's name; empty for that of the recipe.
+        Name of the program; empty for the name in the recipe.
     kept : sequence of int, optional
-        The places of the results that are kept; by default those that are neither dual parts, constants nor arguments.
+        Places of the results to keep; by default all except dual parts, constants and arguments.
     """
 
     real = True
@@ -137,13 +137,13 @@ class RealGeometry(Geometry):
         self.found: tuple[Found, ...] = ()
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
-        """Declare the components that are not dual parts."""
+        """Declare the components that are not dual parts; return 0 for dual parts."""
         real = [name for name in names if not is_dual(name)]
         declared = dict(zip(real, super().inputs(argument, real) if real or not names else (), strict=True))
         return tuple(declared.get(name, 0) for name in names)
 
     def apply(self, recipe: Recipe, pattern: str, *arguments: Number | Iterable[Number]) -> tuple[Number, ...]:
-        """Return the results of the same program of rotations, in place of those of poses."""
+        """Return the results of the program traced for rotations, in the order of the pose program's results."""
         values: dict[str, Number] = {}
         for (_, names), given in zip(traced(recipe).inputs, arguments, strict=True):
             values |= zip(names, given if isinstance(given, Iterable) else (given,), strict=True)
@@ -161,7 +161,7 @@ class RealGeometry(Geometry):
         )
 
     def program(self, name: str, outputs: Iterable[Number], results: Sequence[str] = ()) -> Program:
-        """Freeze what the outputs that are kept need; one that is only called drops unread arguments."""
+        """Freeze the operations that the kept outputs need; a program without ``function`` drops unread arguments."""
         given = tuple(outputs)
         names = results or LAYOUTS.get(len(given), ("",) * len(given))
         made = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
@@ -186,31 +186,31 @@ class RealGeometry(Geometry):
 
 
 def _list_name(pattern: str, program: Program) -> str:
-    """Return the name of all results: what the pattern leaves of their names, or the program's."""
+    """Return the name of the list of results: the pattern without its placeholder, or the program's name."""
     head = pattern.format("")
     return head if head[:1].isalpha() else f"{program.name}{head}" if head else "found"
 
 
 def is_dual(name: str) -> bool:
-    """Tell by its name whether a component is a dual part."""
+    """Tell from its name whether a component is a dual part."""
     return name.endswith(("o", "°"))
 
 
 @cache
 def traced(recipe: Recipe) -> Program:
-    """Return the program of a recipe, with its contract."""
+    """Return the program of a recipe for poses, with its contract."""
     return _with_contract(recipe(Geometry()), recipe)
 
 
 @cache
 def traced_real(recipe: Recipe) -> tuple[Program, tuple[Found, ...]]:
-    """Return the program of a recipe for rotations alone, and its results in place of those of poses."""
+    """Return the program of a recipe for rotations alone, and the replacements of the pose program's results."""
     trace = RealGeometry()
     return _with_contract(recipe(trace), recipe, real=True), trace.found
 
 
 def traced_kernel(recipe: Recipe, function: str, kept: Sequence[int]) -> Program:
-    """Return the program of a function of rotations, with the results that are kept."""
+    """Return the program of a function of rotations; ``kept`` are the places of its results."""
     return _with_contract(recipe(RealGeometry(function, kept)), recipe, real=True)
 
 
@@ -220,7 +220,7 @@ def _with_contract(program: Program, recipe: Recipe, real: bool = False) -> Prog
 
 
 def narrowed(statement: Statement) -> Statement:
-    """Return a call as that of the scalar program with the fewest results that has all which are read."""
+    """Return a call with its scalar program replaced by the smallest one that has all results that are read."""
     if not isinstance(statement, Call) or statement.result:
         return statement
     row = SCALARS[statement.function]
@@ -236,7 +236,7 @@ def narrowed(statement: Statement) -> Statement:
 
 
 class Point:
-    """Traced components of a dual vector v, and values derived from them, each computed once."""
+    """Traced components of a dual vector v, and values derived from them; each value is computed once."""
 
     def __init__(self, trace: Geometry, components: Sequence[Number], mark: str = "") -> None:
         self.trace = trace
@@ -246,7 +246,7 @@ class Point:
         self.du = Vector(*components[3:6])
 
     def name(self, letter: str, value: Number) -> Number:
-        """Name a value, with the mark of this vector."""
+        """Name a value by a letter and the mark of this vector."""
         return self.trace.name(letter + self.mark, value)
 
     @property
@@ -277,7 +277,7 @@ class Point:
         return Vector.dual(self.re, self.du)
 
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
-        """Return some results of a scalar program at the dual x: the dual part of f is its slope fy times y."""
+        """Return some results of a scalar program at the dual x; the dual part of f is its slope fy times y."""
         found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
         return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
 

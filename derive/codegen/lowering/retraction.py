@@ -1,4 +1,4 @@
-"""Small displacements by the exponential, and motions: what they make of v, and what leads from a vector to another.
+"""Steps δ by the exponential: the vector that a step leads to, and the step from one vector to another.
 
 The exponential's own scalars are the same in every chart.
 """
@@ -24,7 +24,7 @@ EXPONENTIAL = Exponential()
 def retracted(
     trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
 ) -> tuple[Vector, Number, Number, Vector]:
-    """Return the vector nearest v of R = exp(δ) R(v), or of R(v) exp(δ), its factor times e0, its angle, and ρ."""
+    """Return the vector nearest v for exp(δ) R(v) or R(v) exp(δ), its factor times e0, its angle, and ρ."""
     s, w, f, g, h = scalars
     *large, _, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
     small = (s, *(w * Vector(*delta[:3])))
@@ -39,7 +39,7 @@ def retracted(
 
 
 def exponential_scalars(trace: Geometry) -> Program:
-    """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
+    """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
     at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
     names = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
@@ -47,7 +47,7 @@ def exponential_scalars(trace: Geometry) -> Program:
 
 
 def nearest(trace: Geometry) -> Program:
-    """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
+    """Vector φ(α) u of a quaternion e, its factor times e0, and the angle α, within π of v's own angle along u."""
     point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
     e = Quaternion.from_components(trace.components("e", "e", 4))
     ss = trace.name("ss", e.vector.dot(e.vector))
@@ -58,14 +58,14 @@ def nearest(trace: Geometry) -> Program:
     share = trace.where(resting, 0, own / r)
     along = trace.name("along", share * point.re.dot(e.vector) / length)
     sine = trace.name("sine", trace.where(still, ss, length))
-    # within half a turn, so that near the identity it has all digits, whichever of e and −e is given
+    # an angle within half a turn has all digits near the identity, for e as for −e
     falling = trace.name("falling", trace.less(e.scalar, 0))
     cosine = trace.name("cosine", trace.where(falling, -e.scalar, e.scalar))
     half = trace.atan2(sine, cosine)
     angle = trace.name("folded", trace.where(falling, -2, 2) * half)
     turn = trace.tan((angle - along) / 2)
     turns = trace.name("turns", along - angle + 2 * trace.atan2(turn, 1))
-    # a multiple of 2π, but for rounding, which would be much near the identity: on the principal branch it is 0
+    # a multiple of 2π up to rounding; set to 0 on the principal branch, where rounding would spoil small angles
     alpha = trace.name("alpha", angle + trace.where(trace.less(trace.abs(turns), 1), 0, turns))
     size, slope = trace.ask("coefficient_of", (alpha, sine, e.scalar), "n")
     rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
@@ -75,9 +75,9 @@ def nearest(trace: Geometry) -> Program:
 
 
 def logarithm(trace: Geometry) -> Program:
-    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e.
+    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ).
 
-    Its dual part is T⁻¹ ρ.
+    The dual part is T⁻¹ ρ.
     """
     e = Quaternion.from_components(trace.components("e", "e", 4))
     rho = trace.real_vector("rho", dual="°")
@@ -93,12 +93,12 @@ def logarithm(trace: Geometry) -> Program:
 
 
 def retract(trace: Geometry) -> Program:
-    """v of exp(δ) R(v), of its branches the one nearest v."""
+    """Vector of exp(δ) R(v), on the branch nearest v."""
     return _retract(trace, "retract", body=False)
 
 
 def body_retract(trace: Geometry) -> Program:
-    """v of R(v) exp(δ), of its branches the one nearest v."""
+    """Vector of R(v) exp(δ), on the branch nearest v."""
     return _retract(trace, "body_retract", body=True)
 
 
@@ -111,7 +111,7 @@ def _retract(trace: Geometry, name: str, body: bool) -> Program:
 
 
 def retract_jacobians(trace: Geometry) -> Program:
-    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
     re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v)
@@ -127,20 +127,20 @@ def retract_jacobians(trace: Geometry) -> Program:
 
 
 def body_retract_jacobians(trace: Geometry) -> Program:
-    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    """Derivatives T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ) of w = −retract(−v, −δ), by v and by δ."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     results = trace.apply(retract_jacobians, "J{}", opposite(v), opposite(delta))
     return trace.program("body_retract_jacobians", results)
 
 
 def local(trace: Geometry) -> Program:
-    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     e, rho, _ = product(trace, v2, opposite(v1))
     return trace.program("local", trace.apply(logarithm, "d{}", e, rho))
 
 
 def body_local(trace: Geometry) -> Program:
-    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    """Step δ from v1 to v2 in the body, exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     return trace.program("body_local", trace.apply(local, "d{}", opposite(v1), opposite(v2)))

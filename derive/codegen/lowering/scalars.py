@@ -1,4 +1,4 @@
-"""The scalar programs of a chart: what geometry asks of it, one row each, traced from the chart's own formulas."""
+"""Scalar programs of a chart, which geometry calls: one row each, traced from the chart's own formulas."""
 
 from __future__ import annotations
 
@@ -54,17 +54,17 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "coefficient": ("r = phi(alpha) and phi'", "", ()),
     "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
-"""By scalar program: its formula in every chart, in addition that of order n, and the maps whose equations say so."""
+"""Formulas by scalar program: for every chart, in addition for order n, and the maps whose equations are cited."""
 
 TABLE = ("limit", "cos", "sin")
-"""One row of the table of returns."""
+"""Names of the numbers in one row of the table of returns."""
 
 Compute = Callable[[Chart, Trace, Sequence[Number]], Sequence[Number]]
 
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """A function of few numbers: its parameters, its results (``truths`` among them are truth values), its formula."""
+    """Function of few numbers: its parameters, results and formula; ``truths`` are results that are truth values."""
 
     arguments: tuple[str, ...]
     results: tuple[str, ...]
@@ -73,11 +73,11 @@ class Scalar:
 
 
 SQUARES = ("v11", "v22", "v33")
-"""The terms of x, for maps and operators: of their sum alone nothing tells what rounding took. Ways back do with x."""
+"""Terms of x, passed to maps and operators: their sum alone hides its rounding error. Inverse maps take x itself."""
 
 
 def _of_x(*results: str, arguments: tuple[str, ...] = ("x",)) -> Scalar:
-    """Scalars at x by their letters."""
+    """Return the row of scalars at x, given their letters."""
 
     def compute(chart: Chart, trace: Trace, terms: Sequence[Number]) -> tuple[Number, ...]:
         at = chart.scalars(trace.name("x", sum(terms)), trace)
@@ -113,7 +113,7 @@ def _quaternion(e: Sequence[Number]) -> Quaternion:
 
 
 def _at_angle(*results: str) -> Scalar:
-    """Scalars of T⁻¹ at a known angle."""
+    """Return the row of scalars of T⁻¹ at a known angle."""
 
     def compute(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
         x, fe, angle = arguments
@@ -129,7 +129,7 @@ def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Nu
 
 
 def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
-    """An angle α ≥ 0, by whole turns less where it is beyond the edge: the nearest of its pose that the chart has."""
+    """Return an angle α ≥ 0, reduced by whole turns if beyond the edge: the nearest angle of its pose in the chart."""
     (angle,) = arguments
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
@@ -140,7 +140,7 @@ def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[N
     pi = trace.name("pi", 2 * trace.atan2(1 + zero, zero))
 
     def beside(value: Number, other: sympy.Expr, name: str) -> Number:
-        """A value and a constant angle: multiples of π to as many digits as numbers have."""
+        """Return a value plus a constant angle; multiples of π have all digits of the number type."""
         share = other / sympy.pi
         if share.is_Rational:
             return trace.name(name, value + trace.div(int(share.p) * pi, int(share.q)))
@@ -179,29 +179,29 @@ SCALARS: Mapping[str, Scalar] = {
         ("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, at: c.coefficient_of(at[0], at[1], at[2], m)
     ),
 }
-"""By name; arguments a, b and size of a ray are those of `Scalars.ray`, turns and tables those of `Chart`."""
+"""Scalar programs by name; `Scalars.ray` defines a, b and size, and `Chart` defines turns and tables."""
 
 
 def table_names(chart: Chart) -> tuple[str, ...]:
-    """Components of the table of returns."""
+    """Return the names of the components of the table of returns."""
     return tuple(f"{column}{j}" for j in range(1, len(chart.returns()) + 1) for column in TABLE)
 
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:
-    """The scalar programs of a chart, by name, without those that are `idle`."""
+    """Return the scalar programs of a chart by name, without the `idle` ones."""
     return {name: scalar_program(name, chart) for name in SCALARS if name not in idle(chart)}
 
 
 def idle(chart: Chart) -> set[str]:
-    """Scalars nothing asks for: `beyond` where every v is principal, `turned` where a pose has one v."""
+    """Return the names of scalars never called: `beyond` if every v is principal, `turned` if a pose has one v."""
     return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
 
 
 def scalar_program(name: str, chart: Chart) -> Program:
     """Return a scalar program of a chart.
 
-    Results that are fractions are computed from the first argument, so that they have its type, and so is a size that
-    `gain_product` divides by. Other integers are returned as they are: nothing divides them.
+    Constant fractions are computed from the first argument to take its type, and so is a size that `gain_product`
+    divides by. Other integers are returned unchanged, since nothing divides them.
     """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []

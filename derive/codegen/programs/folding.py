@@ -1,6 +1,6 @@
-"""Arithmetic on values and constants: constants are folded, and what is left is recorded.
+"""Arithmetic on values and constants: constants are folded, and other operations are recorded.
 
-Fractions divide by their denominators, so that exact types stay exact, and signs stand where a sum takes them in.
+Fractions divide by their denominators, so that exact types stay exact. Signs move outwards to be absorbed by sums.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .value import Number, Value
 
 
 class Folding(ABC):
-    """The arithmetic (``algebra.arithmetic``) that formulas are lowered with, but for what becomes of an operation."""
+    """Arithmetic (``algebra.arithmetic``) with which formulas are lowered; subclasses record its operations."""
 
     @abstractmethod
     def record(self, op: str, *operands: Number) -> Value:
@@ -22,7 +22,7 @@ class Folding(ABC):
 
     @abstractmethod
     def negated(self, value: Number) -> Number:
-        """Return −value where it is recorded; None elsewhere."""
+        """Return −value if the value was recorded as a negative; None otherwise."""
 
     def add(self, a: Number, b: Number) -> Number:
         if not isinstance(a, Value) and not isinstance(b, Value):
@@ -71,7 +71,7 @@ class Folding(ABC):
     def _multiple(self, a: Number, b: Number) -> Number:
         """Return a constant times a value, the constant first; fractions divide, so that exact types stay exact.
 
-        The sign of one stands outside, where a sum takes it in.
+        The sign of a fraction moves outside, where a sum absorbs it.
         """
         constant, value = (b, a) if isinstance(a, Value) else (a, b)
         if constant.denominator != 1 and constant < 0:
@@ -158,5 +158,5 @@ def _is(value: Number, constant: int) -> bool:
 
 
 def _tidy(value: Constant) -> Constant:
-    """Return an int where the value is one: printed constants stay short."""
+    """Return an int if the value is an integer, so that printed constants stay short."""
     return int(value) if value == int(value) else value

@@ -1,4 +1,4 @@
-"""Straight-line programs: what a formula is lowered to (see ``trace``), and what printers turn into source."""
+"""Straight-line programs: formulas are lowered to them (see ``trace``), and printers turn them into source."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fractions import Fraction
 
 Constant = int | Fraction
 Operand = str | int | Fraction
-"""The name of an input or step, or an exact constant."""
+"""Name of an input or step, or an exact constant."""
 
 
 ARITHMETIC = ("add", "sub", "mul", "div", "neg")
@@ -18,7 +18,7 @@ SELECTION = ("lt", "eq", "and", "or", "where")
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One assignment ``name = op(*args)``; an ``inline`` step is used once and printed inside its only reader."""
+    """Assignment ``name = op(*args)``; an ``inline`` step is used once and printed inside its only reader."""
 
     name: str
     op: str
@@ -28,26 +28,26 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """Several values at once from another program, ``f, g, h = pose(x)``.
+    """Call of another program, which gives several values at once: ``f, g, h = pose(x)``.
 
     Parameters
     ----------
     names : tuple of str
-        The values, ``_`` for one that is not read.
+        Names of the values, ``_`` for a value that is not read.
     function : str
-        A scalar program of a chart, or a geometry program.
+        Name of a scalar program of a chart, or of a geometry program.
     args : tuple
-        Its arguments, those that are lists written out.
+        Arguments, with lists written out.
     rest : str
-        An argument of this program, of any length, whose components follow.
+        Argument of the calling program, of any length, whose components follow ``args``.
     truths : set of str
-        The values that are truth values.
+        Names of the values that are truth values.
     lists : tuple of int
-        Of a geometry program: the length of each argument that is a list, 0 for a number.
+        For a geometry program: the length of each list argument, 0 for a number.
     result : str
-        Of a geometry program: a name of the list of all values.
+        For a geometry program: the name of the list of all values.
     context : str
-        Of a geometry program: which of ``m`` and ``c`` it takes before its arguments.
+        For a geometry program: the leading arguments that it takes among ``m`` and ``c``.
     """
 
     names: tuple[str, ...]
@@ -61,7 +61,7 @@ class Call:
 
     @property
     def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
-        """Return the arguments: numbers, and lists of them."""
+        """Return the arguments: numbers, and lists of numbers."""
         if not self.result:
             return self.args
         left, found = list(self.args), []
@@ -75,12 +75,12 @@ Statement = Step | Call
 
 
 def results(statement: Statement) -> tuple[str, ...]:
-    """Return the names to which a statement gives values."""
+    """Return the names that a statement assigns."""
     return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
 
 
 def all_results(call: Call) -> tuple[str, ...]:
-    """Return a name for every result of a call; results that are not read need a place too."""
+    """Return a name for every result of a call, because results that are not read need a place too."""
     first = results(call)[0]
     return tuple(f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names))
 
@@ -89,8 +89,8 @@ def all_results(call: Call) -> tuple[str, ...]:
 class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
 
-    Rounding makes no difference to values that are ``corrected`` afterwards. Geometry programs that it calls are
-    ``called``; one that others call has names for its ``results``. The ``contract`` says what it returns.
+    ``corrected`` values are corrected afterwards, so their rounding makes no difference. ``called`` are the called
+    geometry programs. ``results`` are the output names, for a program that others call. ``contract`` describes them.
     """
 
     name: str
@@ -104,7 +104,7 @@ class Program:
 
     @property
     def context(self) -> str:
-        """Which of the number functions ``m`` and the chart's scalars ``c`` it needs."""
+        """Names of the needed arguments: number functions ``m`` and the chart's scalars ``c``, ``m`` alone, or none."""
         if any(not call.result or "c" in call.context for call in self.calls):
             return "m, c"
         functions = {*FUNCTIONS, "where"}.intersection(self.operations)
@@ -122,7 +122,7 @@ class Program:
 
     @property
     def operations(self) -> Counter[str]:
-        """Count each operation, calls not looked into."""
+        """Count each operation, without those inside calls."""
         return Counter(step.op for step in self.steps)
 
     @property
@@ -138,7 +138,7 @@ class Program:
 
 
 def summary(operations: Counter[str]) -> str:
-    """Return an operation count as it is printed: ``67: 24 +, 31 *, 2 /``."""
+    """Return the printed form of an operation count: ``67: 24 +, 31 *, 2 /``."""
     symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
     counts: Counter[str] = Counter()
     for op, count in operations.items():

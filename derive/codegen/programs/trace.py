@@ -1,8 +1,8 @@
-"""The tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
+"""Tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
 
-A :class:`Trace` hands out symbolic inputs; each operation on them is recorded once (value numbering), constants are
-folded, and what no output needs is dropped. It is the arithmetic (``algebra.arithmetic``) that formulas are lowered
-with. The result is a frozen :class:`~derive.codegen.programs.program.Program`.
+A :class:`Trace` hands out symbolic inputs and records each operation on them once (value numbering). Constants are
+folded, and operations that no output needs are dropped. Formulas are lowered with this arithmetic
+(``algebra.arithmetic``). The result is a frozen :class:`~derive.codegen.programs.program.Program`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
 
 
 class UnnamedValueError(ValueError):
-    """A value that is used more than once has no name, which the printed source needs."""
+    """Error for a value that is used more than once but lacks the name that printed source needs."""
 
 
 class _Const(NamedTuple):
@@ -33,7 +33,7 @@ class _Node(NamedTuple):
 
 
 class Trace(Folding):
-    """Records the operations done on the values it hands out."""
+    """Record of the operations on the values that it hands out."""
 
     def __init__(self) -> None:
         self._nodes: list[_Node] = []
@@ -49,7 +49,7 @@ class Trace(Folding):
         self._corrected: set[int] = set()
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Value, ...]:
-        """Declare an argument of the program with one named component each."""
+        """Declare an argument of the program, with one component for each name."""
         values = []
         for name in names:
             self._nodes.append(_Node("input", ()))
@@ -64,25 +64,25 @@ class Trace(Folding):
         return self._names[value.index] if self._nodes[value.index].op == "input" else None
 
     def name(self, name: str, value: Number) -> Number:
-        """Give a value its letter (constants, and values which already have a name, stay as they are)."""
+        """Name a value; constants, and values that already have a name, stay unchanged."""
         if isinstance(value, Value) and value.index not in self._names:
             self._rename(value, name)
         return value
 
     def free_name(self, name: str) -> str:
-        """Return the name, with trailing underscores where it is taken."""
+        """Return the name, with trailing underscores if it is taken."""
         while name in self._taken:
             name += "_"
         return name
 
     def corrected(self, value: Number) -> Number:
-        """Mark a named value whose rounding the program corrects afterwards, as a step of Newton's method does."""
+        """Mark a named value whose rounding the program corrects afterwards, as in a step of Newton's method."""
         if isinstance(value, Value):
             self._corrected.add(value.index)
         return value
 
     def rounded_off(self, value: Number) -> Number:
-        """Return the rounding error of a sum and of the sums in it, by the error-free sum of two terms."""
+        """Return the rounding error of a sum and of nested sums, by the error-free sum of two terms."""
         node = self._nodes[value.index] if isinstance(value, Value) else None
         if node is None or node.op != "add":
             return 0
@@ -93,7 +93,7 @@ class Trace(Folding):
         return self.rounded_off(first) + self.rounded_off(second) + ((first - (whole - share)) + (second - share))
 
     def name_rest(self, letter: str) -> None:
-        """Give unnamed values that are used more than once a name: a letter and a number."""
+        """Set the letter that, with a number, names unnamed values that are used more than once."""
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
@@ -104,7 +104,7 @@ class Trace(Folding):
         self._taken.add(name)
 
     def negated(self, value: Number) -> Number:
-        """Return −value where value was recorded as a negative; None elsewhere."""
+        """Return −value if the value was recorded as a negative; None otherwise."""
         if not isinstance(value, Value):
             return -value if value < 0 else None
         node = self._nodes[value.index]
@@ -122,14 +122,14 @@ class Trace(Folding):
     def call(
         self, function: str, args: Sequence[Number], names: Sequence[str], truths: Iterable[str] = (), rest: str = ""
     ) -> tuple[Value, ...]:
-        """Return the named results of a scalar program, of named values and inputs."""
+        """Return the named results of a scalar program, applied to named values and inputs."""
         call = Call(tuple(names), function, (), rest, frozenset(truths))
         return self._called(f"call {function}", args, call, names)
 
     def call_program(
         self, program: Program, result: str, names: Sequence[str], arguments: Sequence[Number | Sequence[Number]]
     ) -> tuple[Value, ...]:
-        """Return the named results of another program, of numbers and lists of numbers; their list has a name too."""
+        """Return the named results of another program for numbers and lists; ``result`` names the list of results."""
         lists = tuple(len(given) if isinstance(given, tuple) else 0 for given in arguments)
         self._programs[program.name] = program
         flat = [number for given in arguments for number in (given if isinstance(given, tuple) else (given,))]
@@ -149,7 +149,7 @@ class Trace(Folding):
         return tuple(Value(self, place) for place in self._results[index])
 
     def record(self, op: str, *operands: Number) -> Value:
-        """Return the value of ``op(*operands)``; record it unless it is recorded."""
+        """Return the value of ``op(*operands)``, and record it if it is new."""
         args = tuple(v.index if isinstance(v, Value) else _Const(v) for v in operands)
         key = _Node(op, tuple(sorted(args, key=_order)) if op in COMMUTATIVE else args)
         if key not in self._numbered:
@@ -161,7 +161,7 @@ class Trace(Folding):
         return arg.value if isinstance(arg, _Const) else Value(self, arg)
 
     def program(self, name: str, outputs: Iterable[Number]) -> Program:
-        """Freeze what the outputs need."""
+        """Return the program of the operations that the outputs need."""
         results = tuple(outputs)
         uses = self._uses(results)
         for index, count in sorted(uses.items()):
@@ -197,7 +197,7 @@ class Trace(Folding):
     def _statement(
         self, index: int, labels: Mapping[int, str], label: Callable[[int | _Const], Operand]
     ) -> Statement | None:
-        """Return the step or call of a value; None for inputs, and for results, which their call makes."""
+        """Return the step or call that makes a value; None for inputs and for results of a call."""
         node = self._nodes[index]
         if index in self._calls:
             names = tuple(labels.get(result, "_") for result in self._results[index])
@@ -207,7 +207,7 @@ class Trace(Folding):
         return Step(labels[index], node.op, tuple(map(label, node.args)), index not in self._names)
 
     def _uses(self, results: Sequence[Number]) -> dict[int, int]:
-        """Count how often each value is read, outputs included; values that are not read are absent."""
+        """Count the reads of each value, outputs included; values that are not read are absent."""
         uses: Counter[int] = Counter(v.index for v in results if isinstance(v, Value))
         for index in range(len(self._nodes) - 1, -1, -1):
             if uses[index]:
@@ -215,7 +215,7 @@ class Trace(Folding):
         return {index: count for index, count in uses.items() if count}
 
     def _name_multiple(self, index: int) -> None:
-        """Name a shared value after the one it is the negative or an integer multiple of, or after two factors."""
+        """Name a shared value that is the negative, an integer multiple or a product of named values."""
         node, last = self._nodes[index], self._nodes[index].args[-1:]
         base = self._names.get(last[0]) if last and not isinstance(last[0], _Const) else None
         if base is None or index in self._names:

@@ -1,4 +1,4 @@
-"""A traced number: ordinary arithmetic with it is recorded in its trace."""
+"""Traced numbers: ordinary arithmetic with them is recorded in their trace."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from .trace import Trace
 
 Number = Any
-"""A traced :class:`Value` or an exact constant; generic code cannot tell them apart, and need not."""
+"""Traced :class:`Value` or exact constant; generic code treats both alike."""
 
 
 class Value:
-    """A traced number: arithmetic with it is recorded in its trace."""
+    """Traced number: arithmetic with it is recorded in its trace."""
 
     __slots__ = ("index", "trace")
 

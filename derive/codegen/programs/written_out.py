@@ -1,4 +1,4 @@
-"""Programs with the programs that they call written out: what analyses and in-place forms take."""
+"""Programs with their called programs written out, for analyses and in-place forms."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from .trace import Trace
 from .value import Number
 
 OPERATIONS = {"lt": "less", "eq": "equal", "and": "both", "or": "either"}
-"""Operations whose methods of a trace have other names."""
+"""Operations whose `Trace` methods have other names."""
 
 
 def written_out(program: Program) -> Program:

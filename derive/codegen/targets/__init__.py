@@ -1,12 +1,12 @@
-"""Targets of generation: each module has a printer, the data of its templates, and the execution of its text.
+"""Targets of generation: each module has a printer, data for its templates, and a way to execute its text.
 
 ========== =====================================================================
-target     protocol of a target
-expression the steps of a program as expressions, in a dialect
+target     the protocol of a target
+expression steps of a program as expressions, in the dialect of a language
 infix      programs as plain Python
 python     base class and interface of the Python targets
 numpy      NumPy: plain Python, and calls with ``out``
-array_api  the arrays of any library
+array_api  arrays of any library
 numba      compiled loops of few outputs
 c99        programs as C functions
 c          headers for C and C++

@@ -1,4 +1,4 @@
-"""The arrays of any library: plain Python on arrays of components, nothing written in place."""
+"""Arrays of any library: plain Python on arrays of components, with nothing written in place."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
 class ArrayApi(python.PythonTarget):
-    """The target that imports no array library and takes the arrays of each."""
+    """Target that imports no array library and takes the arrays of each."""
 
     name = "array-api"
     words = WORDS
@@ -53,7 +53,7 @@ class ArrayApi(python.PythonTarget):
         return {"scalars": python.printed_scalars(facts)}
 
     def libraries(self) -> Sequence[Library]:
-        """NumPy, and the strict reference of the standard where it is installed, in the standard's types."""
+        """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""
         found = [Library("numpy", np.asarray, STANDARD)]
         if find_spec(STRICT) is not None:
             found.append(Library(STRICT, importlib.import_module(STRICT).asarray, STANDARD))

@@ -1,9 +1,9 @@
-"""C: headers for C99 and C++, straight-line code that compilers make vector code of.
+"""C: headers for C99 and C++, with straight-line code that compilers can vectorize.
 
-``geometry.h`` holds what all charts share and is read once for each: a chart defines its scalars, says in macros what
-geometry cannot know, and includes it. Macros are the chart's name in the names of its functions (``DUALCAY_NAME``) and
-of its scalars (``DUALCAY_CHART``), its branches, and what its functions call of ``math.h``. The geometry of rotations
-lies in a folder of its own; a chart's header there takes the scalars of that for poses.
+``geometry.h`` holds what all charts share and is included once per chart, after the chart's scalars and macros. Macros
+give the chart's name in names of functions (``DUALCAY_NAME``) and scalars (``DUALCAY_CHART``), its branches, and the
+functions that it needs of ``math.h``. Rotations have a geometry in a folder of their own; a chart's header there uses
+the scalars of the chart's header for poses.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
-"""Level of ``math.h`` that an operation needs: 0 nothing, 1 functions that become vector code, 2 all others."""
+"""Level of ``math.h`` that an operation needs: 0 none, 1 functions that compilers vectorize, 2 all others."""
 
 NAMES = {"R": "tensor", "T": "pose"}
-"""Names of arrays here: capital letters are where other people's macros are."""
+"""Replacements of array names whose capital letters may collide with other people's macros."""
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
     for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1, 0)))
 }
-"""Placeholders of scalar programs that geometry names and some charts never call."""
+"""Placeholders of scalar programs that geometry names but some charts never call."""
 
 
 GATE = 8
@@ -48,7 +48,7 @@ GATE = 8
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A form of a public function: its parameters, and what it passes to the core."""
+    """Form of a public function: its parameters, and the arguments that it passes to the core."""
 
     parameters: str
     passed: str
@@ -56,7 +56,7 @@ class Form:
 
 @dataclass(frozen=True, slots=True)
 class Interface:
-    """A public function: its name, that of its core, and its two forms."""
+    """Public function: its name, the name of its core, and its two forms."""
 
     name: str
     kernel: str
@@ -65,7 +65,7 @@ class Interface:
 
 
 def interface(row: Function, table: Table) -> Interface:
-    """Return the forms of a row of a table."""
+    """Return the two forms of a function, given by its row of a table."""
     given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
     branch = ["int branch"] if row.branch else []
     constants = [*map(_number, row.constants)] or _components(geometry(table)[row.kernel], c99.TABLE)
@@ -99,13 +99,13 @@ def _components(program: Program, argument: str) -> tuple[str, ...]:
 
 
 def level(program: Program) -> int:
-    """Return what a program needs of ``math.h``, scalars not looked into."""
+    """Return the level of ``math.h`` that a program needs, without its scalars."""
     own = (LEVELS.get(op, 0) for op in program.operations)
     return max((*own, *map(level, program.called)), default=0)
 
 
 def levels(lowered: Lowered) -> dict[str, int]:
-    """Return what every geometry program of a chart needs of ``math.h``, with the scalars that it calls."""
+    """Return the level of ``math.h`` that every geometry program of a chart needs, including its scalars."""
     found: dict[str, int] = {}
     for name, program in printed_geometry(lowered.table).items():
         scalars = (lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars)
@@ -115,13 +115,13 @@ def levels(lowered: Lowered) -> dict[str, int]:
 
 
 def scalars(lowered: Lowered) -> Mapping[str, Program]:
-    """Return the scalars of a chart, and placeholders of others that geometry names."""
+    """Return the scalars of a chart, and placeholders for the others that geometry names."""
     named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
     return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:
-    """Return what the template of a geometry is given."""
+    """Return the data for the template of a table's geometry."""
     (v,) = table.sources["shadow"].arguments
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
@@ -135,7 +135,7 @@ def shared_geometry(table: Table) -> Data:
 
 
 def _made(program: Program, table: Table) -> tuple[Array, ...]:
-    """Return the arrays that a geometry program makes: one for each result of a function, or one list."""
+    """Return the arrays of a geometry program's results: one for each result of a function, or one list."""
     if program.name in table.kernels:
         return table.kernels[program.name].results
     count = len(program.outputs)
@@ -143,7 +143,7 @@ def _made(program: Program, table: Table) -> tuple[Array, ...]:
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
-    """Return what the template of a chart's header is given, scalars that are known already left out."""
+    """Return the data for the template of a chart's header, without scalars that are already ``known``."""
     chart = facts.chart
     prefix = c_text.prefix(chart, lowered.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
@@ -161,7 +161,7 @@ def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -
 
 
 class C:
-    """The target of headers."""
+    """Target of C and C++ headers."""
 
     name = "c"
     extension = "h"
@@ -198,7 +198,7 @@ class C:
         return found
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the headers of the chart for further tables, and the test of all."""
+        """Return the headers of the chart for further tables, and one test of all headers."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
@@ -206,7 +206,7 @@ class C:
         return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Require both forms of every public function in the geometry of its table, and no other."""
+        """Require both forms of every public function in the geometry of its table, and no other function."""
         for table in self.tables:
             where = inside(table, GEOMETRY)
             found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)
@@ -218,7 +218,7 @@ class C:
         return c_text.validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Return 0: floats are left to the compiled test."""
+        """Return 0: only the compiled test checks floats."""
         return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
@@ -232,7 +232,7 @@ Rows = tuple[tuple[str, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """Values of an array case by case; for a result, the scales of its parts too."""
+    """Values of an array for each case; for a result, the scales of its parts too."""
 
     array: Array
     values: Rows
@@ -251,7 +251,7 @@ class Differential:
 
 
 def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Differential]:
-    """Yield the seeded cases of each function of a table, with numbers as C prints them."""
+    """Yield the seeded cases of each function of a table, with numbers in C notation."""
     for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
         found = list(group)
         signature = table.functions[name]
@@ -273,5 +273,5 @@ def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]
 
 
 def _hexadecimal(values: Sequence[Any]) -> tuple[str, ...]:
-    """Exact C literals, without trailing zeros."""
+    """Return exact C literals, without trailing zeros."""
     return tuple(re.sub(r"\.?0*p", "p", float(value).hex()) for value in values)

@@ -1,7 +1,7 @@
-"""Print programs as C functions: straight-line code, valid as C99 and as C++.
+"""Printer of programs as C functions: straight-line code, valid as C99 and as C++.
 
-A kernel function works on components that lie a stride apart; component i of ``v`` is ``v_at[i * v_by]``. What its
-program calls are functions of the chart (``DUALCAY_CHART``), which take numbers and write results where pointers say.
+A kernel function works on components that lie a stride apart: component i of ``v`` is ``v_at[i * v_by]``. Its program
+calls functions of the chart (``DUALCAY_CHART``), which take numbers and write results through pointers.
 """
 
 from __future__ import annotations
@@ -22,21 +22,21 @@ _SELECTED = 1
 _CONDITIONS = ("lt", "eq", "and", "or")
 _EXACT_IN_FLOAT = 2.0**24
 
-# every operand of & and | is bracketed, because compilers warn where they are mixed
+# bracket every operand of & and |, because compilers warn where they are mixed
 _LOGIC = {op: Operator(symbol, 3, 4, 4) for op, symbol in (("and", "&"), ("or", "|"))}
 _COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("eq", "=="))}
 
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A C function as its template shows it.
+    """C function for its template.
 
     Parameters
     ----------
     name : str
-        The program's.
+        Name of the program.
     parameters : str
-        As they stand between the brackets of its definition.
+        Parameters between the brackets of its definition.
     text : str
         Loads, statements and stores. All loads come first, so that results may overlap arguments.
     """
@@ -52,7 +52,7 @@ def _ternary(condition: Text, first: Text, second: Text) -> Text:
 
 
 def real(text: str) -> str:
-    """Return a text, an integer among them cast to the real type: nothing else would make it real."""
+    """Return a text; cast an integer to the real type, since nothing else would make it real."""
     return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
@@ -63,19 +63,19 @@ C99 = Dialect(
     largest=_EXACT_IN_FLOAT,
     passed=real,
 )
-"""C, where integer constants become the real type exactly beside an operand of it."""
+"""C dialect: beside an operand of the real type, integer constants convert to it exactly."""
 
 
 def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
-    """Return the core of a geometry program: its arguments, numbers of its table that no chart knows, and results.
+    """Return the core of a geometry program; its parameters are arguments, unknown numbers of its table, and results.
 
     Parameters
     ----------
     program : Program
     made : sequence of Array
-        Its results.
+        Arrays of the results.
     table : mapping
-        Decimals of the components of a table that the chart knows.
+        Decimals of the table components that the chart knows.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> P
 
 
 def scalar(program: Program, table: Mapping[str, str]) -> Printed:
-    """Return a scalar program as a function: numbers, then pointers to results.
+    """Return a scalar program as a function; its parameters are numbers, then pointers to results.
 
     Raises
     ------
@@ -127,14 +127,14 @@ def _printed(
     truths: Collection[str] = (),
     made: Sequence[Array] = (),
 ) -> Printed:
-    """Return a function; parameters that are not read are cast to void: compilers would warn."""
+    """Return a function; cast unread parameters to void, because compilers would warn."""
     text = "\n".join([*loads, *_statements(program, places, truths, made)])
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
     return Printed(program.name, filled(given), "\n".join([*unused, text]))
 
 
 def _lower_case(program: Program) -> Program:
-    """Capital letters are where other people's macros are (N, I, R1); trailing underscores keep names apart."""
+    """Return a program with lower-case names, safe from macros (N, I, R1); trailing underscores keep names apart."""
     names = {name for _, parts in program.inputs for name in parts}
     names |= {name for statement in program.statements for name in results(statement)}
     names |= {call.result for call in program.calls if call.result}
@@ -156,7 +156,7 @@ def _loads(lists: Lists, array: str, names: Sequence[str]) -> Iterator[str]:
 
 
 def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Yield the declaration of several numbers, over as few lines as hold it."""
+    """Yield the declaration of several numbers, wrapped into as few lines as possible."""
     items = [f"{name} = {value}" for name, value in values]
     if items:
         text = filled([f"const {REAL} {items[0]}", *items[1:]], 2 * _INDENT)
@@ -179,7 +179,7 @@ def _component(array: str, index: int) -> str:
 def _statements(
     program: Program, places: Sequence[str], truths: Collection[str], made: Sequence[Array]
 ) -> Iterator[str]:
-    """Yield the statements of a program; the last one stores results, or is a call of a program that does."""
+    """Yield the statements of a program; the last ones store results, unless a called program does."""
     lists = Lists(program)
     given = (argument for argument, names in program.inputs if names != (argument,))
     arrays = {argument: f"{argument}_at, {argument}_by" for argument in given}
@@ -206,7 +206,7 @@ def _statements(
 
 
 def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Sequence[str]) -> Iterator[str]:
-    """Yield the call of a geometry program; lists of numbers get arrays of their own."""
+    """Yield the call of a geometry program; lists of numbers get their own arrays."""
     passed = []
     for index, text in enumerate(texts, 1):
         if isinstance(text, list):
@@ -218,7 +218,7 @@ def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Seq
 
 
 def _call_scalar(call: Call, arguments: str) -> Iterator[str]:
-    """Yield places for the results, and the call; a result that is not read has a place too."""
+    """Yield declarations of all results, read or not, and the call."""
     names = all_results(call)
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
@@ -238,7 +238,7 @@ def _wrap(target: str, text: str) -> Iterator[str]:
 
 
 def filled(items: Iterable[str], indent: str = _INDENT) -> str:
-    """Return a list, in indented lines that break after commas only."""
+    """Return a comma-separated list, wrapped into indented lines."""
     lines = [""]
     for item in items:
         if lines[-1] and len(f"{indent}{lines[-1]} {item},") > WIDTH:

@@ -1,7 +1,7 @@
-"""Print the steps of a program as expressions, in any language with infix operators: a dialect each.
+"""Printer of a program's steps as expressions, with a dialect for each language that has infix operators.
 
-A dialect says how operators are written and how strongly they bind. Brackets follow from that: an operand keeps them
-where the language would read, round or warn otherwise.
+A dialect gives the notation and the binding strength of operators, which determine the brackets. An operand keeps its
+brackets if the language would read, round or warn otherwise without them.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ Text = tuple[str, int]
 """Source text and the binding strength of its outermost operator."""
 
 Texts = list[str | list[str]]
-"""A right-hand side alone, or the arguments of a call: numbers and names of lists, and lists of numbers."""
+"""Right-hand side alone, or the arguments of a call: numbers, names of lists, and lists of numbers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """An infix operator: its strength, and the strength its operands need to stand without brackets."""
+    """Infix operator: its strength, and the strength that each operand needs to stand without brackets."""
 
     symbol: str
     strength: int
@@ -35,7 +35,7 @@ class Operator:
 
 
 def left_associative(symbol: str, strength: int) -> Operator:
-    """Brackets stay on a right operand of equal strength: a * (b * c) rounds differently from a * b * c."""
+    """Return an operator that brackets a right operand of equal strength: a * (b * c) rounds unlike a * b * c."""
     return Operator(symbol, strength, strength, strength + 1)
 
 
@@ -45,27 +45,27 @@ ARITHMETIC: dict[str, Operator] = {
     "mul": left_associative("*", 5),
     "div": left_associative("/", 5),
 }
-"""Arithmetic operators, the same in every language here."""
+"""Arithmetic operators, shared by all languages here."""
 
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """The notation of a language for expressions.
+    """Notation of a language for expressions.
 
     Parameters
     ----------
     operators : mapping
-        Infix operators, by operation.
+        Infix operators by operation.
     calls : mapping
-        Functions, by operation; an operation is one or the other.
+        Functions by operation; an operation is either an operator or a function.
     select : callable
-        Selection: condition and two values, as texts.
+        Function that returns a selection, given the texts of the condition and two values.
     largest : int
         Largest magnitude of a constant.
     literal : callable
-        How a constant is written.
+        Function that returns the text of a constant.
     passed : callable
-        How the text of an argument of a call is.
+        Function that returns the passed form of an argument's text.
     """
 
     operators: Mapping[str, Operator]
@@ -76,7 +76,7 @@ class Dialect:
     passed: Callable[[str], str] = str
 
     def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
-        """Return the right-hand side of a step; operands that are inlined are written out."""
+        """Return the right-hand side of a step, with inlined operands written out."""
         args = [self.operand(arg, inlined) for arg in step.args]
         if step.op in self.calls:
             return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
@@ -101,9 +101,9 @@ class Dialect:
         return text, NEGATION if text.startswith("-") else ATOM
 
     def statements(self, program: Program, lists: Lists) -> tuple[list[tuple[Statement, Texts]], list[str]]:
-        """Return named steps with their right-hand sides, calls with their arguments, and the texts of the outputs.
+        """Return named steps with right-hand sides, calls with arguments, and the texts of the outputs.
 
-        A list that is used as a whole is told by its name; among outputs a star stands before that.
+        A list that is used as a whole is given by its name; among outputs a star precedes the name.
         """
         inlined: dict[str, Text] = {}
         assignments: list[tuple[Statement, Texts]] = []
@@ -130,18 +130,18 @@ class Dialect:
 
 
 class Lists:
-    """Lists of components in a program: arguments, and results of geometry programs, passed on or returned as a whole.
+    """Lists of components in a program, from arguments or geometry programs, passed on or returned as a whole.
 
     Attributes
     ----------
     whole : dict
-        The names of those that are used as a whole, by their components.
+        Names of the lists that are used as a whole, by their components.
     outputs : list
-        The outputs of the program, components of a list that follow each other as one tuple.
+        Outputs of the program; consecutive components of a list form one tuple.
     read : set
-        The components that are used one by one.
+        Components that are used one by one.
     returned : Call or None
-        The last statement, where it is a call whose results are those of the program.
+        Last statement, if it is a call whose results are the program's outputs; otherwise None.
     """
 
     def __init__(self, program: Program) -> None:
@@ -164,7 +164,7 @@ class Lists:
         self.returned = last if ends else None
 
     def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
-        """Yield an assignment to those of some names that are read, or nothing."""
+        """Yield an assignment to the names that are read, if there are any."""
         if self.read.intersection(names):
             shown = [name if name in self.read else "_" for name in names]
             yield f"{', '.join(shown)}{',' * (len(shown) == 1)} = {argument}"
@@ -173,7 +173,7 @@ class Lists:
 def _with_lists(
     outputs: Sequence[Operand], named: Collection[tuple[Operand, ...]]
 ) -> Iterator[Operand | tuple[Operand, ...]]:
-    """Yield outputs, lists of which all components follow each other as one."""
+    """Yield outputs; consecutive components that make a whole list are one tuple."""
     lengths = sorted({len(names) for names in named}, reverse=True)
     place = 0
     while place < len(outputs):
@@ -183,7 +183,7 @@ def _with_lists(
 
 
 def bracket(text: Text, strength: int) -> str:
-    """Return the text, in brackets if it binds more weakly than needed."""
+    """Return the text, in brackets if it binds more weakly than ``strength``."""
     return text[0] if text[1] >= strength else f"({text[0]})"
 
 
@@ -224,7 +224,7 @@ def fill(text: str, indent: str) -> Iterator[str]:
 
 
 def _pairs(words: list[str]) -> Iterator[tuple[str, str]]:
-    """Yield an operator with its right operand: lines break before operators."""
+    """Yield each operator with its right operand, because lines break before operators."""
     operator = ""
     for word in words:
         if not operator and word in _BREAKS:

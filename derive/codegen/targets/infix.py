@@ -1,4 +1,4 @@
-"""Print a program as plain infix Python: the form which runs on any number type."""
+"""Printer of programs as plain infix Python, which runs on any number type."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text,
 
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
-    """Return the dialect of Python with functions of a prefix and constants written in a way."""
+    """Return the dialect of Python with this prefix of functions and this notation of constants."""
 
     def where(condition: Text, first: Text, second: Text) -> Text:
         return f"{prefix}where({condition[0]}, {first[0]}, {second[0]})", ATOM
@@ -29,11 +29,11 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
 
 
 PLAIN = python("m.")
-"""Functions of the number type in ``m``, constants as they are."""
+"""Dialect with functions of the number type in ``m`` and unchanged constants."""
 
 
 def ask_namespace(call: Call, arguments: str) -> str:
-    """Return the call of a scalar program that the namespace ``c`` holds, or of another geometry program."""
+    """Return the call of a scalar program from the namespace ``c``, or of another geometry program."""
     if call.result:
         return f"{call.function}({', '.join(filter(None, (call.context, arguments)))})"
     return f"c.{call.function}(m, {arguments}{f', *{call.rest}' if call.rest else ''})"
@@ -49,8 +49,8 @@ def body(
 ) -> str:
     """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
-    A program that stands `alone` has its components for parameters: nothing is unpacked. `ask` is the text of a call,
-    from that of its arguments; ``first`` are lines of text before the statements.
+    Components of a program that stands `alone` are its parameters: nothing is unpacked. `ask` makes the text of a call
+    from the text of its arguments. ``first`` are lines of text before the statements.
     """
     lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement, indent)]
     return "\n".join([*_docstring(program.contract, indent), *first, *lines])
@@ -66,7 +66,7 @@ def _docstring(contract: str, indent: str) -> list[str]:
 
 
 def unpacked(names: Sequence[str], argument: str) -> str:
-    """Return an assignment to each of some names."""
+    """Return an assignment that unpacks an argument into names."""
     return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
 
 
@@ -97,7 +97,7 @@ def _statements(
 
 
 def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
-    """Yield lines of a statement; a long one goes into brackets, and breaks before operators or after commas."""
+    """Yield the lines of a statement; a long one gets brackets and breaks before operators or after commas."""
     if isinstance(statement, list):
         yield from _wrap_result(statement, indent)
     elif len(indent + statement) <= WIDTH:

@@ -1,9 +1,8 @@
-"""NumPy functions in C: the headers of the target `c`, and around every core a loop that NumPy calls.
+"""NumPy functions in C: headers of the target `c`, with a NumPy loop around every core.
 
-The package is a distribution of its own, ``dualcay-native``, with an extension module for each chart, and in a folder
-within one for its rotations alone. The modules of the target `numpy` check arguments and choose branches; what they
-would do on arrays, these functions do where they are installed. Each takes the numbers of its program's table as a last
-array.
+The package is a separate distribution, ``dualcay-native``, with an extension module per chart; an inner folder holds
+the modules for rotations alone. Modules of the target `numpy` check arguments and choose branches. If these functions
+are installed, they replace the array operations of those modules. Their last array holds the numbers of the table.
 """
 
 from __future__ import annotations
@@ -23,14 +22,14 @@ from . import c99
 from .c import C
 
 PACKAGE = "dualcay_native"
-"""Import name of what is built."""
+"""Import name of the built package."""
 
 MOST_AXES = 3
 
 
 @dataclass(frozen=True, slots=True)
 class Operand:
-    """An array of a loop: its name, its component axes, and where among the steps theirs begin."""
+    """Array of a loop: its name, its component axes, and the index of its first component step."""
 
     name: str
     shape: tuple[int, ...]
@@ -42,13 +41,13 @@ class Operand:
 
     @property
     def counts(self) -> str:
-        """Return components along three axes."""
+        """Return the numbers of components along three axes."""
         return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """A loop as its template shows it: NumPy's signature, arrays with the result last, and arguments of the core."""
+    """Loop for its template: NumPy's signature, arrays with the result last, and arguments of the core."""
 
     name: str
     signature: str
@@ -58,7 +57,7 @@ class Loop:
 
     @property
     def operands(self) -> tuple[Operand, ...]:
-        """Return arguments and result."""
+        """Return the arguments and the result."""
         return *self.arguments, self.result
 
 
@@ -72,7 +71,7 @@ def loop(row: Function, program: Program) -> Loop:
 
 
 def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
-    """Yield arrays; the steps of all batches come first, then those of components."""
+    """Yield the arrays; among the steps, batch steps of all arrays precede component steps."""
     place = len(arrays)
     for name, shape in arrays:
         yield Operand(name, shape, place)
@@ -84,7 +83,7 @@ def _shape(shape: tuple[int, ...]) -> str:
 
 
 def _passed(row: Function, table: int) -> Iterator[str]:
-    """Yield arguments, numbers of the table, and results, which stand side by side."""
+    """Yield the arguments, the numbers of the table, and the results, which are stored side by side."""
     for array in row.arguments:
         yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
     yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
@@ -95,7 +94,7 @@ def _passed(row: Function, table: int) -> Iterator[str]:
 
 
 class Native(C):
-    """The target of compiled NumPy functions."""
+    """Target of compiled NumPy functions."""
 
     name = "native"
     entry = "meson.build"
@@ -124,7 +123,7 @@ class Native(C):
         }
 
     def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the headers of the chart for further tables, and the extension modules of all."""
+        """Return the headers of the chart for further tables, and the extension modules for all tables."""
         found = dict(super().further(facts))
         for table in self.tables:
             chart = facts.chart
@@ -139,5 +138,5 @@ class Native(C):
 
 
 def _up(table: Table) -> str:
-    """Return the relative path from the folder of a table to that of the package."""
+    """Return the relative path from a table's folder to the package folder."""
     return "../" if table.name else ""

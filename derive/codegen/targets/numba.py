@@ -1,8 +1,8 @@
 """Compiled loops: geometry programs on scalars, and the loops that run them.
 
-A loop with more than nine stores is no longer vectorised by LLVM, so a larger result is computed in parts: each loop
-stores some results, and what the others need is dropped by the compiler. Constants are made of the type of the
-arguments: beside a bare integer Numba computes float32 in double precision.
+LLVM does not vectorize a loop with more than nine stores, so a larger result is computed in parts. Each loop stores
+some results, and the compiler drops the operations of the others. Constants get the type of the arguments: beside a
+bare integer, Numba computes float32 in double precision.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from . import infix, python
 from .expression import WIDTH, Lists
 
 MOST_OUTPUTS = 9
-"""Stores in a loop which LLVM still vectorises."""
+"""Largest number of stores in a loop that LLVM still vectorizes."""
 
 TABLE = "table"
-"""The argument of constants, the same for every pose, of a length that for some functions only the chart knows."""
+"""Argument of constants, equal for all poses; for some functions only the chart knows its length."""
 
 DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
 
 @dataclass(frozen=True, slots=True)
 class Loops:
-    """The texts of the loops around a function: of every part over the columns of arrays, and over one pose."""
+    """Texts of the loops around a function: one per part over columns of arrays, and one for a single pose."""
 
     row: Function
     parameters: tuple[str, ...]
@@ -52,13 +52,13 @@ def loops(row: Function, program: Program) -> Loops:
 
 
 def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
-    """Return outputs by loops; parts of equal size stay together: of a pose the rows of Q, then rho."""
+    """Return the outputs of each loop; parts of equal size stay together, such as the rows of Q, then rho."""
     order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
     return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
 
 
 def body(program: Program) -> str:
-    """Return lines of a function whose arguments are tuples of components, numbers, or the table."""
+    """Return the body of a function whose arguments are tuples of components, numbers, or the table."""
     first = [*_constants(program), *_unpacked(program)]
     return infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=first)
 
@@ -90,7 +90,7 @@ def _unpacked(program: Program) -> Iterator[str]:
 
 
 def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> str:
-    """Return ``found = pose((v[0], …), …)`` over several lines, and the stores of some of its results."""
+    """Return the call ``found = pose((v[0], …), …)`` over several lines, and the stores of some of its results."""
     lines = [f"{indent}found = {program.name}("]
     for argument, names in program.inputs:
         loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
@@ -101,7 +101,7 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
 
 
 def _wrapped(text: str, indent: str) -> list[str]:
-    # an index and its comma stay together
+    # keep an index and its comma together
     joined = text.replace(", i]", ",\0i]")
     lines = textwrap.wrap(joined, WIDTH - len(indent) - 4, break_long_words=False)
     return [f"{indent}    {line}".replace("\0", " ") for line in lines]
@@ -113,14 +113,14 @@ def _lines(names: Sequence[str]) -> str:
 
 
 def _called(texts: Iterable[str]) -> list[str]:
-    """Return the functions of ``_compiled`` that some texts call."""
+    """Return the functions of ``_compiled`` that the texts call."""
     text = "".join(texts)
     names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]
 
 
 def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
-    """Return functions that run a kernel with constants of their own, and these constants."""
+    """Return the kernel and the constants of each public function that has constants, by name."""
     return {name: (row.kernel, row.constants) for name, row in sorted(table.public.items()) if row.constants}
 
 
@@ -134,7 +134,7 @@ WORDS = python.Words(
 
 
 class Numba(python.PythonTarget):
-    """The target that Numba compiles, on NumPy arrays."""
+    """Target that Numba compiles, on NumPy arrays."""
 
     name = "numba"
     words = WORDS
@@ -168,12 +168,12 @@ class Numba(python.PythonTarget):
         return {"scalars": scalars, "calls": sorted(_called(program.forms for program in scalars))}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Run the source of a package which wants its compiler even so."""
+        """Validate the printed source; raise RefusedError if an import such as the compiler's fails."""
         try:
             return super().validate(folder, chart, geometry)
         except ImportError as error:
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 
     def libraries(self) -> Sequence[Library]:
-        """Return none while a package is made: to compile every loop takes a minute for a chart."""
+        """Return no libraries during generation: compiling all loops takes a minute for a chart."""
         return ()

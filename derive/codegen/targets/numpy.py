@@ -1,4 +1,4 @@
-"""NumPy: the committed kernels. One plain text per program; batches run it recorded (``_recorder.py``)."""
+"""NumPy: the committed kernels, with one plain text per program; batches run a recording (``_recorder.py``)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ WORDS = python.Words(
 
 
 class Numpy(python.PythonTarget):
-    """The target of the committed kernels."""
+    """Target of the committed kernels."""
 
     name = "numpy"
     words = WORDS
@@ -64,7 +64,7 @@ class Numpy(python.PythonTarget):
 
 
 def _multiple(chart: Chart) -> Data:
-    """Return the base chart of a multiple, the factor, and the scalar programs of the base that return integers."""
+    """Return the base chart of a multiple, the factor, and the base's scalar programs that return integers."""
     base = chart.base
     programs = lower_chart(base).scalars.values() if base else ()
     constant = tuple(p.name for p in programs if not all(isinstance(output, str) for output in p.outputs))

@@ -1,4 +1,4 @@
-"""Base class of the targets in Python: one documented interface, and the keyword parameters in which they differ."""
+"""Base class of the Python targets: one documented interface, with keyword parameters that differ by target."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ class Words:
     options : str
         Keyword parameters of functions that return one array.
     passed, passed_alone : str
-        Arguments that a method passes on for them, and without a place for the result.
+        Arguments that a method passes on, with and without an array for the result.
     placed : str
         Arguments that place a result.
     makes : bool
-        True where arrays are made without arguments: the identity, random poses.
+        True if functions make arrays without arguments: the identity, random poses.
     """
 
     options: str
@@ -56,18 +56,18 @@ class Words:
 
     @property
     def keywords(self) -> list[str]:
-        """Names of the keyword parameters of functions that return one array."""
+        """Return the names of the keyword parameters of functions that return one array."""
         return re.findall(r"(\w+):", self.options)
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """Functions of a module that take no arrays, and so have no row in the table."""
+        """Return the functions of a module that take no arrays and so have no row in the table."""
         return ("singular_angles", *(("identity", "random") if self.makes else ()))
 
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A program as its template shows it: parameters, text of the body, and its formula as a comment."""
+    """Program for its template: parameters, text of the body, and its formula as a comment."""
 
     name: str
     parameters: tuple[str, ...]
@@ -76,7 +76,7 @@ class Printed:
 
 
 class PythonTarget(ABC):
-    """A target whose kernels are Python modules."""
+    """Target whose kernels are Python modules."""
 
     extension = "py"
     entry = "__init__.py"
@@ -90,7 +90,7 @@ class PythonTarget(ABC):
     words: Words
 
     def package(self) -> Mapping[str, Data]:
-        """Return the files by which a package is imported and run."""
+        """Return the files that import and run a package."""
         option = "" if self.name == about.TARGET else f" --target {self.name}"
         families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
         packages = [table.name for table in self.tables if table.name]
@@ -103,7 +103,7 @@ class PythonTarget(ABC):
         return {**inner, self.entry: init, "__main__.py": {}, "py.typed": {}}
 
     def per_table(self) -> Mapping[str, Data]:
-        """Return geometry, interface and list of functions of every table, in its folder."""
+        """Return the geometry, interface and list of functions of every table, in its folder."""
         found: dict[str, Data] = {}
         for table in self.tables:
             found[inside(table, "_geometry.py")] = self.geometry(table)
@@ -114,21 +114,21 @@ class PythonTarget(ABC):
 
     @abstractmethod
     def geometry(self, table: Table) -> Data:
-        """Return what fills the template of a geometry."""
+        """Return the data for the template of a geometry."""
 
     @abstractmethod
     def programs(self, facts: Facts) -> Data:
-        """Return what fills the template of a chart with its scalar programs."""
+        """Return the data for a chart's template, with its scalar programs."""
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
-        """Return what fills the template of a chart for rotations, besides its description."""
+        """Return the data for a chart's template for rotations, besides its description."""
         return {}
 
     def module(self, facts: Facts) -> Data:
         return {**described(facts), **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the modules of the chart for further tables; they use the scalar programs of the module for poses."""
+        """Return the modules of the chart for further tables, which use scalar programs of the module for poses."""
         found = {}
         for table in self.tables[1:]:
             lowered = lower_chart(facts.chart, table)
@@ -155,7 +155,7 @@ class PythonTarget(ABC):
 
 
 def interface(words: Words, table: Table) -> Data:
-    """Return what fills the template of the interface of a table."""
+    """Return the data for the template of a table's interface."""
     jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
     return asdict(words) | {
         "definitions": DEFINITIONS,
@@ -168,7 +168,7 @@ def interface(words: Words, table: Table) -> Data:
 
 
 def described(facts: Facts) -> dict[str, Any]:
-    """Return constants and formulas of a chart for its module for poses."""
+    """Return the constants and formulas of a chart for its module for poses."""
     chart = facts.chart
     return {
         "aliases": POSES.aliases(chart),
@@ -188,7 +188,7 @@ def described(facts: Facts) -> dict[str, Any]:
 
 
 def described_rotations(facts: Facts, lowered: Lowered) -> dict[str, Any]:
-    """Return constants of a chart for its module for rotations."""
+    """Return the constants of a chart for its module for rotations."""
     chart = facts.chart
     return {
         "aliases": lowered.table.aliases(chart),
@@ -202,7 +202,7 @@ def described_rotations(facts: Facts, lowered: Lowered) -> dict[str, Any]:
 
 
 def printed_geometry(table: Table) -> list[Printed]:
-    """Return the geometry programs of a table as plain functions; those that users call all take ``m`` and ``c``."""
+    """Return the geometry programs of a table as plain functions; all that users call take ``m`` and ``c``."""
     return [
         Printed(name, _parameters(program, name in table.kernels), infix.body(program))
         for name, program in lowered_geometry(table).items()
@@ -211,7 +211,7 @@ def printed_geometry(table: Table) -> list[Printed]:
 
 
 def geometry(table: Table) -> Data:
-    """Return what fills the template of a geometry of plain functions; rotations import programs that are the same."""
+    """Return the data for a geometry of plain functions; rotations import programs that equal programs of poses."""
     return {"programs": printed_geometry(table), "rows": table.kernels, "same": sorted(shared_with_poses(table))}
 
 
@@ -236,7 +236,7 @@ def printed_scalars(facts: Facts) -> list[Printed]:
 
 
 def formula_of(scalar: str, chart: Chart) -> str:
-    """Return the formula of a scalar program as a comment: for every chart, then of order n, with equation numbers."""
+    """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
     general, of_order, maps = FORMULAS[scalar]
     texts = [general, of_order] if of_order and chart.cayley else [general]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
@@ -244,7 +244,7 @@ def formula_of(scalar: str, chart: Chart) -> str:
 
 
 def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:
-    """Compare the methods of the interface, and their parameters, with a table.
+    """Compare the methods of the interface and their parameters with a table.
 
     Raises
     ------
@@ -262,7 +262,7 @@ def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSE
 
 
 def _require_parameters(where: str, row: Function, found: ast.arguments, words: Words) -> None:
-    """Require the arguments of the table, then the keywords of functions with one result or with several."""
+    """Require the arguments of the table, then the keywords for one result or for several."""
     given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
     expected = [array.name for array in row.arguments] + ["branch"] * row.branch
     if given != expected:

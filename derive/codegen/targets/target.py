@@ -1,4 +1,4 @@
-"""Protocol of a target: a language, its files and texts, and how printed text is executed."""
+"""Protocol of a target: a language, its files and texts, and the execution of printed text."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..rows import Table
 
 
 class Target(Printer, Protocol):
-    """A language in which kernels are printed."""
+    """Language in which kernels are printed."""
 
     @property
     def unproved(self) -> str:
@@ -20,26 +20,26 @@ class Target(Printer, Protocol):
 
     @property
     def tables(self) -> Sequence[Table]:
-        """Tables whose functions are printed, poses first; every chart has a module for each."""
+        """Tables whose functions are printed, poses first; every chart has a module for each table."""
 
     @property
     def imports_bases(self) -> bool:
         """True if the module of a multiple imports the module of its base chart."""
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Execute the text of a module in a folder; return how many calls equal the formula.
+        """Execute the text of a module in a folder; return the number of calls that equal the formula.
 
-        With ``geometry`` all functions are executed, and so the text that charts share; else the chart's own ones.
+        With ``geometry``, execute all functions and so the shared text; otherwise only the chart's own functions.
         """
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Call the functions of a module on floats; return how many calls agree with the formula.
+        """Call the functions of a module on floats; return the number of calls that agree with the formula.
 
-        With ``geometry`` all functions are called, in all ways; else the chart's own ones.
+        With ``geometry``, call all functions in all ways; otherwise only the chart's own functions.
         """
 
     def test(self, folder: Path, chart: Chart) -> int | None:
-        """Compile and run the tests among its companions; return how many calls agree, None without a compiler."""
+        """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
 
 
 def require_functions(where: str, found: Iterable[str], table: Table) -> None:
@@ -48,7 +48,7 @@ def require_functions(where: str, found: Iterable[str], table: Table) -> None:
     Raises
     ------
     ValueError
-        Naming what is missing and what is not in the table.
+        If functions are missing or not in the table; the message names them.
     """
     missing, extra = (sorted(names) for names in (table.public.keys() - set(found), set(found) - table.public.keys()))
     if missing or extra:
