@@ -1,8 +1,8 @@
-r"""Theorems for every n on rates at changes of branch and on twists of products, which the papers do not have.
+r"""Theorems for every n on rates at changes of branch and on twists of products, none of them in the papers.
 
-A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u`` rates become ``v_k' = S_k v'``,
-``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``; momenta transform by the inverse transpose. The twist of a product of
-displacements gives the Jacobians of composition.
+A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u``, rates transform by ``v_k' = S_k v'``,
+where ``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``. Momenta transform by the inverse transpose. The twist of a product
+of displacements gives the Jacobians of composition.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from .theorem import Theorem
 
 
 def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on branches and products of displacements by the given formulas."""
+    """Return the theorems on branches and products of displacements for the given formulas."""
     return (STEP, TWICE, *(_transport(formulas, sign) for sign in (1, -1)), PRODUCT)
 
 
 def _transport(formulas: Formulas, sign: int) -> Theorem:
-    """Return the theorem that a step between branches keeps the twist; it gives rates and, transposed, momenta."""
+    """Return the theorem that a step between branches keeps the twist; its transpose transforms momenta."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return Theorem(
         f"transport, {'even' if sign == 1 else 'odd'} branch",
