@@ -13,7 +13,7 @@ from .coefficients import Coefficient, Structure, ZeroDivisorError
 class Dual:
     """The dual number ``re + ε du``.
 
-    Plain numbers mix in as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
+    Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
     zero divisor, and dividing by it raises `ZeroDivisorError`. Quotients follow the coefficients: ``int / int`` is a
     ``float`` in Python, so exact work takes ``Fraction`` or SymPy coefficients.
 
@@ -105,7 +105,7 @@ class Dual:
         return Dual(quotient, -quotient * self.du / self.re)
 
     def __pow__(self, exponent: int) -> Dual:
-        """Integer power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative one inverts first, so a zero divisor is refused."""
+        """Return the power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative exponent inverts first, which refuses zero divisors."""
         if isinstance(exponent, bool) or not isinstance(exponent, int):
             return NotImplemented
         if exponent < 0:
@@ -115,7 +115,7 @@ class Dual:
         return Dual(self.re**exponent, exponent * self.re ** (exponent - 1) * self.du)
 
     def __abs__(self) -> Dual:
-        """Magnitude, whose square is that of the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at ``a = 0``."""
+        """Return the magnitude, with the same square as the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0."""
         if self.re == 0:
             return Dual(self.re, abs(self.du))
         magnitude = abs(self.re)
@@ -136,10 +136,10 @@ class Dual:
 
 
 def real_part(value: Coefficient) -> Coefficient:
-    """Return the real part of a dual number; a plain number is its own."""
+    """Return the real part of a dual number, or a plain number itself."""
     return value.re if isinstance(value, Dual) else value
 
 
 def dual_part(value: Coefficient) -> Coefficient:
-    """Return the dual part of a dual number; that of a plain number is 0."""
+    """Return the dual part of a dual number, or 0 for a plain number."""
     return value.du if isinstance(value, Dual) else 0

@@ -1,4 +1,4 @@
-"""The commands and their options, declared so that help and completion come before anything else is loaded."""
+"""Commands and their options, declared so that help and completion need no other module."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ Completion in bash, likewise zsh_source and fish_source:
 
 
 class Commands(click.Group):
-    """Group of commands that may be interrupted."""
+    """Group of commands that reports an interrupt by one line and the exit code 130."""
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except KeyboardInterrupt:  # for which Click would print an empty line
+        except KeyboardInterrupt:  # Click would print an empty line
             click.echo("dualcay: interrupted", err=True)
             ctx.exit(130)
 
@@ -134,7 +134,7 @@ def verify(**given: Any) -> None:
 
 
 def run() -> int:
-    """Run the command line and return its exit code; no bad input ends in a traceback."""
+    """Run the command line and return its exit code; bad input never ends in a traceback."""
     try:
         code = cli.main(prog_name=options.program(), standalone_mode=False)
     except click.ClickException as error:

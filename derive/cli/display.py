@@ -21,7 +21,7 @@ PAUSE_MAX = 60.0
 
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a progress bar on a terminal, a line now and then elsewhere; each call names the step that begins."""
+    """Show a progress bar on a terminal, or occasional lines elsewhere; each call names the step that begins."""
     if not sys.stderr.isatty():
         yield _lines(total)
         return
