@@ -12,7 +12,7 @@ from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):
-    """The field Q(names, angles, …, π).
+    """Field Q(names, angles, …, π).
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ from .coefficients import Coefficient, Structure, ZeroDivisorError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Dual:
-    """The dual number ``re + ε du``.
+    """Dual number ``re + ε du``.
 
     Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
     zero divisor, and dividing by it raises `ZeroDivisorError`. Quotients follow the coefficients: ``int / int`` is a
@@ -127,7 +127,7 @@ class Dual:
         return bool(self.re == real_part(other)) and bool(self.du == dual_part(other))
 
     def __hash__(self) -> int:
-        # Dual(a, 0) equals the plain number a, so it must hash as one.
+        # Dual(a, 0) equals the plain number a, so both have the same hash.
         return hash(self.re) if self.du == 0 else hash((self.re, self.du))
 
     def _require_invertible(self) -> None:

@@ -18,7 +18,7 @@ from .polynomial_backend import Polynomial, polynomials
 
 
 class RationalFunctions:
-    """The field Q(names), or the quotients of Q[names] modulo relations.
+    """Field Q(names), or quotients of Q[names] modulo relations.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ from .vector import Vector
 
 @dataclass(frozen=True, slots=True)
 class Isotropic(Structure):
-    """The tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
+    """Tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
 
     a: Coefficient
     b: Coefficient

@@ -13,7 +13,7 @@ from .vector import Vector
 
 @dataclass(frozen=True, slots=True)
 class Quaternion(Structure):
-    """The quaternion ``scalar + vector``; `Dual` coefficients make it a dual quaternion."""
+    """Quaternion ``scalar + vector``; `Dual` coefficients make it a dual quaternion."""
 
     scalar: Coefficient
     vector: Vector

@@ -15,7 +15,7 @@ Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
 @dataclass(frozen=True, slots=True)
 class Tensor(Structure):
-    """The tensor with the given 3x3 `rows`; `Dual` entries make it a dual tensor."""
+    """Tensor with the given 3x3 `rows`; `Dual` entries make it a dual tensor."""
 
     rows: tuple[Row, Row, Row]
 

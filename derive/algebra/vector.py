@@ -13,7 +13,7 @@ from .dual import Dual, dual_part, real_part
 
 @dataclass(frozen=True, slots=True)
 class Vector(Structure):
-    """The vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
+    """Vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
 
     `Dual` components make it a dual vector.
     """

@@ -97,7 +97,7 @@ def show(**given: Any) -> None:
 @form(("text", "json", "markdown"), "How the figures are written.")
 @options.max_n
 def compare(**given: Any) -> None:
-    """Compare parameterizations: how far they reach, how much they stretch, what they cost."""
+    """Compare parameterizations by largest angle, stretch and cost."""
     from .compare import compare
 
     compare(**given)
@@ -105,7 +105,7 @@ def compare(**given: Any) -> None:
 
 @cli.command("list")
 def list_catalogue() -> None:
-    """List targets, committed orders and what a module holds."""
+    """List targets, committed orders and the contents of a module."""
     width = min(shutil.get_terminal_size((120, 0)).columns, 120)
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
@@ -127,7 +127,7 @@ def list_catalogue() -> None:
 @click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
 @options.max_n
 def verify(**given: Any) -> None:
-    """Decide every equation of the papers: which hold, under what condition, and what the wrong ones should say."""
+    """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
     from .verify import verify
 
     verify(**given)

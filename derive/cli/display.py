@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..output import Difference
 
 FIRST_PAUSE = 10.0
-"""Seconds before the first line of progress where there is no terminal; each further pause is twice as long."""
+"""Seconds before the first line of progress without a terminal; each further pause is twice as long."""
 
 PAUSE_MAX = 60.0
 

@@ -1,7 +1,7 @@
-r"""Theorems for every n on derivatives of the tangent operator, none of them in the papers.
+r"""Theorems for every n on derivatives of the tangent operator, absent from the papers.
 
-Notation: ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2``, and slopes ``f_y = 2 df/dx``, so
-that ``df/dt = f_y (v · v')``. The theorems concern:
+Notation: ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2``, and slopes ``f_y = 2 df/dx``.
+Then ``df/dt = f_y (v · v')``. The theorems concern:
 
 * slopes and second slopes in closed form, without division by x;
 * the derivatives by v in both frames: J(a) of the twist ``T a``, and K(a) of the rate ``T⁻¹ a``;
@@ -182,7 +182,7 @@ def _structure(known: dict[sympy.Expr, Premise], tangent: Premise) -> Theorem:
 
 
 def _body(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> Theorem:
-    """Return the structure equation in the body frame, and J_B(b) a = Rᵀ J(a) b, which relates both frames."""
+    """Return the theorem in the body frame: a structure equation with a minus sign, and J_B(b) a = Rᵀ J(a) b."""
     of_b = body_jacobian.func("J_B(b)", commutative=False)
     images = cross(transpose(dcay) * a, transpose(dcay) * b)
     return Theorem(

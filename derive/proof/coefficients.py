@@ -46,7 +46,7 @@ class NotDecidedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Series:
-    """A power series in x.
+    """Power series in x.
 
     Attributes
     ----------

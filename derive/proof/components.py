@@ -246,7 +246,7 @@ class Components:
                 yield from _checks(f"(dcay dcay^-1)_{i + 1}{j + 1}", product - unit if i == j else product)
 
     def proofs(self, statements: Sequence[Statement] | None = None) -> Iterator[Proof]:
-        """Decide each statement in turn; controls pass altered statements."""
+        """Decide the statements one after the other; controls pass altered statements."""
         point = AtPoint(self.cayley.order)
         checks = (self.definition, self.quaternion, self.tensor, self.orthogonality, self.twist, self.inverse)
         for (name, claim, premises), decision in zip(statements or STATEMENTS, checks, strict=True):

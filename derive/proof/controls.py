@@ -91,7 +91,7 @@ def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Contr
 
 @dataclass(frozen=True)
 class _Wrong:
-    """A Cayley map or another chart with one formula replaced."""
+    """Cayley map or other chart with one formula replaced."""
 
     right: Any
     name: str

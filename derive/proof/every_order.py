@@ -22,7 +22,7 @@ def stated(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
-    """Decide theorems in turn, each from the proofs of the theorems before it."""
+    """Decide the theorems in their order; each may cite the proofs of the theorems before it."""
     known: dict[str, Proof] = {}
     for theorem in claimed:
         known[theorem.name] = theorem.decide(known)

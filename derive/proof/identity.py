@@ -39,7 +39,7 @@ class Multiplier:
 
     @property
     def text(self) -> str:
-        """The polynomial as plain text."""
+        """Polynomial as plain text."""
         return text(self.expression)
 
     @property
@@ -112,12 +112,12 @@ class Proof:
 
     @property
     def statement(self) -> str:
-        """The claim in plain text."""
+        """Claim in plain text."""
         return "; ".join(equation.text for equation in self.claim)
 
     @property
     def latex(self) -> str:
-        """The claim in LaTeX."""
+        """Claim in LaTeX."""
         return r";\; ".join(equation.latex for equation in self.claim)
 
     @property

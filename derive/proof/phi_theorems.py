@@ -5,8 +5,8 @@ r"""Theorems on every parameterization v = φ(α) u, in φ, its derivatives, and
     T = \frac{\sin\alpha}{\varphi} I + \frac{1 - \cos\alpha}{\varphi^2} \tilde v
         + \frac{1/\varphi' - \sin\alpha/\varphi}{\varphi^2}\,v \otimes v
 
-The only premises on φ are that φ′ is its derivative, φ″ the derivative of φ′, and so on. The premises on sine and
-cosine are their derivatives and ``sin² + cos² = 1``. Hence every family is an instance.
+The only premises on φ are its derivatives: φ′ is the derivative of φ, φ″ the derivative of φ′, and so on. The premises
+on sine and cosine are their derivatives and ``sin² + cos² = 1``. Hence every family is an instance.
 """
 
 from __future__ import annotations
@@ -177,7 +177,7 @@ ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
 
 @cache
 def any_phi() -> tuple[Proof, ...]:
-    """Return the proofs for every φ, decided once per process."""
+    """Return the proofs of the theorems on every φ, decided once per process."""
     known: dict[str, Proof] = {}
     for theorem in ANY_PHI:
         known[theorem.name] = theorem.decide(known)

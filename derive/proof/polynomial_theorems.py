@@ -1,6 +1,6 @@
 """Theorems for every n on p_n and q_n: powers, addition, derivatives, brackets, binomial sums.
 
-Both are defined by the recurrence of :mod:`derive.maps.polynomials`, applied to symbols.
+The recurrence of :mod:`derive.maps.polynomials`, applied to symbols, defines p_n and q_n.
 """
 
 from __future__ import annotations

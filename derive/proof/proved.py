@@ -36,7 +36,7 @@ class ProofFailed(Exception):
 
 @dataclass(frozen=True)
 class Proved:
-    """A chart with the proofs of its formulas, made by :func:`prove` only.
+    """Chart with the proofs of its formulas, made only by :func:`prove`.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ def proofs(chart: Chart, progress: Progress | None = None, backend: str | None =
 def prove(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> Proved:
     """Prove a chart; a Cayley map is proved by theorems and, independently, by components.
 
-    Parameters are those of :func:`proofs`.
+    See :func:`proofs` for the parameters.
 
     Raises
     ------

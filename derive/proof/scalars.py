@@ -147,7 +147,7 @@ class ScalarProofs:
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
-        """Decide the statements in turn."""
+        """Decide the statements one after the other."""
         formulas = tuple(
             Equation(value, sympy.Symbol(f"{name}[{i}]"))
             for name, values in FORMULAS.items()

@@ -16,7 +16,7 @@ from .notation import Shifted, latex, text
 
 @dataclass(frozen=True)
 class Equation:
-    """The equation ``left = right``.
+    """Equation ``left = right``.
 
     Attributes
     ----------
@@ -40,12 +40,12 @@ class Equation:
 
     @cached_property
     def text(self) -> str:
-        """The equation as plain text."""
+        """Equation as plain text."""
         return f"{text(self.left)} = {text(self.right)}"
 
     @cached_property
     def latex(self) -> str:
-        """The equation as LaTeX, without delimiters."""
+        """Equation as LaTeX, without delimiters."""
         return f"{latex(self.left)} = {latex(self.right)}"
 
     def __str__(self) -> str:

@@ -18,7 +18,7 @@ from .statement import Equation, Premise
 
 
 class Method(Protocol):
-    """A way to decide a claim under premises."""
+    """Method to decide a claim under premises."""
 
     @property
     def sides(self) -> tuple[str, ...]:
@@ -57,7 +57,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Theorem:
-    """A statement to be proved.
+    """Statement to be proved.
 
     Attributes
     ----------
@@ -98,14 +98,14 @@ class Theorem:
         return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
     def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
-        """Return the definitions from cited theorems whose symbols occur here, without definitions repeated here."""
+        """Return definitions from cited theorems if all their symbols occur here, except definitions repeated here."""
         own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
 
     def _defined_here(self, equation: Equation) -> bool:
-        """Return whether an own premise concerns the left side: if so, the equation is required, else a condition."""
+        """Return whether a definition here has this left side on either side: then required, else a condition."""
         own = [premise.equation for premise in self.premises if not premise.theorem]
         return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 

@@ -1,4 +1,4 @@
-r"""Theorems for every n on rates at changes of branch and on twists of products, none of them in the papers.
+r"""Theorems for every n on rates at changes of branch and on twists of products, absent from the papers.
 
 A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u``, rates transform by ``v_k' = S_k v'``,
 where ``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``. Momenta transform by the inverse transpose. The twist of a product
@@ -60,7 +60,7 @@ BOTH_ROOT = sympy.cos(BOTH) - r * sympy.sin(BOTH)
 
 
 def _transported(there: sympy.Expr, here: sympy.Expr, root: sympy.Expr) -> sympy.Expr:
-    """Return S of a step from ``here u`` to ``there u``."""
+    """Return the tensor S of a step from ``here u`` to ``there u``; `root` is the divisor of the step."""
     return there / here * (I - dyad(u, u)) + dyad(u, u) / root**2
 
 
@@ -85,7 +85,7 @@ _TWO, _ONE = scalar_2 + second, scalar_1 + first
 
 
 def _moving(scalar: sympy.Expr, vector: sympy.Expr, twist: sympy.Expr) -> tuple[Premise, ...]:
-    """Return ``q' = ω q/2``, CP23 (75), by scalar and vector part."""
+    """Return the premises ``q' = ω q/2``, CP23 (75), for scalar and vector part."""
     return (
         definition(rate(scalar), -dot(twist, vector) / 2),
         definition(rate(vector), (scalar * twist + cross(twist, vector)) / 2),
@@ -102,4 +102,4 @@ PRODUCT = Theorem(
     ),
     Identity(Symbols((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
 )
-"""Consequence: ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""
+"""Theorem that implies ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

@@ -27,8 +27,8 @@ class Ring(RationalFunctions):
     extra : sequence of str
         Further independent symbols (dual parts, rates, points).
     root : int
-        If not 0, the ring expresses the square x of the first vector through s = sqrt(1 + x/root). Odd powers of
-        1 + x/root then have a square root. If 0, x itself is a generator.
+        Integer k of the generator s = sqrt(1 + x/k), by which the ring expresses the square x of the first vector. Odd
+        powers of 1 + x/k then have a square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint where it is installed.
     """

@@ -104,7 +104,7 @@ def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_pa
     if ending == signal.SIGINT:
         assert (out, err, first.returncode) == ("interrupted\n", "", 0)
         assert not any(path.exists() for path in begun.values())
-    assert len([*tmp_path.iterdir()]) == 2  # no further call began, and none saw the interrupt itself
+    assert len([*tmp_path.iterdir()]) == 2  # no further call began, and no call saw the interrupt
 
 
 def until(reached) -> None:

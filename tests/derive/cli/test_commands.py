@@ -211,7 +211,7 @@ def test_list_prints_every_catalogue():
         assert word in done.stdout
 
 
-# --- what help says before anything is loaded ---------------------------------------------------------------------
+# --- help before other modules are loaded -------------------------------------------------------------------------
 
 
 def test_about_matches_the_tables_it_names():
