@@ -1,6 +1,6 @@
 r"""Derive, prove and emit the higher-order Cayley parameterization of rigid displacement.
 
-Notation, one letter one meaning (CP23 = Condurache & Popa 2023, K10 = Karakılıç 2010):
+Notation, with one meaning for each letter (CP23 = Condurache & Popa 2023, K10 = Karakılıç 2010):
 
 =================  ==========================================================================================
 ε, a°              dual unit, ε² = 0; dual part of a (a trailing ``o`` in code: ``v1o`` is the dual part of v1)
@@ -52,7 +52,7 @@ _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
     "algebra", "cli", "codegen", "maps", "output", "papers", "proof",
 }  # fmt: skip
-"""Modules and packages of this folder; an installed folder may also hold those of another distribution."""
+"""Modules and packages of this folder. An installed folder may also hold files of another distribution."""
 
 
 def _refuse_company(folder: str) -> None:

@@ -1,4 +1,4 @@
-"""The command ``dualcay``: names missing libraries before it imports any."""
+"""The command ``dualcay``, which reports missing libraries before it imports any."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ INTERRUPTED = 130
 
 
 def main() -> int:
-    """Run the command line and return its exit code: 3 if libraries are missing, unless only help is asked for."""
+    """Run the command line and return its exit code: 3 if libraries are missing, except for help and version."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # in any locale; names of files may not be UTF-8
             stream.reconfigure(encoding="utf-8", errors="surrogateescape")
@@ -31,7 +31,7 @@ def main() -> int:
 
 
 def _without(missing: str, arguments: set[str]) -> int:
-    """Print help, the version, or which libraries are missing."""
+    """Print help, the version, or the names of the missing libraries, and return the exit code."""
     if arguments & {"-V", "--version"}:
         print(f"dualcay, version {__version__}")
         return 0

@@ -1,6 +1,6 @@
-"""Facts about the toolkit that help, `list` and completion show before anything is loaded.
+"""Facts about the toolkit, which help, `list` and completion show without loading anything else.
 
-Tests compare the names with the tables of what they name.
+Tests compare these names with the tables that define them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ FAMILIES = (
 """Families whose modules are committed."""
 
 MAX_ORDER = 64
-"""Largest order generated without --max-n: proof times beyond it are not measured."""
+"""Largest order generated without --max-n, since proof times beyond it are not measured."""
 
 TARGETS = ("numpy", "array-api", "numba", "c", "native")
 """Keys of `derive.codegen.targets.TARGETS`."""
@@ -52,6 +52,6 @@ FORMATS = ("text", "json", "markdown", "html", "latex")
 
 
 def checkout() -> Path | None:
-    """Return the root of the checkout of the project that the toolkit runs from; None where it is installed."""
+    """Return the root of the project's checkout that contains the running toolkit; None for an installed one."""
     root = Path(__file__).parent.parent
     return root if (root / "templates").is_dir() and (root / "pyproject.toml").is_file() else None

@@ -1,4 +1,4 @@
-"""Charts as users make them: those of `derive.maps`, with their proofs."""
+"""Charts for users: the charts of `derive.maps`, with a method that proves them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Provable:
     """Chart with a method that proves it."""
 
     def prove(self: Any) -> Listing[Proof]:
-        """Decide everything claimed of this chart; return each `Proof`.
+        """Decide every statement about this chart and return its proofs.
 
         Examples
         --------
@@ -33,13 +33,13 @@ def family(name: str) -> Any:
     Parameters
     ----------
     name : str
-        A name of `dualcay list`, with the order n in a numbered family.
+        Name listed by `dualcay list`; the name of a numbered family includes its order n.
 
     Returns
     -------
     Chart
-        Its formulas are ``quaternion``, ``tensor``, ``tangent``, ``tangent_inv``; φ is ``phi``, its largest angle
-        ``edge``. It also has ``singular_angles`` and ``prove()``.
+        Chart with the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, with φ as ``phi``, its
+        largest angle as ``edge``, ``singular_angles`` and ``prove()``.
 
     Raises
     ------
@@ -64,9 +64,9 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     Parameters
     ----------
     phi : str or Expr
-        Odd by its structure, with φ′(0) > 0; angles beyond 4π are left out. A φ that ends before half a turn, such as
-        sin α, has formulas but no kernels. A text may hold numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and
-        elementary functions; it is parsed, never evaluated. An expression is one in `derive.alpha`.
+        Function that is odd by its structure, with φ′(0) > 0; angles beyond 4π are ignored. A φ that ends before half
+        a turn, such as sin α, has formulas but no kernels. A text may contain numbers, ``alpha``, ``n``, ``pi``,
+        ``+ - * / **`` and elementary functions; it is parsed, never evaluated. An expression uses `derive.alpha`.
     name : str
         Name of the chart, an identifier.
     order : int, optional
@@ -75,8 +75,8 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     Returns
     -------
     Chart
-        As `family` returns; also ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of T and T⁻¹ at 0, and
-        ``inverse``.
+        Chart with the attributes listed in `family`, and ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of
+        T and T⁻¹ at 0, and ``inverse``.
 
     Raises
     ------
@@ -106,9 +106,9 @@ class Cayley(maps.Cayley):
     __doc__ = maps.Cayley.__doc__
 
     def prove(self) -> Listing[Proof]:
-        """Decide everything claimed of this map, for all n and by components at this n; return each `Proof`.
+        """Decide every statement about this map, for all n and by components at this n, and return the proofs.
 
-        All hold if ``all(proof.proved for proof in m.prove())``.
+        All statements hold if ``all(proof.proved for proof in m.prove())``.
 
         Examples
         --------

@@ -1,6 +1,6 @@
-"""Processes that work beside this one, and end with it.
+"""Worker processes, which end with the main process.
 
-Only the standard library is loaded here: a process must be ready to end before it loads the libraries of its work.
+Only the standard library is loaded here, since a worker must be ready to end before it loads other libraries.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 
 PROCESSES_MAX = 61
-"""Processes that a pool can have on Windows."""
+"""Largest number of processes in a pool on Windows."""
 
 Result = TypeVar("Result")
 
@@ -36,9 +36,9 @@ def cores() -> int:
 def each(
     function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], processes: int
 ) -> Iterator[Result]:
-    """Yield the results of calls in their order, computed in other processes as soon as arguments are there.
+    """Yield the results of calls in their order, computed in other processes as soon as arguments are available.
 
-    With one process they are computed here, one by one. Of several calls that fail the first is told.
+    With one process, the calls run in the main process, one by one. If several calls fail, the first error is raised.
     """
     if processes == 1:
         for arguments in calls:
@@ -51,14 +51,14 @@ def each(
 
 @contextmanager
 def workers(count: int) -> Iterator[ProcessPoolExecutor]:
-    """Provide a pool of processes, none of which is left however the block ends: done, failed, interrupted or killed.
+    """Provide a pool of processes that all end with the block: done, failed, interrupted or killed.
 
-    They are spawned, not forked: a fork may copy a lock that a thread holds, such as JAX's or a progress bar's.
+    Processes are spawned, not forked: a fork may copy a lock held by a thread of JAX or of a progress bar.
 
     Raises
     ------
     ChildProcessError
-        If one of them dies.
+        If a worker process dies.
     """
     context = multiprocessing.get_context("spawn")
     watched, held = context.Pipe(duplex=False)
@@ -73,18 +73,18 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
         except BrokenProcessPool as error:
             raise ChildProcessError("a worker process died, perhaps for want of memory; nothing is written") from error
         except BaseException:
-            held.close()  # a pool would wait for calls that have begun
+            held.close()  # otherwise the pool waits for running calls
             pool.shutdown(cancel_futures=True)
             raise
 
 
 def _begin(watched: Connection, scratch: str) -> None:
-    """Prepare a process to end at any moment; the first process removes its temporary folder."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the first process ends the others
+    """Prepare a worker to end at any moment; the main process removes its temporary folder."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the main process ends the workers
     tempfile.tempdir = scratch
     threading.Thread(target=_end_with, args=(watched,), daemon=True).start()
 
 
 def _end_with(watched: Connection) -> None:
-    watched.poll(None)  # nothing is sent: the other end closes, by its process or with it
+    watched.poll(None)  # wait until the main process closes its end or dies; it sends nothing
     os._exit(1)

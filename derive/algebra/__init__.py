@@ -10,11 +10,11 @@ vector             `Vector`: sum, multiple, dot, cross, magnitude
 tensor             `Tensor`: skew, dyad, vect, trace, det, transpose, product, inverse
 quaternion         `Quaternion`: product, conjugate, norm, inverse, sandwich
 isotropic          `Isotropic`: ``a I + b skew(v) + c v⊗v`` as an algebra over functions of ``x = v · v``
-mixed              sums and products of numbers, vectors and quaternions, as the papers write them
+mixed              sums and products across numbers, vectors, quaternions and tensors, as the papers write them
 element, exact     `Element` and its ring: rational functions over Q, modulo relations
 angles             exact sine and cosine of multiples of given angles
 polynomial_backend polynomials over Q by python-flint or SymPy
-arithmetic         operations that formulas use beyond + − ×, for numbers and for traces
+arithmetic         operations of formulas beyond + − ×, for numbers and for traces
 ================== ====================================================================
 """
 

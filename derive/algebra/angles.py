@@ -12,15 +12,15 @@ from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):
-    """The field Q(names, angles, …, π).
+    """Field Q(names, angles, …, π).
 
     Parameters
     ----------
     names : sequence of str
         Independent symbols.
     angles : mapping of str to int, optional
-        Angle symbols, each with the integer M such that sine and cosine of multiples of angle/M are wanted. An angle
-        and its tangent ``tan(angle/2M)`` are two algebraically independent generators.
+        Integer M by angle symbol; sine and cosine of multiples of angle/M are elements. An angle and its tangent
+        ``tan(angle/2M)`` are two algebraically independent generators.
     """
 
     def __init__(self, names: Sequence[str], angles: Mapping[str, int] | None = None) -> None:
@@ -29,7 +29,7 @@ class AngleField(RationalFunctions):
         super().__init__(names, {name: self._reference(i, name) for i, name in enumerate(names)})
 
     def _reference(self, index: int, name: str) -> Fraction:
-        """Return a positive number; an angle is close to the one whose tangent follows it."""
+        """Return a positive reference value; the values of an angle and of its tangent nearly agree."""
         if name == "pi":
             return Fraction(355, 113)
         if name in self.angles:
@@ -45,12 +45,12 @@ class AngleField(RationalFunctions):
         return self._circle(a)[1]
 
     def atan2(self, y: Element, x: Element) -> Element:
-        """Return the angle of the point (x, y), where it is a multiple, below a turn, of an angle of the field.
+        """Return the angle of the point (x, y) as a multiple k/M of an angle of the field, with |k| ≤ 2M.
 
         Raises
         ------
         NotExactError
-            If it is none.
+            If the angle is not such a multiple.
         """
         for name, steps in self.angles.items():
             for k in range(-2 * steps, 2 * steps + 1):
@@ -61,7 +61,7 @@ class AngleField(RationalFunctions):
         raise NotExactError(f"no multiple of an angle: that of ({x!r}, {y!r})")
 
     def _circle(self, a: Element) -> tuple[Element, Element]:
-        """Return cosine and sine."""
+        """Return cosine and sine of a rational multiple of an angle."""
         pi = self.symbol("pi")
         for name, steps in (*self.angles.items(), (None, 0)):
             try:
@@ -73,7 +73,7 @@ class AngleField(RationalFunctions):
         raise NotExactError(f"no rational multiple of an angle: {a!r}")
 
     def _turned(self, name: str | None, steps: int, quarters: int) -> tuple[Element, Element]:
-        """Return cosine and sine of that many steps of an angle and quarter turns."""
+        """Return cosine and sine of `steps` steps of an angle plus `quarters` quarter turns."""
         c, s = self.constant(1), self.constant(0)
         if steps:
             t = self.symbol(f"tan_{name}")

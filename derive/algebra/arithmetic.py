@@ -1,6 +1,6 @@
 """Operations of formulas beyond + − ×: exact division, roots, comparison, selection, names.
 
-Formulas that make both values and programs take an `Arithmetic`. `PLAIN` computes with numbers. A trace
+Formulas that compute values and also record programs take an `Arithmetic`. `PLAIN` computes with numbers. A trace
 (``codegen.trace``) records the operations and the names of intermediate values.
 """
 
@@ -14,19 +14,19 @@ from .coefficients import Coefficient
 
 
 class Arithmetic(Protocol):
-    """Operations of one kind of number."""
+    """Operations on one kind of number."""
 
     def name(self, name: str, value: Coefficient, /) -> Coefficient:
-        """Return the value and name it."""
+        """Name a value and return it."""
 
     def name_rest(self, letter: str, /) -> None:
-        """Name all further values by a letter and a number; for formulas with too many values for single letters."""
+        """Name all further values by a letter and a number, where single letters do not suffice."""
 
     def corrected(self, value: Coefficient, /) -> Coefficient:
         """Return a named value whose rounding error a later Newton step corrects."""
 
     def rounded_off(self, value: Coefficient, /) -> Coefficient:
-        """Return the rounding error of the recorded additions that make a value; 0 without such a record."""
+        """Return the rounding error of the additions recorded for a value; 0 without a record."""
 
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
         """Return a/b, exact where both are exact."""

@@ -14,14 +14,14 @@ Coefficient: TypeAlias = Any
 
 
 class ZeroDivisorError(ZeroDivisionError):
-    """Error: inverse, quotient or square root of a zero divisor: its real part is zero."""
+    """Error: inverse, quotient or square root of a zero divisor, a dual number with real part zero."""
 
 
 class Structure:
     """Base class of vectors, tensors and quaternions; a structure is never a coefficient.
 
-    Products of a scalar and a structure are computed by the structure. ``__array_ufunc__ = None`` makes NumPy scalars
-    and arrays do the same instead of looping over its components.
+    The structure computes its products with scalars. ``__array_ufunc__ = None`` makes NumPy scalars and arrays leave
+    these products to the structure, instead of looping over its components.
     """
 
     __slots__ = ()

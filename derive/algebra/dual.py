@@ -11,9 +11,9 @@ from .coefficients import Coefficient, Structure, ZeroDivisorError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Dual:
-    """The dual number ``re + ε du``.
+    """Dual number ``re + ε du``.
 
-    Plain numbers mix in as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
+    Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
     zero divisor, and dividing by it raises `ZeroDivisorError`. Quotients follow the coefficients: ``int / int`` is a
     ``float`` in Python, so exact work takes ``Fraction`` or SymPy coefficients.
 
@@ -105,7 +105,7 @@ class Dual:
         return Dual(quotient, -quotient * self.du / self.re)
 
     def __pow__(self, exponent: int) -> Dual:
-        """Integer power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative one inverts first, so a zero divisor is refused."""
+        """Return the power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative exponent inverts first, which refuses zero divisors."""
         if isinstance(exponent, bool) or not isinstance(exponent, int):
             return NotImplemented
         if exponent < 0:
@@ -115,7 +115,7 @@ class Dual:
         return Dual(self.re**exponent, exponent * self.re ** (exponent - 1) * self.du)
 
     def __abs__(self) -> Dual:
-        """Magnitude, whose square is that of the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at ``a = 0``."""
+        """Return the magnitude, with the same square as the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0."""
         if self.re == 0:
             return Dual(self.re, abs(self.du))
         magnitude = abs(self.re)
@@ -127,7 +127,7 @@ class Dual:
         return bool(self.re == real_part(other)) and bool(self.du == dual_part(other))
 
     def __hash__(self) -> int:
-        # Dual(a, 0) equals the plain number a, so it must hash as one.
+        # Dual(a, 0) equals the plain number a, so both have the same hash.
         return hash(self.re) if self.du == 0 else hash((self.re, self.du))
 
     def _require_invertible(self) -> None:
@@ -136,10 +136,10 @@ class Dual:
 
 
 def real_part(value: Coefficient) -> Coefficient:
-    """Return the real part of a dual number; a plain number is its own."""
+    """Return the real part of a dual number, or a plain number itself."""
     return value.re if isinstance(value, Dual) else value
 
 
 def dual_part(value: Coefficient) -> Coefficient:
-    """Return the dual part of a dual number; that of a plain number is 0."""
+    """Return the dual part of a dual number, or 0 for a plain number."""
     return value.du if isinstance(value, Dual) else 0

@@ -16,11 +16,11 @@ class NotExactError(ArithmeticError):
 
 
 class Element:
-    """A rational function as a number; made by its ring, not directly.
+    """Rational function that behaves as a number. Its ring makes it, not the caller.
 
-    It takes ``+ - * /``, integer powers, ``==``, ``abs``, ``<`` and ``.sqrt()``, which ``numpy.sqrt`` calls on object
-    arrays. Partners are int, Fraction and NumPy integers. A float is a TypeError: no rounded constant is part of an
-    exact identity.
+    An element supports ``+ - * /``, integer powers, ``==``, ``abs``, ``<`` and ``.sqrt()``, which ``numpy.sqrt`` calls
+    on object arrays. Other operands may be int, Fraction and NumPy integers. A float raises TypeError, since no rounded
+    constant is part of an exact identity.
     """
 
     __slots__ = ("denominator", "numerator", "ring")
@@ -111,7 +111,7 @@ class Element:
         return not self + (-partner)
 
     def __lt__(self, other: object) -> bool:
-        """Compare at the reference point; a kernel that selects asks for it."""
+        """Compare at the reference point, for kernels that select by comparison."""
         partner = self._partner(other)
         return NotImplemented if partner is None else (self - partner).sign() < 0
 
@@ -148,7 +148,7 @@ class Element:
         return abs(self.ring.fraction(root, self.denominator)) if root else self
 
     def derivative(self, rates: Mapping[int, Element]) -> Element:
-        """Return the derivative, given those of generators by index; all others are constant."""
+        """Return the derivative, given derivatives of generators by index; other generators are constant."""
         rate = self._derived(self.numerator, rates)
         if self.denominator == self.ring.library.one:
             return rate
@@ -173,7 +173,7 @@ class Element:
         Raises
         ------
         NotExactError
-            If there are none.
+            If no such numbers exist.
         """
         terms = self.ring.library.terms
         reduced = self.ring.fraction(self.numerator, self.denominator)

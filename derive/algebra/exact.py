@@ -1,6 +1,6 @@
-"""Exact numbers: rational functions of named generators over Q, modulo relations between these.
+"""Exact numbers: rational functions of named generators over Q, modulo relations between the generators.
 
-Formulas and kernels run on them as they run on floats. Equality is decided exactly, so an identity that holds here
+Formulas and kernels accept them like floats. Equality is decided exactly, so an identity that holds here
 holds for all values of the generators. The polynomials come from python-flint where it is installed, else from SymPy.
 """
 
@@ -18,7 +18,7 @@ from .polynomial_backend import Polynomial, polynomials
 
 
 class RationalFunctions:
-    """The field Q(names), or the quotients of Q[names] modulo relations.
+    """Field Q(names), or quotients of Q[names] modulo relations.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class RationalFunctions:
     backend : {"flint", "sympy"}, optional
         See `polynomials`.
     lowest_terms : bool
-        Whether products and quotients are reduced to lowest terms. If not, all that was divided by stays visible.
+        True to reduce products and quotients to lowest terms. If False, denominators show every divisor.
     """
 
     def __init__(
@@ -49,7 +49,7 @@ class RationalFunctions:
             self.point = dict(point)
 
     def symbol(self, name: str) -> Element:
-        """Return the generator of that name."""
+        """Return the generator with the given name."""
         return Element(self, self.library.generators[self.index(name)], self.library.one)
 
     def index(self, name: str) -> int:
@@ -78,7 +78,7 @@ class RationalFunctions:
         Parameters
         ----------
         expression : sympy.Expr or number
-            Sums, products and powers of symbols and rational numbers; half a power is that of `Element.sqrt`.
+            Sums, products and powers of symbols and rational numbers; half-integer powers use `Element.sqrt`.
         values : mapping
             Element (or exact number) for each SymPy symbol.
         """
@@ -105,7 +105,7 @@ class RationalFunctions:
         return first
 
     def normal_form(self, a: Polynomial) -> Polynomial:
-        """Return a polynomial modulo the relations: 0 exactly if it is 0 there."""
+        """Return a polynomial reduced modulo the relations: 0 if and only if the relations make it 0."""
         if len(self.relations) == 1:
             return a % self.relations[0]
         before = None
@@ -133,7 +133,7 @@ class RationalFunctions:
         return Element(self, above, below)
 
     def cofactors(self, a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Return ``b/g`` and ``a/g``, g the greatest common divisor: the factors that make a and b equal."""
+        """Return the factors that make a and b equal: ``b/g`` and ``a/g``, where g is the greatest common divisor."""
         one = self.library.one
         if a == b:
             return one, one
@@ -169,7 +169,7 @@ class RationalFunctions:
         return " + ".join(terms).replace("+ -", "- ") or "0"
 
     def cleared(self, elements: Sequence[Element]) -> tuple[list[Element], Element]:
-        """Return the elements multiplied by their common denominator, and that denominator."""
+        """Return the elements multiplied by their common denominator, and this denominator."""
         one, common = self.library.one, self.library.one
         for element in elements:
             common = common * self.cofactors(common, element.denominator)[0]

@@ -1,4 +1,4 @@
-"""The elementary functions of dual numbers, ``f(a + ε a°) = f(a) + ε a° f'(a)``, over whatever the coefficients are.
+"""Elementary functions of dual numbers, ``f(a + ε a°) = f(a) + ε a° f'(a)``, over coefficients of any library.
 
 Each function takes a plain or a dual number. The real function comes from the library of the coefficient: `sympy` for
 its expressions, `mpmath` for its floats, `numpy` for its arrays and scalars, `math` for Python's own numbers.
@@ -18,7 +18,7 @@ from .dual import Dual, dual_part, real_part
 def namespace(*values: Coefficient) -> Any:
     """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`.
 
-    The library of a value is already imported, so this imports none.
+    The function imports nothing, since the library of a value is already loaded.
     """
     libraries = {type(real_part(value)).__module__.partition(".")[0] for value in values}
     for name in ("sympy", "mpmath", "numpy"):
@@ -83,13 +83,13 @@ def log(value: Coefficient) -> Coefficient:
 
 
 def expm1(value: Coefficient) -> Coefficient:
-    """Return the exponential less 1, right to the last digit near 0; of numbers, for SymPy has no such function."""
+    """Return exp − 1, accurate near 0 to the last digit; for numbers only, since SymPy has no such function."""
     library = namespace(value)
     return lift(value, library.expm1, library.exp)
 
 
 def log1p(value: Coefficient) -> Coefficient:
-    """Return the logarithm of 1 and a number, right to the last digit near 0; of numbers like `expm1`."""
+    """Return the logarithm of 1 plus the value, accurate near 0 to the last digit; for numbers only, like `expm1`."""
     return lift(value, namespace(value).log1p, lambda a: 1 / (1 + a))
 
 
@@ -120,7 +120,7 @@ def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
 
 
 def sqrt(value: Coefficient) -> Coefficient:
-    """Return the square root; numbers of an exact ring have their own method ``sqrt``.
+    """Return the square root; elements of an exact ring use their own method ``sqrt``.
 
     Raises
     ------

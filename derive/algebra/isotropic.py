@@ -1,8 +1,8 @@
 """The commutative algebra of tensors ``a I + b skew(v) + c v⊗v`` of one vector v, with ``x = v · v``.
 
-Since ``skew(v)² = v⊗v − x I`` and ``skew(v) v = 0``, products, transposes and inverses stay in it and their
-coefficients are rational in a, b, c and x: v itself never appears. So an identity between such tensors is an identity
-between functions of x, for real and dual vectors alike.
+Since ``skew(v)² = v⊗v − x I`` and ``skew(v) v = 0``, products, transposes and inverses stay in the algebra. Their
+coefficients are rational in a, b, c and x, without v. Hence an identity between such tensors is an identity between
+functions of x, for real and dual vectors alike.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .vector import Vector
 
 @dataclass(frozen=True, slots=True)
 class Isotropic(Structure):
-    """The tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
+    """Tensor ``a I + b skew(v) + c v⊗v`` for any v with ``v · v = x``."""
 
     a: Coefficient
     b: Coefficient
@@ -25,17 +25,17 @@ class Isotropic(Structure):
 
     @classmethod
     def identity(cls, x: Coefficient) -> Isotropic:
-        """Return I."""
+        """Return the identity tensor I."""
         return cls(1, 0, 0, x)
 
     @property
     def coefficients(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """The coefficients (a, b, c) of I, skew(v) and v⊗v."""
+        """Coefficients (a, b, c) of I, skew(v) and v⊗v."""
         return self.a, self.b, self.c
 
     @property
     def transpose(self) -> Isotropic:
-        """``a I − b skew(v) + c v⊗v``."""
+        """Transpose ``a I − b skew(v) + c v⊗v``."""
         return Isotropic(self.a, -self.b, self.c, self.x)
 
     @property
@@ -65,12 +65,12 @@ class Isotropic(Structure):
         return Isotropic(self.a / planar2, -self.b / planar2, c, self.x)
 
     def apply(self, v: Vector, w: Vector) -> Vector:
-        """Return the image of `w`: ``a w + b v × w + c (v · w) v``. Needs ``v · v = x``, which is not checked."""
+        """Return the image ``a w + b v × w + c (v · w) v`` of `w`; the requirement ``v · v = x`` is not checked."""
         image: Vector = w * self.a + v.cross(w) * self.b + v * (self.c * v.dot(w))
         return image
 
     def tensor(self, v: Vector) -> Tensor:
-        """Expand at a vector `v` with ``v · v = x`` (not checked: it may hold only after simplification)."""
+        """Expand at a vector `v` with ``v · v = x``, not checked since it may hold only after simplification."""
         expanded: Tensor = Tensor.identity() * self.a + Tensor.skew(v) * self.b + Tensor.dyad(v, v) * self.c
         return expanded
 
@@ -101,7 +101,7 @@ class Isotropic(Structure):
         return Isotropic(self.a / scalar, self.b / scalar, self.c / scalar, self.x)
 
     def __matmul__(self, other: Isotropic) -> Isotropic:
-        """Return the product, which commutes."""
+        """Return the product, which is commutative."""
         if not isinstance(other, Isotropic):
             return NotImplemented
         self._require_same_vector(other)

@@ -1,7 +1,7 @@
-"""Sums and products of numbers, vectors, quaternions and tensors side by side, as the papers write them.
+"""Sums and products across numbers, vectors, quaternions and tensors, as the papers write them.
 
-A sum of a number and a vector is a quaternion, and two vectors side by side are multiplied as quaternions. A tensor
-beside a vector or a tensor acts on it.
+A number plus a vector is a quaternion, and two adjacent vectors are multiplied as quaternions. A tensor left of a
+vector or a tensor acts on it.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ def quaternion(a: Any) -> Quaternion:
 
 
 def add(a: Any, b: Any) -> Any:
-    """Return the sum; that of a number and a vector is a quaternion."""
+    """Return the sum; a number plus a vector is a quaternion."""
     if type(a) is type(b) or not (isinstance(a, Structure) or isinstance(b, Structure)):
         return a + b
     return quaternion(a) + quaternion(b)
 
 
 def multiply(a: Any, b: Any) -> Any:
-    """Return the product of two neighbours in a formula."""
+    """Return the product of two adjacent factors in a formula."""
     if not (isinstance(a, Structure) and isinstance(b, Structure)):
         return a * b
     if isinstance(a, Tensor) and isinstance(b, Tensor | Vector):

@@ -15,7 +15,7 @@ Polynomial = Any  # fmpq_mpoly or PolyElement; both have + - * ** % == degrees()
 
 
 class Polynomials(ABC):
-    """Operations on polynomials over Q that the two libraries spell differently.
+    """Operations on polynomials over Q whose names differ between the two libraries.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Polynomials(ABC):
 
     @abstractmethod
     def derivative(self, a: Polynomial, generator: int) -> Polynomial:
-        """Return the partial derivative by the generator of that index."""
+        """Return the partial derivative by the generator with the given index."""
 
     @abstractmethod
     def square_root(self, a: Polynomial) -> Polynomial | None:
@@ -104,9 +104,9 @@ class SympyPolynomials(Polynomials):
         return a.LC
 
     def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the gcd of b and of the coefficients of a, a polynomial in the generators that b lacks.
+        """Return the gcd of b and the coefficients of a, as a polynomial in the generators that b lacks.
 
-        SymPy's own gcd takes time for every generator, also for those that do not occur.
+        SymPy's own gcd spends time on every generator, even on absent ones.
         """
         used = [i for i, degree in enumerate(b.degrees()) if degree > 0]
         if not a or not used:
@@ -147,7 +147,7 @@ class SympyPolynomials(Polynomials):
 
 
 def polynomials(count: int, backend: str | None = None) -> Polynomials:
-    """Return the polynomials in that many generators.
+    """Return the ring of polynomials in `count` generators.
 
     Parameters
     ----------

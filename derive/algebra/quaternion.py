@@ -13,7 +13,7 @@ from .vector import Vector
 
 @dataclass(frozen=True, slots=True)
 class Quaternion(Structure):
-    """The quaternion ``scalar + vector``; `Dual` coefficients make it a dual quaternion."""
+    """Quaternion ``scalar + vector``; `Dual` coefficients make it a dual quaternion."""
 
     scalar: Coefficient
     vector: Vector
@@ -60,7 +60,7 @@ class Quaternion(Structure):
         return Quaternion(-self.scalar, -self.vector)
 
     def __mul__(self, other: Any) -> Quaternion:
-        """Quaternion product ``(s t − a·b, s b + t a + a × b)``, or multiple by a scalar."""
+        """Return the quaternion product ``(s t − a·b, s b + t a + a × b)``, or the multiple by a scalar."""
         if isinstance(other, Quaternion):
             s, t, a, b = self.scalar, other.scalar, self.vector, other.vector
             return Quaternion(s * t - a.dot(b), b * s + a * t + a.cross(b))

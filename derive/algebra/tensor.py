@@ -15,7 +15,7 @@ Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
 @dataclass(frozen=True, slots=True)
 class Tensor(Structure):
-    """The tensor with the given 3x3 `rows`; `Dual` entries make it a dual tensor."""
+    """Tensor with the given 3x3 `rows`; `Dual` entries make it a dual tensor."""
 
     rows: tuple[Row, Row, Row]
 
@@ -34,7 +34,7 @@ class Tensor(Structure):
 
     @classmethod
     def identity(cls) -> Tensor:
-        """Return I."""
+        """Return the identity tensor I."""
         return cls(((1, 0, 0), (0, 1, 0), (0, 0, 1)))
 
     @classmethod
@@ -59,7 +59,7 @@ class Tensor(Structure):
 
     @property
     def transpose(self) -> Tensor:
-        """The tensor with ``a · Tᵀ b = b · T a``."""
+        """Transpose Tᵀ, with ``a · Tᵀ b = b · T a``."""
         (a, b, c), (d, e, f), (g, h, i) = self.rows
         return Tensor(((a, d, g), (b, e, h), (c, f, i)))
 

@@ -13,7 +13,7 @@ from .dual import Dual, dual_part, real_part
 
 @dataclass(frozen=True, slots=True)
 class Vector(Structure):
-    """The vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
+    """Vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
 
     `Dual` components make it a dual vector.
     """
@@ -84,7 +84,7 @@ class Vector(Structure):
     def magnitude(self) -> Coefficient:
         """Return the magnitude, a (dual) number whose square is ``self · self``.
 
-        For a dual vector it is ``|a| + ε a·a°/|a|`` where the real part is non-zero and ``ε |a°|`` where it is zero.
+        A dual vector has the magnitude ``|a| + ε a·a°/|a|`` if its real part is non-zero, else ``ε |a°|``.
         Real coefficients are assumed.
         """
         if not any(isinstance(c, Dual) for c in self):

@@ -1,4 +1,4 @@
-"""The command line: parse, call, show.
+"""The command line: parse options, call the toolkit, show results.
 
 ======== ==================================================
 options  order lists such as ``1-5,8``, and other parsed options

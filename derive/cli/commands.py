@@ -1,4 +1,4 @@
-"""The commands and their options, declared so that help and completion come before anything else is loaded."""
+"""Commands and their options, declared so that help and completion need no other module."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ Completion in bash, likewise zsh_source and fish_source:
 
 
 class Commands(click.Group):
-    """Group of commands that may be interrupted."""
+    """Group of commands that reports an interrupt by one line and the exit code 130."""
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
-        except KeyboardInterrupt:  # for which Click would print an empty line
+        except KeyboardInterrupt:  # Click would print an empty line
             click.echo("dualcay: interrupted", err=True)
             ctx.exit(130)
 
@@ -97,7 +97,7 @@ def show(**given: Any) -> None:
 @form(("text", "json", "markdown"), "How the figures are written.")
 @options.max_n
 def compare(**given: Any) -> None:
-    """Compare parameterizations: how far they reach, how much they stretch, what they cost."""
+    """Compare parameterizations by largest angle, stretch and cost."""
     from .compare import compare
 
     compare(**given)
@@ -105,7 +105,7 @@ def compare(**given: Any) -> None:
 
 @cli.command("list")
 def list_catalogue() -> None:
-    """List targets, committed orders and what a module holds."""
+    """List targets, committed orders and the contents of a module."""
     width = min(shutil.get_terminal_size((120, 0)).columns, 120)
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
@@ -127,14 +127,14 @@ def list_catalogue() -> None:
 @click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
 @options.max_n
 def verify(**given: Any) -> None:
-    """Decide every equation of the papers: which hold, under what condition, and what the wrong ones should say."""
+    """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
     from .verify import verify
 
     verify(**given)
 
 
 def run() -> int:
-    """Run the command line and return its exit code; no bad input ends in a traceback."""
+    """Run the command line and return its exit code; bad input never ends in a traceback."""
     try:
         code = cli.main(prog_name=options.program(), standalone_mode=False)
     except click.ClickException as error:

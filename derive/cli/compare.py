@@ -48,15 +48,15 @@ PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float
     "across, 2 sin(α/2)/φ (by that at 0)": (lambda found, at_0: found.across / at_0, (0, 1.5)),
     "condition of Re T": (lambda found, at_0: found.condition, (0.9, 30)),
 }
-"""Title of each panel of a plot, with its figure, given the singular value at 0, and the limits of its axis."""
+"""Function of the stretch and the singular value at 0, and limits of the axis, by title of a panel of the plot."""
 
 Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
-"""Headings, and a row for each chart."""
+"""Table of headings, and a row for each chart."""
 
 
 @dataclass(frozen=True)
 class Compared:
-    """A chart and its figures."""
+    """Chart with the figures that are compared."""
 
     chart: Chart
 
@@ -67,7 +67,7 @@ class Compared:
 
     @property
     def range(self) -> float:
-        """|v| at the edge."""
+        """Value of |v| at the edge of the chart."""
         size = self.chart.phi.subs(alpha, self.chart.edge)
         return math.inf if size.is_infinite else float(size.evalf(20))
 
@@ -78,7 +78,7 @@ class Compared:
 
     @cached_property
     def operations(self) -> dict[str, int | None]:
-        """Operations by function; None for a φ that kernels do not compute."""
+        """Number of operations by function; None for a φ that kernels cannot compute."""
         try:
             found = lower_chart(self.chart).operations
         except PhiError:
@@ -87,13 +87,13 @@ class Compared:
 
     @property
     def measured(self) -> Mapping[str, Any] | None:
-        """Its ``errors`` by function and angle and its ``nanoseconds`` by function and number of poses, if known."""
+        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known."""
         return measurements().get(self.chart.name)
 
 
 @cache
 def measurements() -> Mapping[str, Any]:
-    """Read errors and times by chart, which ``python -m benchmarks.charts`` writes; empty outside a checkout."""
+    """Read the errors and times by chart written by ``python -m benchmarks.charts``; empty outside a checkout."""
     root = about.checkout()
     found: dict[str, Any] = json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")) if root else {}
     return found
@@ -118,7 +118,7 @@ def compare(
 
 
 def number(value: float | None) -> str:
-    """Return a figure in few digits; a dash for none."""
+    """Format a number with few digits, and None as a dash."""
     if value is None:
         return "-"
     if math.isinf(value):
@@ -127,7 +127,7 @@ def number(value: float | None) -> str:
 
 
 def _measured(compared: Sequence[Compared], what: str, functions: Sequence[str], place: str) -> Table:
-    """Return what was measured, by function and by place: an angle or a number of poses."""
+    """Return a table of measurements by function and by place, which is an angle or a number of poses."""
     found = {row.chart.name: row.measured[what] for row in compared if row.measured}
     places = {(f, at): None for f in functions for values in found.values() for at in values[f]}
     rows = [[chart, *(number(values[f].get(at)) for f, at in places)] for chart, values in found.items()]
@@ -135,22 +135,22 @@ def _measured(compared: Sequence[Compared], what: str, functions: Sequence[str],
 
 
 def errors(compared: Sequence[Compared]) -> Table:
-    """Return errors in eps, by function and angle."""
+    """Return a table of errors in eps, by function and angle."""
     return _measured(compared, "errors", MEASURED, "")
 
 
 def times(compared: Sequence[Compared]) -> Table:
-    """Return nanoseconds for a pose, by function and number of poses."""
+    """Return a table of nanoseconds per pose, by function and number of poses."""
     return _measured(compared, "nanoseconds", TIMED, "N = ")
 
 
 def cost(compared: Sequence[Compared]) -> Table:
-    """Return operations by function."""
+    """Return a table of the numbers of operations, by function."""
     return ["chart", *COUNTED], [[row.chart.name, *map(number, row.operations.values())] for row in compared]
 
 
 def _text(compared: Sequence[Compared]) -> str:
-    """Return tables with condition numbers only: a line is too short for every singular value."""
+    """Return the tables as text, with condition numbers only, since a line is too short for all singular values."""
     headings = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED]
     rows = []
     for row, (name, *counts) in zip(compared, cost(compared)[1], strict=True):
@@ -191,7 +191,7 @@ def _json(compared: Sequence[Compared]) -> str:
 
 
 def _page(compared: Sequence[Compared]) -> str:
-    """Return docs/parameterizations.md."""
+    """Return the text of docs/parameterizations.md."""
     return render(
         "report/parameterizations.md.j2",
         shape=_table(*_shape(compared)),

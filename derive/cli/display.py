@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from ..output import Difference
 
 FIRST_PAUSE = 10.0
-"""Seconds before the first line of progress where there is no terminal; each further pause is twice as long."""
+"""Seconds before the first line of progress without a terminal; each further pause is twice as long."""
 
 PAUSE_MAX = 60.0
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a progress bar on a terminal, a line now and then elsewhere; each call names the step that begins."""
+    """Show a progress bar on a terminal, or occasional lines elsewhere; each call names the step that begins."""
     if not sys.stderr.isatty():
         yield _lines(total)
         return

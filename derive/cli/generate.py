@@ -17,10 +17,10 @@ from ..workers import cores
 from . import display, options
 
 WRITE_STEPS, CHECK_STEPS = 4, 2
-"""Lines of progress for each module: a check proves and prints, but executes nothing."""
+"""Lines of progress per module. A check has fewer, since it proves and prints but executes nothing."""
 
 SERIAL_MAX = 3
-"""Largest number of charts for which worker processes do not pay."""
+"""Largest number of charts for which worker processes save no time."""
 
 HEADINGS = ("module", "theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
 
@@ -75,7 +75,7 @@ def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> N
 
 
 def summary(package: Package, folder: Path) -> Grid:
-    """Return a table of what was proved and written, with a row per module."""
+    """Return a table of the written modules: a row for each, with its numbers of proofs, checked calls and lines."""
     rows = []
     for module in package.modules:
         proofs, counts = module.proved.proofs, module.counts

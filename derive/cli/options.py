@@ -19,7 +19,7 @@ RANGE_MAX = 10_000
 
 
 def orders(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[int, ...]:
-    """Return orders such as ``7`` or ``1-5,8``, sorted and each once; none for no value."""
+    """Return the orders in a text such as ``7`` or ``1-5,8``, sorted without repetition; empty for no value."""
     if value is None:
         return ()
     return tuple(sorted({order for part in value.split(",") for order in _range(part.strip(), value)}))
@@ -38,7 +38,7 @@ def _range(part: str, value: str) -> range:
 
 
 def formulas(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
-    """Return comma-separated names of formulas, each once."""
+    """Return the comma-separated names of formulas, without repetition."""
     given = listed(context, parameter, value)
     if unknown := ", ".join(repr(name) for name in given if name not in about.FORMULAS):
         raise click.BadParameter(f"expected names out of {', '.join(about.FORMULAS)}, got {unknown}")
@@ -46,7 +46,7 @@ def formulas(context: click.Context, parameter: click.Parameter, value: str) -> 
 
 
 def listed(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    """Return comma-separated names, each once; none for no value."""
+    """Return the comma-separated names, without repetition; empty for no value."""
     return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
 
 
@@ -61,7 +61,7 @@ def phi(context: click.Context, parameter: click.Parameter, value: str | None) -
 
 
 class Place(click.Path):
-    """A file or folder to write; an empty name, as of a variable that is not set, is refused."""
+    """File or folder to write; an empty name is refused, since an unset variable gives one."""
 
     def __init__(self, **kind: bool) -> None:
         super().__init__(path_type=Path, **kind)
@@ -89,7 +89,7 @@ def require_cap(chosen: tuple[int, ...], cap: int) -> None:
 
 @contextmanager
 def refusals(option: str = "") -> Iterator[None]:
-    """Turn a refused φ into a usage error of --phi, and any other ValueError into one of ``option``, if given."""
+    """Turn a refused φ into a usage error of --phi, and other ValueErrors into usage errors of `option`, if given."""
     try:
         yield
     except ValueError as error:
@@ -102,11 +102,11 @@ def refusals(option: str = "") -> Iterator[None]:
 
 
 def program() -> str:
-    """Return the words that started the command."""
+    """Return the command as typed, without arguments."""
     started = Path(sys.argv[0])
     return "python -m derive" if started.name == "__main__.py" else started.stem
 
 
 def without_check() -> str:
-    """Return the command line without ``--check``: it writes what was compared."""
+    """Return the command line without ``--check``, which writes the compared files."""
     return f"{program()} {shlex.join(argument for argument in sys.argv[1:] if argument != '--check')}"

@@ -21,7 +21,7 @@ from ..proof import Proof, citing, proofs, theorems
 from . import display, options
 
 SUGGESTIONS = 3
-"""Number of names proposed for one that does not exist."""
+"""Number of existing names proposed for an unknown name."""
 
 
 def verify(
@@ -60,7 +60,7 @@ def _stale(output: Path, text: str) -> bool:
 
 
 def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
-    """Return the equations asked for, each once, in the papers' order."""
+    """Return the requested equations without repetition, in the papers' order."""
     known = dict.fromkeys(entry.number for paper in papers for entry in paper.entries())
     if equations is None:
         return list(known)
@@ -89,7 +89,7 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
 
 
 def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str], None]) -> Iterator[Proof]:
-    """Yield the theorems, or those that cite some equations, then the proofs at each order."""
+    """Yield all theorems, or only the theorems that cite given equations, then the proofs at each order."""
     yield from theorems() if cited is None else citing(cited)
     for n in orders:
         step(f"proofs at n = {n}")
@@ -97,12 +97,12 @@ def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str
 
 
 def _root(output: Path | None) -> str:
-    """Return the way from the report to the sources, empty on stdout or outside a checkout."""
+    """Return the relative path from the report to the sources; empty on stdout or outside a checkout."""
     root = about.checkout()
     return Path(os.path.relpath(root, output.resolve().parent)).as_posix() if root and output else ""
 
 
 def summary(report: Report) -> str:
-    """Return how many equations have each status, and how many proofs there are."""
+    """Return the number of equations with each status, and the number of proofs, as a text."""
     counts = Counter(str(result.status) for result in report.results)
     return ", ".join(f"{count} {what}" for what, count in (*counts.items(), ("proofs", len(report.proofs))))

@@ -1,4 +1,4 @@
-"""Texts on their way out: rendered from templates, put on disk, compared with what is there.
+"""Output of texts: rendered from templates, written to disk, compared with files on disk.
 
 ========= ==================================================
 templates the template environment
@@ -8,7 +8,7 @@ tables    tables as text, of any width
 listing   lists of results, as lines and as HTML
 ========= ==================================================
 
-This room knows nothing of the mathematics, and imports no other.
+This package contains no mathematics and imports no other package of the toolkit.
 """
 
 from .files import Difference, RefusedError, compare, write

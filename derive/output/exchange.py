@@ -1,8 +1,8 @@
 """Replace files of a folder so that a process killed at any moment leaves the old ones, the new ones, or a notice.
 
-All new files are staged first. One rename declares them ready; from then on they move to their places one by one, and
-whoever finds them ready later moves the rest. Meanwhile a notice stands where a user of the folder looks first. Loss
-of power is not covered.
+All new files are staged first. One rename marks them ready; then they move to their places one by one. After a kill,
+the next run that finds ready files moves the rest. Meanwhile a notice replaces the file that a user of the folder
+reads first. Loss of power is not covered.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 
 STAGED, READY, LOCK = ".dualcay-staged", ".dualcay-ready", ".dualcay-lock"
 LEFTOVERS = frozenset({STAGED, READY, LOCK})
-"""Names that a killed process can leave in a folder, until the next one has written there."""
+"""Names that a killed process can leave in a folder, until the next process writes there."""
 
 
 @contextmanager
@@ -42,7 +42,7 @@ def locked(folder: Path) -> Iterator[None]:
 
 
 def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str]) -> None:
-    """Replace files of a locked folder; ``notices`` stand in for some of them until all others are there."""
+    """Replace files of a locked folder; ``notices`` stand in for some files until all others are in place."""
     body = {name: text for name, text in texts.items() if name not in notices}
     staged = folder / STAGED
     try:
@@ -59,7 +59,7 @@ def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str])
 
 
 def finish(folder: Path) -> None:
-    """Move ready files to their places in a locked folder, and drop staged ones."""
+    """Move ready files to their places in a locked folder, and delete staged files."""
     if (folder / STAGED).exists():
         shutil.rmtree(folder / STAGED)
     ready = folder / READY

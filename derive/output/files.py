@@ -1,4 +1,4 @@
-"""Put generated texts on disk, all or none, or compare them with what is there."""
+"""Write generated texts to disk, all or none, or compare them with the files there."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
 """First line of every generated file: a comment with the command that makes it."""
 
 LINE_MAX = 10_000
-"""Largest number of characters of a first line that are read."""
+"""Largest number of characters read from a first line."""
 
 
 class RefusedError(Exception):
-    """A file in the way is not generated, or a folder cannot be written."""
+    """Error: a file in the way is not generated, or a folder cannot be written."""
 
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """A file that is not as generated: stale, missing, foreign, or unfinished (left by a killed run)."""
+    """File that differs from the generated one: stale, missing, foreign, or unfinished (left by a killed run)."""
 
     path: Path
     kind: str
@@ -68,10 +68,10 @@ def write(
 ) -> list[Path]:
     """Write files into a folder, all or none, and return those whose text changed; other files stay.
 
-    A run waits for another one in the same folder, and finishes what a killed one left. The folder is made if missing;
-    a symbolic link is followed. ``notices`` stand in for some of the files while the others are replaced: without
-    them, a kill may leave some files old and some new. `RefusedError` is raised if `refuse` raises it, or the folder
-    cannot be written.
+    A run waits for any other run in the same folder, and finishes the work of a killed run. The folder is made if
+    missing; a symbolic link is followed. ``notices`` stand in for some files while the others are replaced. Without
+    notices, a kill may leave some files old and some new. `RefusedError` is raised if `refuse` raises it, or the
+    folder cannot be written.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -91,7 +91,7 @@ def write(
 def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
     """Raise RefusedError if texts may not be written into a folder.
 
-    A file in the way must be a generated one, unless forced; no folder may be in the way; the folder may not hold
+    A file in the way must be a generated one, unless forced. No folder may be in the way. The folder may not contain
     kernels of another target.
     """
     if folder.is_dir():
@@ -127,9 +127,9 @@ def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
 
 
 def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:
-    """Yield the differences of a folder from texts; any other file is foreign, but for caches of Python.
+    """Yield the differences between a folder and texts; any other file is foreign, except caches of Python.
 
-    ``unmade`` gives, by file name, the reason why a text is missing.
+    ``unmade`` maps the name of a file without a text to the reason.
     """
     for name, text in texts.items():
         path = folder / name

@@ -1,4 +1,4 @@
-"""Lists of results: a line each at a prompt, a table in a notebook."""
+"""Lists of results, shown as one line per result at a prompt and as a table in a notebook."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Protocol, TypeVar
 
 
 class Shown(Protocol):
-    """A result with a row in a table."""
+    """Result that fills one row of a table."""
 
     def cells(self) -> Mapping[str, str]:
         """Return texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
@@ -18,7 +18,7 @@ T = TypeVar("T", bound=Shown)
 
 
 class Listing(list[T]):
-    """A list with a line for each result, and a table in notebooks."""
+    """List shown with a line for each result, and as a table in notebooks."""
 
     def __repr__(self) -> str:
         items = ",\n ".join(map(repr, self))

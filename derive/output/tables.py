@@ -1,4 +1,4 @@
-"""Tables as plain text: ruled where they fit, otherwise a line for each cell."""
+"""Tables as plain text: ruled if they fit the width, otherwise with a line for each cell."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ INDENT = "  "
 
 
 class Column(NamedTuple):
-    """A column: numbers are aligned to the right; a width is fixed, or a share (``ratio``) of the rest."""
+    """Column of a table, aligned to the right for numbers; its width is fixed, or a share (``ratio``) of the rest."""
 
     heading: str
     number: bool = False
@@ -28,10 +28,10 @@ class Column(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """A table before it has a width; the first cell of a row is its name.
+    """Table without a fixed width; the first cell of a row is the name of the row.
 
-    Below the width ``least``, by default that of its longest words, it becomes lines; ``ruled`` puts rules between
-    rows. Rows named in ``remarks`` comment on the row before: their cells get no heading.
+    Below the width ``least``, by default the width of its longest words, the table becomes lines. ``ruled`` puts rules
+    between rows. Rows named in ``remarks`` comment on the row before, and their cells get no heading.
     """
 
     title: str
@@ -42,7 +42,7 @@ class Grid(NamedTuple):
     remarks: Collection[str] = ()
 
     def text(self, width: int = WIDTH) -> str:
-        """Return the table within a width."""
+        """Return the table as text within a width."""
         output, table = io.StringIO(), self._table()
         screen = Console(file=output, width=width, highlight=False, color_system=None, markup=False, emoji=False)
         least = Measurement.get(screen, screen.options.update(width=10**6), table).minimum
@@ -70,7 +70,7 @@ class Grid(NamedTuple):
 
 
 def figures(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> Grid:
-    """Return a table whose columns, but the first, are numbers."""
+    """Return a table whose columns, except the first, are numbers."""
     return Grid(title, [Column(headings[0]), *(Column(heading, number=True) for heading in headings[1:])], rows)
 
 

@@ -1,4 +1,4 @@
-"""Find and render templates: layout only, each given exactly the names it asks for."""
+"""Find and render templates, which contain only layout; each receives exactly the names it uses."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def render(name: str, /, **data: Any) -> str:
     Raises
     ------
     TypeError
-        If the data are not exactly the names that the template and those it includes ask for.
+        If the data are not exactly the names used by the template and its included templates.
     """
     asked = holes(name)
     if asked != data.keys():
@@ -46,7 +46,7 @@ def render(name: str, /, **data: Any) -> str:
 
 @cache
 def holes(name: str) -> frozenset[str]:
-    """Return the names that a template and those it refers to ask for, without macros it defines for them."""
+    """Return the names used by a template and the templates it refers to, without macros it defines for them."""
     loader = environment().loader
     assert loader is not None
     tree = environment().parse(loader.get_source(environment(), name)[0], name)

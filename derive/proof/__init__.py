@@ -1,9 +1,9 @@
-"""Proofs: identities decided exactly, for every order n at once and, independently, at each order asked for.
+"""Exact proofs of identities, for every order n at once and, independently, at each requested order.
 
 ====================== =========================================================================
 notation               symbols and operators of statements, as SymPy expressions, and their printers
 statement              `Equation` and `Premise`
-identity               `Proof`, `Claim` and `decide`: every residue must be 0 and no multiplier may be
+identity               `Proof`, `Claim` and `decide`: all residues must be 0, all multipliers nonzero
 theorem                `Theorem`: claim, premises and method
 methods                decision as an identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
@@ -20,13 +20,13 @@ phi_theorems           theorems on every parameterization v = φ(α) u
 limit_theorems         theorems on the limit of growing order, and its rate
 every_order            all theorems for all n, proved once per process
 at_order               formulas of one order as instances of the theorems
-computations           other ways in which `derive.maps` computes them, as instances too
+computations           further functions of `derive.maps` as instances of the theorems
 phi_instances          formulas of a chart in α as instances of the theorems on every φ
 scalars                scalars of an algebraic chart, compared with its formulas and its φ
 vector_ring            `Ring`: components of vectors modulo v·v = x
-components             the componentwise road at one order, from the definition
-at_point               statements about one order, evaluated as printed
-proved                 `Proved`, which only `prove` makes
+components             the componentwise road: proofs at one order from the definition
+at_point               printed statements about one order, evaluated at a rational point
+proved                 `Proved`: a chart with its proofs, made only by `prove`
 controls               altered theorems, formulas and definitions, which must fail
 coverage               theorems and validation behind each kernel function
 page                   docs/theorems.md

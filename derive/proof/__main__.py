@@ -25,14 +25,14 @@ from .proved import proofs
 from .theorem import Theorem
 
 ORDERS = (1, 2, 3, 4, 5)
-"""Orders of the controls on the componentwise road: with and without poles, even and odd."""
+"""Orders of the proofs and controls at single orders: even and odd, with and without poles."""
 
 SHOWN = 3
-"""The order shown on the page."""
+"""Order whose proofs the page shows."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Print failures and counts; write the page of theorems, or compare it."""
+    """Prove everything and run the controls, print failures and counts, and write or compare the page of theorems."""
     options = _options(arguments)
     general = decided(claims())
     altered = [*controls(claims(), {proof.name: proof for proof in general})]
@@ -52,12 +52,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def claims() -> tuple[Theorem, ...]:
-    """Return all theorems, which are proved once."""
+    """Return all theorems that are proved once, not at each order."""
     return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:
-    """Return the proofs that are repeated at each order."""
+    """Return the proofs at order n, without the theorems that are proved once."""
     once = {theorem.name for theorem in COMPOSITION_AT.values()}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 

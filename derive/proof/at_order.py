@@ -1,4 +1,4 @@
-"""Formulas of one order as instances of the theorems: equal as functions of x."""
+"""Proofs that the formulas of one order are instances of the theorems, as functions of x."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from .vector_ring import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Stated = Callable[[], Sequence[Any]]
-"""Return the coefficients that the code computes."""
+"""Function without arguments that returns the coefficients computed by the code."""
 
 
 class Coefficients(Protocol):
-    """A map given by its coefficients."""
+    """Quaternion, tensor or tangent operator given by its coefficients."""
 
     @property
     def coefficients(self) -> tuple[sympy.Expr, ...]:
-        """SymPy expressions in x."""
+        """Coefficients as SymPy expressions in x."""
 
 
 class CayleyFormulas(Protocol):
-    """A Cayley map as proofs use it: its order and its formulas as SymPy expressions in x."""
+    """Attributes of a Cayley map that proofs use: its order, and its formulas as SymPy expressions in x."""
 
     @property
     def order(self) -> int: ...
@@ -55,21 +55,21 @@ class CayleyFormulas(Protocol):
 SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
-"""Symbols of the theorems by the name of a Cayley map's formula."""
+"""Symbol in the theorems of each formula, by its attribute name in a Cayley map."""
 
 
 def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
-    """Prove that the formulas of a Cayley map are those of the theorems at its order.
+    """Prove that the formulas of a Cayley map equal the theorems' formulas at its order.
 
     Parameters
     ----------
     cayley : CayleyFormulas
-        Such as ``derive.Cayley(7)``.
+        Map to check, e.g. ``derive.Cayley(7)``.
 
     Returns
     -------
     tuple of Proof
-        Of scope "n = 7": the polynomials, the quaternion, the orthogonal tensor, the tangent operator and its inverse.
+        Proofs of scope "n = 7": polynomials, quaternion, orthogonal tensor, tangent operator and its inverse.
     """
 
     def stated(name: str) -> tuple[sympy.Expr, ...]:
@@ -86,7 +86,7 @@ def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
 
 
 class AtOrder:
-    """Formulas of the theorems at one order; for odd n the quaternion needs sqrt(1 + x)."""
+    """Formulas of the theorems at one order. Odd orders need sqrt(1 + x) for the quaternion."""
 
     def __init__(self, order: int) -> None:
         self.order = order
@@ -105,7 +105,7 @@ class AtOrder:
         }
 
     def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
-        """Compare stated coefficients with those of a symbol of the theorems at this order."""
+        """Yield stated coefficients minus the theorems' coefficients for the symbol in `term`, at this order."""
         symbol, index, order = term.args
         if (index, order) != (n, self.order):
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
@@ -117,12 +117,12 @@ class AtOrder:
 
 @lru_cache(maxsize=2)
 def at_order(order: int) -> AtOrder:
-    """Return the formulas of the theorems at an order, kept for the next call."""
+    """Return the formulas of the theorems at an order; the last two orders are cached."""
     return AtOrder(order)
 
 
 def same_as_theorem(at: AtOrder, named: Mapping[str, tuple[sympy.Expr, Stated]]) -> Proof:
-    """Decide that named formulas of the code are those of the theorems' symbols."""
+    """Decide whether named formulas of the code equal the theorems' formulas for their symbols."""
     code = {name: sympy.Symbol(name, commutative=symbol.is_commutative) for name, (symbol, _) in named.items()}
     claim = tuple(
         Equation(code[name], Shifted(symbol, n, sympy.Integer(at.order))) for name, (symbol, _) in named.items()

@@ -1,6 +1,6 @@
-"""Statements about one order, evaluated as printed at one rational point of a motion.
+"""Evaluation of printed statements about one order, at one rational point of a motion.
 
-This is no proof. It ties the printed statement to the components that are decided.
+The evaluation is not a proof. It guards against a printed statement that differs from the decided components.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from .identity import Check
 from .statement import Equation
 
 PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
-"""1 + 2² + 4² + 10² is the square of 11."""
+"""Values of v, of its rate and of a point. Since 1 + 2² + 4² + 10² = 11², sqrt(1 + x) is rational."""
 
 
 def _root(square: Dual) -> Dual:
-    """Return the root of a dual number whose real part is a square of a rational number."""
+    """Return the square root of a dual number whose real part is the square of a rational number."""
     above, below = map(math.isqrt, real_part(square).as_integer_ratio())
     root = Fraction(above, below)
     if root * root != real_part(square):
@@ -34,7 +34,7 @@ def _root(square: Dual) -> Dual:
 
 
 class AtPoint(Evaluation):
-    """Values of the symbols at order n, where v = (2, −4, 10) moves; dual parts are time derivatives.
+    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class AtPoint(Evaluation):
         return _root(self.value(base)) ** int(2 * exponent)
 
     def checks(self, equation: Equation) -> Iterator[Check]:
-        """Yield left minus right at the point, component by component."""
+        """Yield left side minus right side at the point, component by component."""
         at_order = equation.replaced({m.n: sympy.Integer(self.n)})
         for place, (left, right) in enumerate(self.sides(at_order), 1):
             yield f"{equation.text} at v = {PLACE}, component {place}", real_part(left) - real_part(right)

@@ -1,11 +1,11 @@
-r"""Theorems for every n on derivatives of the tangent operator, which the papers do not have.
+r"""Theorems for every n on derivatives of the tangent operator, absent from the papers.
 
-With ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2`` and slopes ``f_y = 2 df/dx``, so that
-``df/dt = f_y (v · v')``:
+Notation: ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2``, and slopes ``f_y = 2 df/dx``.
+Then ``df/dt = f_y (v · v')``. The theorems concern:
 
 * slopes and second slopes in closed form, without division by x;
-* the derivative of the twist ``T a`` by v, J(a), and that of the rate ``T⁻¹ a``, K(a), in both frames;
-* the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus in the body.
+* the derivatives by v in both frames: J(a) of the twist ``T a``, and K(a) of the rate ``T⁻¹ a``;
+* the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus sign in the body frame.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .theorem import Theorem
 
 NORM = p**2 + x * q**2
 GROWTH = 2 * n / (1 + x)
-"""``2 N'/N``."""
+"""Logarithmic slope ``2 N'/N`` of the norm N."""
 
 BRACKETS = (definition(c, 2 * (p * prime(q) - q * prime(p))), definition(d, q - 2 * prime(q) - 2 * prime(p)))
 SLOPES_OF = {
@@ -78,7 +78,7 @@ def _slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
 
 
 def _second_slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
-    """Return the theorem on slopes of slopes, which holds at x = 0 too."""
+    """Return the theorem on second slopes, valid at x = 0 too."""
     q_x, falling = prime(q), GROWTH**2 / n
     return Theorem(
         "second slopes of the tangent operators",
@@ -125,18 +125,18 @@ def _of_operators(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: P
 
 
 def _jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
-    """Return the derivative by v of ``T of``; with hand −1 that of ``Tᵀ of``."""
+    """Return the derivative of ``T a`` by v for a = `of`; with hand −1, the derivative of ``Tᵀ a``."""
     image = f_y * of + hand * g_y * cross(v, of) + h_y * dot(v, of) * v
     return dyad(image, v) - hand * g * skew(of) + h * (dyad(v, of) + dot(v, of) * I)
 
 
 def _rate_jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
-    """Return the derivative by v of ``T⁻¹ of``; with hand −1 that of ``T⁻ᵀ of``."""
+    """Return the derivative of ``T⁻¹ a`` by v for a = `of`; with hand −1, the derivative of ``T⁻ᵀ a``."""
     return (dyad(f_iy * of + h_iy * dot(v, of) * v, v) + hand * skew(of) + h_i * (dyad(v, of) + dot(v, of) * I)) / 2
 
 
 def _of_images(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> Iterator[Theorem]:
-    """Yield the theorems on derivatives by v of a twist and of a rate, with a fixed motor a."""
+    """Yield the theorems on the derivatives by v of the twist ``T a`` and the rate ``T⁻¹ a`` for a fixed a."""
     symbols = Symbols((p, q, x, n), (v, v_dot, a), (x,))
     yield Theorem(
         "Jacobian of the twist",
@@ -182,7 +182,7 @@ def _structure(known: dict[sympy.Expr, Premise], tangent: Premise) -> Theorem:
 
 
 def _body(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> Theorem:
-    """Return the theorem in the body: a minus sign, and Jacobians of space with the arguments exchanged."""
+    """Return the theorem in the body frame: a structure equation with a minus sign, and J_B(b) a = Rᵀ J(a) b."""
     of_b = body_jacobian.func("J_B(b)", commutative=False)
     images = cross(transpose(dcay) * a, transpose(dcay) * b)
     return Theorem(

@@ -1,16 +1,16 @@
-r"""Power series in x whose coefficients are sums of binomials, compared coefficient by coefficient for all n and j.
+r"""Comparison of power series in x, whose coefficients are sums of binomials, for all n and j.
 
 A series is a polynomial plus tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplication by x shifts the index, so the
-recurrence of p_n and q_n runs on series as on numbers. Two series are equal if their general coefficients are equal,
-and so is each single coefficient below the start of a tail.
+recurrence of p_n and q_n applies to series too. Two series are equal if their general coefficients agree, and also
+each single coefficient below the start of a tail.
 
 A sum of binomials is decided with :math:`\binom{n}{k} = \frac{n!}{k!\,(n-k)!}` and 1/m! = 0 for m < 0. Terms whose
-factorials differ by integers only have a common factor
+factorials differ only by integers have a common factor
 
 .. math:: \frac{(n + a)!}{(k + b)!\,(n - k + c)!}
 
 with the least a and the greatest b, c that occur. The cofactor of each term is a polynomial for all integers n and k,
-also at the borders of Pascal's triangle. The sum of these polynomials must be zero in Q[n, j].
+even at the borders of Pascal's triangle. The sum of these polynomials must be zero in Q[n, j].
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ BINOMIAL = definition(
 
 
 class NotDecidedError(ArithmeticError):
-    """Error: a coefficient is no sum of binomials."""
+    """Error: a coefficient is not a sum of binomials."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """A power series in x.
+    """Power series in x.
 
     Attributes
     ----------
     head : mapping of int to Expr
         Coefficients of a polynomial, functions of n.
     tails : tuple of (int, Expr)
-        The first index of a tail, and its general coefficient in n and j.
+        First index of each tail, with its general coefficient in n and j.
     """
 
     head: Mapping[int, sympy.Expr] = field(default_factory=dict)
@@ -87,8 +87,8 @@ class Series:
 class Coefficients:
     """Decision of a claim whose right sides are series.
 
-    The left sides are determined by recurrences among the premises, by induction on n. Otherwise each is the one
-    unknown series in an equation among the premises.
+    Recurrences among the premises determine the left sides by induction on n. A left side without a recurrence must be
+    the only unknown series in an equation among the premises.
     """
 
     start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
@@ -109,7 +109,7 @@ class Coefficients:
         first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
         for equation in task.required:
-            yield f"required, {equation.text}", 1  # nothing here could decide it
+            yield f"required, {equation.text}", 1  # this method cannot decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
         for equation in laws:
@@ -123,7 +123,7 @@ class Coefficients:
                 yield from _zero(at, reader.series(left - right), first)
 
     def _determined(self, term: sympy.Expr, laws: Sequence[Equation]) -> bool:
-        """Return whether premises have a start and a step of a sequence, or an equation with it."""
+        """Return whether premises determine a term, by start and step of its sequence or by an equation with it."""
         if any(e.left.has(term) or e.right.has(term) for e in laws if not isinstance(e.left, Shifted)):
             return True
         places = {e.left.args[2] for e in laws if e.left.args[:2] == (term, n)}
@@ -132,7 +132,7 @@ class Coefficients:
 
 @dataclass(frozen=True)
 class _Reader:
-    """Conversion of expressions to series, by known series and known products of them."""
+    """Conversion of expressions to series, given known series and known products of series."""
 
     known: Mapping[sympy.Expr, sympy.Expr]
     products: Iterable[Equation]
@@ -177,26 +177,26 @@ def _power_of_x(term: sympy.Expr) -> sympy.Expr:
 
 
 def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
-    """Yield the residue of every coefficient of a series."""
+    """Yield the residues of all coefficients of a series, which must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
         yield f"{label}, general coefficient", residue(general, int(first))
         last = max([begun, *series.head])
-    else:  # n is a number, hence finitely many coefficients
+    else:  # n is a number, so only finitely many coefficients are not 0
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
     for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
         yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), int(first))
 
 
 def _last_index(term: sympy.factorial) -> int:
-    """Return the last j at which the argument of a factorial is >= 0, if it decreases with j."""
+    """Return the last j at which a factorial's argument is >= 0; return 0 unless the argument decreases with j."""
     slope = term.args[0].coeff(j)
     return int(term.args[0].xreplace({j: sympy.Integer(0)}) // -slope) if slope < 0 else 0
 
 
 def residue(e: sympy.Expr, first: int) -> Any:
-    """Return a sum of binomials as a polynomial: zero exactly if the sum is 0 at all j and all n >= first."""
+    """Return a polynomial that is zero if and only if a sum of binomials is 0 at all j and all n >= first."""
     groups: dict[Any, list[_Term]] = defaultdict(list)
     for product in sympy.Add.make_args(sympy.expand(e)):
         term = _term(product)
@@ -206,12 +206,12 @@ def residue(e: sympy.Expr, first: int) -> Any:
 
 
 _Factorial = tuple[sympy.Expr, int]
-"""Argument of a factorial: a linear form in n and j, and an integer added to it."""
+"""Argument of a factorial, split into a linear form in n and j and an added integer."""
 
 
 @dataclass(frozen=True)
 class _Term:
-    """A polynomial in n and j, times ``(-1)^j`` if alternating, times a quotient of factorials."""
+    """Product of a polynomial in n and j, a quotient of factorials and, if alternating, ``(-1)^j``."""
 
     number: Any
     alternating: bool
@@ -220,7 +220,7 @@ class _Term:
 
     @property
     def kind(self) -> Any:
-        """Key of terms whose quotients are polynomials."""
+        """Key shared by all terms that have a common factor of factorials."""
         return self.alternating, *(tuple(h for h, _ in part) for part in (self.above, self.below))
 
 

@@ -1,11 +1,11 @@
-r"""The componentwise road: one order, from the definition, independent of the theorems.
+r"""The componentwise road: proofs at one order from the definition, independent of the theorems.
 
-:math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols; :math:`\hat q = z/|z|` (CP23 (46)),
-R is the sandwich ``q̂ r q̂*`` entry by entry (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'.
-The formulas under test enter as functions of x, expanded at the dual number :math:`x = v \cdot v` by
-:math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials, modulo v·v = x with x° = 2 v·v°; denominators
-and |z|² are multiplied out, which is valid where their real part is not zero; that is checked. No proof for every
-order is used. Each statement is also evaluated as printed, at a rational point.
+:math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols. Then :math:`\hat q = z/|z|` (CP23
+(46)), R is the sandwich ``q̂ r q̂*`` (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'. The
+formulas under test are functions of x, expanded at the dual number :math:`x = v \cdot v` by
+:math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials modulo v·v = x, with x° = 2 v·v°. Denominators
+and |z|² are multiplied out; a check ensures that their real parts are not zero. No proof for every order is used.
+Each statement is also evaluated as printed, at a rational point.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ CYCLIC = ((2, 1), (0, 2), (1, 0))  # vect(T) takes T_32 - T_23, T_13 - T_31, T_2
 
 
 class _Dual:
-    """``re + ε du`` over the exact ring, independent of the dual numbers that formulas are made with."""
+    """Dual number ``re + ε du`` over the exact ring, independent of the class `Dual` that formulas use."""
 
     __slots__ = ("du", "re")
 
@@ -99,7 +99,7 @@ def _sum(terms: Iterator[_Dual] | Sequence[_Dual]) -> _Dual:
 
 
 def hamilton(a: Sequence[_Dual], b: Sequence[_Dual]) -> _Row:
-    """Return Hamilton's product: i j = k and cyclic."""
+    """Return Hamilton's product of quaternions, with i j = k and its cyclic permutations."""
     return [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -118,7 +118,7 @@ class Components:
     Parameters
     ----------
     cayley : CayleyFormulas
-        Such as ``derive.Cayley(7)``.
+        Map to prove, e.g. ``derive.Cayley(7)``.
     backend : {"flint", "sympy"}, optional
         Polynomial library of the exact ring.
     """
@@ -145,7 +145,7 @@ class Components:
         return hamilton(hamilton(self.z, r), _conjugate(self.z))
 
     def power(self, base: _Row) -> _Row:
-        """Return the quaternion to the power n."""
+        """Return the n-th power of a quaternion."""
         result = [self.one, self.zero, self.zero, self.zero]
         for bit in f"{self.cayley.order:b}":
             result = hamilton(result, result)
@@ -182,7 +182,7 @@ class Components:
             yield from _checks(f"z (1-v)^n - |z|^2, component {k}", value - self.norm if k == 0 else value)
 
     def quaternion(self) -> Iterator[Check | Multiplier]:
-        """Decide q̂ ⊗ q̂ = z ⊗ z / |z|²: the quaternion up to its sign."""
+        """Decide q̂ ⊗ q̂ = z ⊗ z / |z|², which fixes the quaternion up to its sign."""
         s, t = self.cayley.quaternion.coefficients
         (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
         yield _multiplier(NORM, self.norm)
@@ -195,7 +195,7 @@ class Components:
                 yield from _checks(f"q_{i} q_{j}", residue)
 
     def tensor(self) -> Iterator[Check | Multiplier]:
-        """Decide that R from the sandwich equals a I + b skew(v) + c v⊗v."""
+        """Decide whether R from the sandwich equals a I + b skew(v) + c v⊗v."""
         formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
         yield _multiplier(NORM, self.norm)
         yield _multiplier(below(R), denominator)
@@ -205,7 +205,7 @@ class Components:
                 yield from _checks(f"R_{i + 1}{j + 1}", residue)
 
     def orthogonality(self) -> Iterator[Check | Multiplier]:
-        """Decide R Rᵀ = I; six entries, since the product is symmetric."""
+        """Decide R Rᵀ = I by six entries, since the product is symmetric."""
         yield _multiplier(NORM, self.norm, 2)
         square = self.norm * self.norm
         for i in range(3):
@@ -228,7 +228,7 @@ class Components:
                 twice = _sum([rate[a][k] * self.rotation[b][k] - rate[b][k] * self.rotation[a][k] for k in range(3)])
                 stated = square * formula[i][direction]
                 yield from _checks(f"omega_{i + 1} along e{direction + 1}", twice * denominator - stated - stated)
-            for i in range(9):  # along ε e_j the rate is ε times that along e_j
+            for i in range(9):  # the rate along ε e_j is ε times the rate along e_j
                 entry, along = self.rotation[i // 3][i % 3], rate[i // 3][i % 3]
                 dual_rate = entry.derivative(f"d{direction + 1}")
                 yield from _checks(f"rate {i} along eps e{direction + 1}", dual_rate - _Dual(self.zero.re, along.re))
@@ -246,7 +246,7 @@ class Components:
                 yield from _checks(f"(dcay dcay^-1)_{i + 1}{j + 1}", product - unit if i == j else product)
 
     def proofs(self, statements: Sequence[Statement] | None = None) -> Iterator[Proof]:
-        """Decide the statements in turn; a control passes altered ones."""
+        """Decide the statements one after the other; controls pass altered statements."""
         point = AtPoint(self.cayley.order)
         checks = (self.definition, self.quaternion, self.tensor, self.orthogonality, self.twist, self.inverse)
         for (name, claim, premises), decision in zip(statements or STATEMENTS, checks, strict=True):
@@ -262,7 +262,7 @@ def _checks(label: str, value: _Dual) -> Iterator[Check]:
 
 
 def _multiplier(term: sympy.Expr, value: _Dual, power: int = 1) -> Multiplier:
-    """Return a dual number as a multiplier; it is no zero divisor if its real part is not zero."""
+    """Return a dual number as a multiplier, which is not a zero divisor if its real part is not zero."""
     return Multiplier(term, power, bool(value.re))
 
 

@@ -1,6 +1,6 @@
-"""Functions of `derive.maps` at one order, compared with the theorems.
+"""Comparison of functions of `derive.maps` with the theorems, at one order.
 
-These are binomial sums, the addition law, pairs by squaring and their brackets, closed forms at any number, and the
+The functions compute binomial sums, the addition law, pairs by squaring and their brackets, closed forms, and the
 angles at which dcay loses rank.
 """
 
@@ -25,7 +25,7 @@ Function = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Computed:
-    """Functions that are compared; a control replaces one of them."""
+    """Functions compared with the theorems; each control replaces one of them."""
 
     p_binomial: Function = polynomials.p_binomial
     q_binomial: Function = polynomials.q_binomial
@@ -49,12 +49,12 @@ def computations(order: int, of: Computed | None = None) -> tuple[Proof, ...]:
     ----------
     order : int
     of : Computed, optional
-        The functions, those of `derive.maps` by default.
+        Functions to compare, by default from `derive.maps`.
 
     Returns
     -------
     tuple of Proof
-        Binomial sums; pairs and brackets; each closed form; the singular angles, where sin α/2 and q_n vanish.
+        Proofs for binomial sums, pairs and brackets, each closed form, and singular angles (sin α/2 and q_n vanish).
     """
     functions, at = of or Computed(), at_order(order)
 
@@ -95,7 +95,7 @@ def _part(pair: Callable[[], Any], place: int) -> tuple[Any]:
 
 
 def _singular_angles(at: AtOrder, functions: Computed) -> Proof:
-    """Decide that sin α/2 = 0 at all singular angles but the last, nπ, and that tan α/2n are all poles."""
+    """Decide whether sin α/2 = 0 at all singular angles except the last, nπ, and whether tan α/2n are all poles."""
     names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
     turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
     claim = (

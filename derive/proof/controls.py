@@ -1,8 +1,8 @@
-"""Controls: every theorem with one error in it, which must make it fail.
+"""Controls: theorems with one deliberate error each, whose proof must fail.
 
-There is a control for each equation of a claim and each integer in it, each premise, each free symbol and each
-multiplier. At one order there is one for each formula, claim, premise and definition of the componentwise road. A
-control that is proved shows a check that cannot fail, an unused premise, or a theorem that claims too little.
+Controls alter each equation of a claim, each integer in it, each premise, each free symbol and each multiplier. At one
+order they alter each formula, claim, premise and definition of the componentwise road. If a control is proved, then a
+check cannot fail, a premise is unused, or a theorem claims too little.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .theorem import Theorem
 
 @dataclass(frozen=True)
 class Control:
-    """A theorem with one error in it.
+    """Theorem with one deliberate error.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class Control:
 
     @property
     def noticed(self) -> bool:
-        """Whether the altered theorem failed, and not merely because an expression has no value."""
+        """True if the altered theorem failed, and every expression in it has a value."""
         return not self.proof.proved and all(residue.label != NO_VALUE for residue in self.proof.residues)
 
     def __str__(self) -> str:
@@ -91,7 +91,7 @@ def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Contr
 
 @dataclass(frozen=True)
 class _Wrong:
-    """A Cayley map or another chart with one formula replaced."""
+    """Cayley map or other chart with one formula replaced."""
 
     right: Any
     name: str
@@ -134,21 +134,21 @@ _FORMULAS: Mapping[str, tuple[int, ...]] = {
     "p": (), "q": (), "c": (), "d": (), "quaternion": (QUATERNION,), "tensor": (TENSOR,), "tangent": (TWIST, INVERSE),
     "tangent_inv": (INVERSE,),
 }  # fmt: skip
-"""Statements that must fail when a formula is wrong; its instance must fail too."""
+"""Indices of the statements that must fail when a formula is wrong; its instance must fail too."""
 
 _DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
     _Doubled: (DEFINITION, QUATERNION, TENSOR, TWIST),
     _Unconjugated: (TENSOR, ORTHOGONALITY, TWIST),
     _Zero: (DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST),
 }
-"""Statements that must fail when a definition is wrong."""
+"""Indices of the statements that must fail when a definition is wrong."""
 
 LOWERED, RELATED, DERIVED, DERIVED_TWICE = range(4)
-"""Indices of the statements about the scalars of a chart; the one about φ is the last."""
+"""Indices of the statements about the scalars of a chart; the statement about φ is the last."""
 
 
 def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
-    """Yield all controls at the order of a Cayley map; formulas and definitions are altered in turn."""
+    """Yield all controls of a Cayley map at its order; each alters one formula, claim, premise or definition."""
     for name, places in _FORMULAS.items():
         for alteration, wrong in _altered(cayley, name):
             name_in_code = f"Cayley({cayley.order}).{name}"
@@ -174,7 +174,7 @@ def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
 
 
 def controls_of(chart: Chart) -> Iterator[Control]:
-    """Yield all controls of a chart: x added to each scalar in turn, and another φ."""
+    """Yield all controls of a chart: each adds x to one scalar, or replaces φ."""
     for name in (*VALUES, *SLOPES, *BENDS):
 
         def scalars(x: Any, m: Arithmetic, name: str = name) -> Any:
@@ -184,7 +184,7 @@ def controls_of(chart: Chart) -> Iterator[Control]:
         decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
         for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
-    start = sympy.Rational(3, 4)  # tan of an angle with rational cosine
+    start = sympy.Rational(3, 4)  # tangent of an angle with rational cosine
     altered = {"phi of twice the angle": chart.phi.xreplace({alpha: 2 * alpha})}
     if chart.cayley:  # the tangent of a sum obeys the same differential equation
         altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
@@ -198,7 +198,7 @@ def _with_altered(place: int, premises: tuple[Premise, ...]) -> tuple[Premise, .
 
 
 def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:
-    """Yield the map with each of its coefficients increased by one in turn."""
+    """Yield copies of the map with one coefficient altered: increased by one, or doubled in the quaternion."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
         yield f"{name} + 1", _Wrong(cayley, name, value + 1)
@@ -211,7 +211,7 @@ def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFor
 
 
 def _off(function: Any) -> Callable[..., Any]:
-    """Return the function with the first number of its result increased by one."""
+    """Return a function that increases the first number of the result by one."""
 
     def wrong(*arguments: Any) -> Any:
         result = function(*arguments)

@@ -1,7 +1,7 @@
 """Table of the theorems and the validation behind each kernel function, for docs/theorems.md.
 
-Theorems prove the formula. Validation executes the kernel's text on disk against its formula
-(:mod:`derive.codegen.validation`), exactly on symbols or to 50 digits at seeded screws.
+Theorems prove the formula. Validation (:mod:`derive.codegen.validation`) executes the kernel's text on disk and
+compares it with the formula, exactly on symbols or to 50 digits at seeded random screws.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Coverage:
     theorems : tuple of str
         Names of the theorems for all n on which its formula rests.
     only_validated : str
-        Part of the formula that no theorem covers; empty where all of it is proved.
+        Part of the formula that no theorem covers; empty if the whole formula is proved.
     """
 
     validation: Validation

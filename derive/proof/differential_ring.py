@@ -1,14 +1,15 @@
 r"""The ring in which identities are decided: polynomials over Q modulo relations, localized, with a derivation.
 
-A theorem for every n has n, x, p_n, q_n and the components of vectors as generators. Nothing is cancelled, so the
-denominator of a difference holds all that was divided by. Each irreducible factor of it must be *certified*: it
-vanishes identically at no n. Otherwise multiplying by it would turn everything into 0 = 0. A factor is certified
+The generators of a theorem for every n are n, x, p_n, q_n and the components of vectors. Nothing is cancelled, so the
+denominator of a difference contains every divisor. Each irreducible factor of the denominator must be *certified*: for
+no n is it identically 0. Multiplying by an identically vanishing factor would turn every equation into 0 = 0. A factor
+is certified
 
-* if it is a polynomial in symbols that vary freely, such as x, or a power of one. At most one relation, which is
-  irreducible, may hold between these symbols, since two may have zero divisors together;
+* if it is a polynomial in freely varying symbols, such as x, or a power of such a polynomial. At most one relation,
+  an irreducible one, may hold between these symbols, since two relations may have zero divisors together;
 * if its value at the origin (x = 0, p_n = 1, q_n = n) is a polynomial in n without a positive integer root.
 
-An identity so decided holds between rational functions of x at every n. It holds wherever both sides are defined, also
+A decided identity holds between rational functions of x at every n. It holds wherever both sides are defined, even
 where a factor vanishes, and for dual x and v.
 """
 
@@ -32,11 +33,11 @@ class DifferentialRing(RationalFunctions):
     Parameters
     ----------
     generators : sequence of Symbol
-        The symbol that a relation eliminates stands before the others in it.
+        Generators in order: a relation eliminates the first of its symbols.
     free : iterable of Symbol
-        Those of them that vary independently of everything else, and are 0 at the origin.
+        Generators that vary independently of everything else, and are 0 at the origin.
     zeroed : Expr, optional
-        A factor that is taken as 0 where differences are multiplied by it, as by a slip of the pen; for controls.
+        Factor treated as 0 where differences are multiplied by it; only controls use it.
     """
 
     def __init__(
@@ -53,11 +54,11 @@ class DifferentialRing(RationalFunctions):
         self._bases: dict[sympy.Expr, Polynomial] = {}
 
     def generator(self, symbol: sympy.Symbol) -> Element:
-        """Return the generator of that symbol."""
+        """Return the generator of a symbol."""
         return Element(self, self.library.generators[self.symbols[symbol]], self.library.one)
 
     def place(self, element: Element) -> int | None:
-        """Return the index of a generator; None if the element is none."""
+        """Return the index of an element among the generators; None if it is not a generator."""
         alike = (i for i, g in enumerate(self.library.generators) if g == element.numerator)
         return next(alike, None) if element.denominator == self.library.one else None
 
@@ -67,7 +68,7 @@ class DifferentialRing(RationalFunctions):
         self.cleared_by.append(difference.denominator)
 
     def set_power(self, symbol: sympy.Symbol, base: Element) -> None:
-        """State that the symbol is a power of this base, with an exponent that varies."""
+        """Declare a symbol to be a power of a base, with a variable exponent."""
         self._bases[symbol] = base.numerator
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
@@ -79,7 +80,7 @@ class DifferentialRing(RationalFunctions):
         )
 
     def reduced(self, a: Polynomial) -> Polynomial:
-        """Return a product as it is: relations that are stated later would see it changed."""
+        """Return a product unchanged, because relations stated later would reduce it differently."""
         return a
 
     def residue(self, difference: Element) -> Any:
@@ -106,7 +107,7 @@ class DifferentialRing(RationalFunctions):
         return {symbol for symbol, degree in zip(self.symbols, a.degrees(), strict=True) if degree > 0}
 
     def _certified(self, factor: Polynomial) -> bool:
-        """Return whether a factor vanishes identically at no n."""
+        """Return whether a factor is certified: for no n is it identically 0."""
         factor = self._bases.get(self.expression(factor), factor)
         symbols = self.occurring(factor)
         if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:

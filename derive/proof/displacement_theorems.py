@@ -37,7 +37,7 @@ FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, al
 DOUBLE_ANGLE = Theorem(
     "double angle",
     (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
-    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the start of cos(α/2) is not needed
+    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the initial value of cos(α/2) is not needed
     Determined(Symbols(HALF), ZERO),
 )
 
@@ -138,7 +138,7 @@ def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def _pose(formulas: Formulas) -> Theorem:
-    """Return the theorem on poses: the dual part of R is a translation by dcay v°."""
+    """Return the theorem on poses: R is the rotation Q followed by the translation dcay v°."""
     follow = 2 * epsilon * dot(v, v_dual)
     return Theorem(
         "pose",
@@ -176,7 +176,7 @@ def _line(tensor: Premise) -> Theorem:
 
 
 def _shadow(formulas: Formulas, sign: int) -> Theorem:
-    """Return the theorem on shadows: the step by an angle β with nβ = kπ keeps the tensor."""
+    """Return the theorem on shadows: a Moebius step by an angle β with nβ = kπ leaves R unchanged."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return Theorem(
         f"shadow, {'even' if sign == 1 else 'odd'} branch",

@@ -1,4 +1,4 @@
-"""Values of expressions, given the values of their symbols: sums, products, powers and operators of these."""
+"""Evaluation of sums, products, powers and operators, given the values of the symbols in them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .statement import Equation
 
 
 class NoValueError(ArithmeticError):
-    """Error: no premise gives an expression a value."""
+    """Error: an expression has no value by any premise."""
 
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
@@ -36,7 +36,7 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
     notation.dot: lambda a, b: a.dot(b),
     notation.norm2: lambda a: mixed.quaternion(a).norm2(),
 }
-"""Operators on values of the algebra."""
+"""Functions on values of the algebra, by the operator that denotes them."""
 
 
 class Evaluation(ABC):
@@ -45,12 +45,12 @@ class Evaluation(ABC):
     Parameters
     ----------
     values : mapping of Expr to value
-        Symbols (or terms) and their values; the identity and ε are known.
+        Values of symbols and terms; the identity and ε are known.
 
     Attributes
     ----------
     definitions : dict of Expr to Expr
-        Symbols and terms by the expressions that define them.
+        Defining expressions of symbols and terms.
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
@@ -62,11 +62,11 @@ class Evaluation(ABC):
         """Return a rational number as a value."""
 
     def differentiated(self, operator: Any, value: Any) -> Any:
-        """Return the derivative that an operator `rate` or `prime` denotes."""
+        """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        """Return a power with an exponent that is no integer."""
+        """Return a power with an exponent that is not an integer number, such as n."""
         raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:
@@ -76,7 +76,7 @@ class Evaluation(ABC):
         return self.values[expression]
 
     def sides(self, equation: Equation) -> list[tuple[Any, Any]]:
-        """Return left and right sides by components."""
+        """Return the pairs of left and right components of an equation."""
         left, right = self.value(equation.left), self.value(equation.right)
         if type(left) is not type(right) and (isinstance(left, Structure) or isinstance(right, Structure)):
             left, right = mixed.quaternion(left), mixed.quaternion(right)

@@ -16,13 +16,13 @@ from .transport_theorems import transport_theorems
 
 
 def stated(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return all theorems on the given formulas, each after those it rests on."""
+    """Return all theorems on the given formulas, each after the theorems it uses."""
     of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
     return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
 
 
 def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
-    """Decide theorems in turn, each given those before it."""
+    """Decide the theorems in their order; each may cite the proofs of the theorems before it."""
     known: dict[str, Proof] = {}
     for theorem in claimed:
         known[theorem.name] = theorem.decide(known)
@@ -30,11 +30,11 @@ def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
-    """Prove the theorems that claim CP23's equations of these numbers, and those they rest on."""
+    """Prove the theorems that claim CP23's equations of these numbers, and all theorems they use."""
     claimed = stated(Formulas())
     wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
     needed = set(wanted)
-    for theorem in reversed(claimed):  # each stands after what it rests on
+    for theorem in reversed(claimed):  # each theorem stands after the theorems it uses
         if theorem.name in needed:
             needed |= {premise.theorem for premise in theorem.premises}
     return tuple(proof for proof in decided(t for t in claimed if t.name in needed) if proof.name in wanted)

@@ -35,7 +35,7 @@ def tangent_inv(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) 
 
 @dataclass(frozen=True)
 class Formulas:
-    """Formulas in the theorems, each a function of (n, x, p_n, q_n); a test replaces one."""
+    """Formulas in the theorems, each a function of (n, x, p_n, q_n); tests replace one of them."""
 
     tensor: CoefficientsOfOrder = tensor
     tangent: CoefficientsOfOrder = tangent

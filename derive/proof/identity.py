@@ -1,4 +1,4 @@
-"""Decision of a statement: every residue must be 0 in an exact ring, and no multiplier may be."""
+"""Decision of a statement in an exact ring: every residue must be 0, and no multiplier may be 0."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Multiplier:
     power : int
         Exponent.
     nonzero : bool
-        Whether it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
+        True if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
     """
 
     expression: sympy.Expr
@@ -39,12 +39,12 @@ class Multiplier:
 
     @property
     def text(self) -> str:
-        """The polynomial as plain text."""
+        """Polynomial as plain text."""
         return text(self.expression)
 
     @property
     def vanishes(self) -> str:
-        """Zero set of the factor; there the equation holds by continuity, if both sides have a value."""
+        """Zero set of the factor, where the equation holds by continuity if both sides have a value."""
         return f"{self.text} = 0"
 
     def __str__(self) -> str:
@@ -68,7 +68,7 @@ class Residue:
 
     @property
     def vanishes(self) -> bool:
-        """Whether the two sides are equal."""
+        """True if the two sides are equal."""
         return bool(self.value == 0)
 
 
@@ -83,9 +83,9 @@ class Proof:
     claim : tuple of Equation
         Equations that were decided; `statement` and `latex` print them.
     premises : tuple of Premise
-        Definitions, and equations of other theorems.
+        Definitions, and equations proved by other theorems.
     conditions : tuple of Equation
-        Definitions of those theorems that also apply here, because no premise contradicts or repeats them.
+        Definitions from cited theorems that also apply here, because no premise contradicts or repeats them.
     scope : str
         "all n", or one order, as in "n = 7".
     status : {"proved", "failed"}
@@ -112,12 +112,12 @@ class Proof:
 
     @property
     def statement(self) -> str:
-        """The claim in plain text."""
+        """Claim in plain text."""
         return "; ".join(equation.text for equation in self.claim)
 
     @property
     def latex(self) -> str:
-        """The claim in LaTeX."""
+        """Claim in LaTeX."""
         return r";\; ".join(equation.latex for equation in self.claim)
 
     @property
@@ -127,7 +127,7 @@ class Proof:
 
     @property
     def proved(self) -> bool:
-        """Whether the statement holds."""
+        """True if the statement is proved."""
         return self.status == "proved"
 
     @property
@@ -169,14 +169,14 @@ class Claim:
 def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], scope: str = ALL_ORDERS) -> Proof:
     """Decide a statement.
 
-    It is proved if there are residues, all are exactly zero, and all multipliers are certified. An operation without a
-    result (a division by zero, a symbol without a value) counts as a residue that is not zero.
+    The statement is proved if residues exist, all are exactly zero, and all multipliers are certified. An operation
+    without a result (a division by zero, a symbol without a value) counts as a residue that is not zero.
 
     Parameters
     ----------
     claim : Claim
     checks : callable
-        Yields multipliers and pairs (label, left side minus right side), elements of an exact ring.
+        Function that yields multipliers, and pairs (label, left side minus right side) in an exact ring.
     scope : str
         "all n" or "n = 7".
     """

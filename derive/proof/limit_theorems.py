@@ -1,6 +1,6 @@
-r"""Theorems on the limit of Cayley maps for growing order, at a fixed multiple 2n of their vector, and its rate.
+r"""Theorems on the limit of Cayley maps for growing order, and on the rate of convergence.
 
-At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ(α) u`` with
+At order n, let ``v`` be 2n times the vector of the map, and ``ε = 1/(2n)²``. Then ``v = φ(α) u`` with
 
 .. math::
     \varphi(\alpha) = \frac{\tan(\sqrt\varepsilon\,\alpha)}{\sqrt\varepsilon} \qquad
@@ -9,9 +9,9 @@ At order n let ``v`` be 2n times the vector and ``ε = 1/(2n)²``. Then ``v = φ
 so that α solves ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, with α = 0 at r = 0. The right side is analytic in ε and r where
 ``|ε| r² < 1``, that is for α < nπ/2, half the edge of the chart. The solution and all maps are analytic there too.
 
-The theorems state their values at ε = 0 and their derivatives by ε there, as dual numbers with ``ε² = 0``. So
-quaternion, tensor and T differ from those of the exponential by ``1/(4 n²)`` times the term beside ε, plus terms of
-order ``1/n⁴``.
+The theorems state the values of these maps at ε = 0 and their derivatives by ε there, as dual numbers with ``ε² = 0``.
+Quaternion, tensor and T therefore differ from the exponential's by ``1/(4 n²)`` times the term beside ε, plus terms
+of order ``1/n⁴``.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ SCOPE = "1/(2n)^2 = epsilon, to first order"
 HALF = sympy.cos(alpha / 2), sympy.sin(alpha / 2)
 OF_LENGTH = sympy.cos(r / 2), sympy.sin(r / 2)
 SPEED = 1 / (1 + epsilon * r**2)
-"""dα/dr, and the factor of T along the axis."""
+"""Derivative dα/dr, which is also the factor of T along the axis."""
 
 SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 
 
 def _of_length(premise: Premise) -> Premise:
-    """Return a premise on functions of α as one on the same functions of r."""
+    """Return a premise on functions of α, rewritten for the same functions of r."""
     return Premise(premise.equation.replaced({alpha: r}))
 
 

@@ -27,7 +27,7 @@ AT_V, MOVING = Symbols(SCALARS, (v,), (x,)), Symbols(SCALARS, (v, v_dot), (x,))
 
 POWER = (1 + x) ** n
 F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
-"""Coefficients as CP23 prints them."""
+"""Coefficients as printed in CP23."""
 BODY = definition(omega_body, transpose(R) * omega)
 
 

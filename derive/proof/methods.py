@@ -1,7 +1,7 @@
-"""Two methods to decide a claim in a ring, and the consistency of premises that they need.
+"""Two methods to decide a claim in a ring, and a check that its premises are consistent.
 
-An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with that start and that
-law. For a sequence these are first term and recurrence, for a function initial value and differential equation.
+An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with the same start and
+law. A sequence has a first term and a recurrence, a function has an initial value and a differential equation.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Determined:
 
     @property
     def by_steps(self) -> bool:
-        """Whether laws are recurrences."""
+        """True if laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property
@@ -128,7 +128,7 @@ def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Iterato
     yield "left sides that occur twice", len(lefts) - len(set(lefts))
     leading = [next(iter(ring.library.terms(relation))) for relation in ring.relations]
     shared = sum(any(map(min, a, b)) for a, b in combinations(leading, 2))
-    yield "relations that reduce the same symbol", shared  # if 0, they are a Groebner basis without 1
+    yield "relations that reduce the same symbol", shared  # if 0, the relations are a Groebner basis without 1
     for relation, denominator in zip(ring.relations, ring.cleared_by, strict=True):
         factors = sum(power for _, power in ring.library.factors(relation))
         yield f"the relation {ring.text(relation)} is irreducible", factors - 1
@@ -151,7 +151,7 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
 def _laws(
     premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
 ) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Yield terms and their values at a value of the index."""
+    """Yield the terms that premises define at a value of the index, with their definitions."""
     for premise in premises:
         if _is_law(premise.equation, index, (value,)):
             yield premise.equation.left.args[0], premise.equation.right
@@ -166,7 +166,7 @@ _InSymbols = TypeVar("_InSymbols", Identity, Determined)
 
 
 def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
-    """Yield the method with each free symbol in turn no longer free."""
+    """Yield copies of the method, each with one free symbol no longer free, and their descriptions."""
     for symbol in method.symbols.free:
         rest = tuple(other for other in method.symbols.free if other != symbol)
         yield f"{symbol} not free", replace(method, symbols=replace(method.symbols, free=rest))

@@ -26,13 +26,13 @@ TERMS = {
     p: ("p", n), q: ("q", n), c: ("c", n), d: ("d", n), p_m: ("p", m), q_m: ("q", m), p_sum: ("p", m + n),
     q_sum: ("q", m + n), p_double: ("p", 2 * n), q_double: ("q", 2 * n),
 }  # fmt: skip
-"""Terms of sequences: name of the sequence, and index."""
+"""Name of the sequence, and index, by term."""
 
 INDICES = frozenset((n, m))
 
 
 def structure(name: str) -> sympy.Symbol:
-    """Return a symbol for a vector, tensor or quaternion."""
+    """Return a noncommutative symbol for a vector, tensor or quaternion."""
     return sympy.Symbol(name, commutative=False)
 
 
@@ -59,11 +59,11 @@ TYPESET = {
     scalar: "q_0", scalar_1: "q_{0,1}", scalar_2: "q_{0,2}", R_k: "R(v_k)", R_dual: "R(V)", v_dual: r"v^\circ",
     x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon",
 }  # fmt: skip
-"""LaTeX of symbols that SymPy would not typeset by their names."""
+"""LaTeX of symbols that SymPy cannot typeset from their names."""
 
 
 class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
-    """Operator applied to symbols; subclasses have its formats."""
+    """Operator applied to symbols; subclasses define its formats as text and as LaTeX."""
 
     text: ClassVar[str]
     typeset: ClassVar[str]
@@ -78,7 +78,7 @@ class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
         return rf"\left({body}\right)^{{{exp}}}" if isinstance(self, prime) else f"{{{body}}}^{{{exp}}}"
 
     def _bracketed(self, printer: Any, template: str, place: int) -> str:
-        """Return an argument, in brackets if it is composed and the template has none."""
+        """Return a printed argument, in brackets if it is a compound expression and the template has none."""
         argument, printed = self.args[place], str(printer._print(self.args[place]))
         bare = f"({{{place}}}" not in template and f"{{{place}}})" not in template
         composed = not argument.is_Symbol or "^" in argument.name

@@ -52,7 +52,7 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Counts) 
 
 
 def title(proof: Proof) -> str:
-    """Return name and scope of a proof."""
+    """Return the title of a proof: its name and scope."""
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 

@@ -1,4 +1,4 @@
-"""Formulas of a chart in its angle as instances of the theorems on every φ."""
+"""Proofs that a chart's formulas in the angle α are instances of the theorems on every φ."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def instance(chart: Chart) -> Iterator[Proof]:
 
 
 def _in_symbols(expression: sympy.Expr) -> sympy.Expr:
-    """Return a formula in sin and cos of α/2, φ and its derivatives."""
+    """Rewrite a formula in sine and cosine of α/2, φ and its derivatives."""
     return expression.xreplace({premise.equation.left: premise.equation.right for premise in SCALARS})
 
 
@@ -52,7 +52,7 @@ def _symbols(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
 
 
 def _at_origin(chart: Chart) -> Proof:
-    """Decide φ(0) = 0, φ′(0) ≠ 0 and φ odd; then every scalar is a function of x, analytic at 0."""
+    """Decide whether φ is odd with φ(0) = 0 and φ′(0) ≠ 0; then every scalar is a function of x, analytic at 0."""
     zero = sympy.Integer(0)
     claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
 

@@ -1,12 +1,12 @@
-r"""Theorems on every parameterization v = φ(α) u. Symbols are φ, its derivatives, and sine and cosine of α/2.
+r"""Theorems on every parameterization v = φ(α) u, in φ, its derivatives, and sine and cosine of α/2.
 
 .. math::
     \hat q = \cos\tfrac\alpha2 + \frac{\sin\frac\alpha2}{\varphi}\,v \qquad
     T = \frac{\sin\alpha}{\varphi} I + \frac{1 - \cos\alpha}{\varphi^2} \tilde v
         + \frac{1/\varphi' - \sin\alpha/\varphi}{\varphi^2}\,v \otimes v
 
-The premises on φ are only that φ′ is its derivative, φ″ that of φ′, and so on. Those on sine and cosine are their
-derivatives and ``sin² + cos² = 1``. So every family is an instance.
+The only premises on φ are its derivatives: φ′ is the derivative of φ, φ″ the derivative of φ′, and so on. The premises
+on sine and cosine are their derivatives and ``sin² + cos² = 1``. Hence every family is an instance.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
 """Sine and cosine of α."""
 
 TURN = 2 * phi * phi_1
-"""dx/dα."""
+"""Derivative dx/dα."""
 
 SQUARES = (
     definition(cosine**2, 1 - sine**2),
@@ -45,7 +45,7 @@ OF_ANGLE = (
     definition(prime(sine), cosine / (2 * TURN)),
     definition(prime(cosine), -sine / (2 * TURN)),
 )
-"""Derivatives by x; that of α is 1/(dx/dα)."""
+"""Derivatives by x; the derivative of α is 1/(dx/dα)."""
 OF_PHI = definition(prime(phi_1), phi_2 / TURN), definition(prime(phi_2), phi_3 / TURN)
 
 MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)))
@@ -177,7 +177,7 @@ ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
 
 @cache
 def any_phi() -> tuple[Proof, ...]:
-    """Return the proofs for every φ, decided once per process."""
+    """Return the proofs of the theorems on every φ, decided once per process."""
     known: dict[str, Proof] = {}
     for theorem in ANY_PHI:
         known[theorem.name] = theorem.decide(known)

@@ -1,6 +1,6 @@
 """Theorems for every n on p_n and q_n: powers, addition, derivatives, brackets, binomial sums.
 
-The definition is the recurrence of :mod:`derive.maps.polynomials`, run on symbols.
+The recurrence of :mod:`derive.maps.polynomials`, applied to symbols, defines p_n and q_n.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
 ONE = Equation(n, sympy.Integer(1))
-"""Start of sequences."""
+"""Index at the start of sequences."""
 
 
 def recurring(
@@ -31,7 +31,7 @@ def recurring(
 
 
 def pairs(index: sympy.Expr, p_n: sympy.Expr, q_n: sympy.Expr, at: sympy.Expr) -> tuple[Premise, ...]:
-    """Return the recurrence of p and q at some x, CP23 (56)."""
+    """Return the recurrence of p and q at a given x, CP23 (56)."""
     following = polynomials.following((p_n, q_n), at)
     return recurring(index, *zip((p_n, q_n), polynomials.FIRST, following, strict=True))
 
@@ -187,4 +187,4 @@ POLYNOMIAL_THEOREMS = (
     POWERS, VECTOR_POWERS, NORM, ADDITION, DOUBLING, SLOPES, ORIGIN, BRACKETS_AT_ZERO, BRACKETS, SUMS,
     BINOMIAL_THEOREM, BRACKET_SUMS, ANGLES,
 )  # fmt: skip
-"""Theorems in an order in which each stands after those it rests on."""
+"""Theorems on p_n and q_n, each after the theorems it uses."""

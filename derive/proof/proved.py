@@ -1,4 +1,4 @@
-"""Proof of a chart: `prove` is the only maker of a `Proved`."""
+"""Proof of a chart by `prove`, the only function that makes a `Proved`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ProofFailed(Exception):
     Attributes
     ----------
     failed : tuple of Proof
-        Statements that failed; ``failures`` of each has the residues.
+        Failed statements; each lists its residues in ``failures``.
     """
 
     def __init__(self, failed: tuple[Proof, ...]) -> None:
@@ -36,16 +36,16 @@ class ProofFailed(Exception):
 
 @dataclass(frozen=True)
 class Proved:
-    """A chart with the proofs of its formulas, made by :func:`prove` only.
+    """Chart with the proofs of its formulas, made only by :func:`prove`.
 
     Attributes
     ----------
     formulas : Chart
-        The chart.
+        The proved chart.
     proofs : tuple of Proof
-        For a Cayley map, theorems for all n, their instances at its order, and the componentwise road. For every
-        algebraic chart, that its scalars agree with its formulas and its φ. For any other chart, that its formulas in α
-        are instances of the theorems on every φ.
+        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. Every algebraic
+        chart has proofs that its scalars agree with its formulas and its φ. Any other chart has proofs that its
+        formulas in α are instances of the theorems on every φ.
     """
 
     formulas: Chart
@@ -61,14 +61,14 @@ class Proved:
 
 
 def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
-    """Decide every statement about a chart, and return failed ones too.
+    """Decide every statement about a chart and return all proofs, including failed ones.
 
     Parameters
     ----------
     chart : Chart
-        Such as ``derive.Cayley(7)``.
+        Chart to prove, e.g. ``derive.Cayley(7)``.
     progress : callable, optional
-        Called with a line of text before each stage.
+        Function called with a line of text before each stage.
     backend : {"flint", "sympy"}, optional
         Library of polynomials in x; by default python-flint where it is installed.
     """
@@ -76,9 +76,9 @@ def proofs(chart: Chart, progress: Progress | None = None, backend: str | None =
 
 
 def prove(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> Proved:
-    """Prove a chart, on both roads if it is a Cayley map.
+    """Prove a chart; a Cayley map is proved by theorems and, independently, by components.
 
-    Parameters are those of :func:`proofs`.
+    See :func:`proofs` for the parameters.
 
     Raises
     ------

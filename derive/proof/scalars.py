@@ -1,13 +1,14 @@
 r"""Proof that the scalars of an algebraic chart agree with its formulas and with its φ.
 
-The functions of the chart run on the element x of the exact ring: Q(x), with the root sqrt(1 + x/k) where formulas
-have it. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
+The functions of the chart are evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas
+contain this root. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist
+``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
-which gives f, g and h of T = f I + g skew(v) + h v⊗v. Along v the twist is ``(f + x h) v̇``, and α̇ = φ̇/φ′ there. So
-``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ = 0 at α = 0, means ``q̂ = cos(α/2) + u sin(α/2)`` for
-``v = φ(α) u``.
+which gives f, g and h of T = f I + g skew(v) + h v⊗v. For v̇ along v, the twist is ``(f + x h) v̇``, and α̇ = φ̇/φ′.
+Therefore ``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ = 0 at α = 0, means
+``q̂ = cos(α/2) + u sin(α/2)`` for ``v = φ(α) u``.
 """
 
 from __future__ import annotations
@@ -62,7 +63,7 @@ RELATIONS = (
     Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
     Equation(a * w, b * s),
 )
-"""Norm 1 of q̂, R as its tensor, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v as a multiple of q̂."""
+"""Equations for |q̂| = 1, R as the tensor of q̂, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v as a multiple of q̂."""
 
 DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
@@ -79,19 +80,19 @@ ANGLE = (
 
 
 class _AtAngle(Evaluation):
-    """Values at a symbolic angle: rational functions of a tangent."""
+    """Values of expressions at a symbolic angle, as rational functions of a tangent."""
 
     def number(self, value: Fraction) -> Fraction:
         return value
 
 
 def is_algebraic(chart: Chart) -> bool:
-    """Return whether the formulas of a chart are functions of x, which the exact ring can hold."""
+    """Return whether the formulas of a chart are functions of x that the exact ring can represent."""
     return all(c.free_symbols <= {x} for name in FORMULAS for c in getattr(chart, name).coefficients)
 
 
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
-    """Return the integer k of the root sqrt(1 + x/k) in expressions in x; 0 if there is none.
+    """Return the integer k of the root sqrt(1 + x/k) in expressions in x; 0 without a root.
 
     Raises
     ------
@@ -146,7 +147,7 @@ class ScalarProofs:
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
-        """Decide the statements in turn."""
+        """Decide the statements one after the other."""
         formulas = tuple(
             Equation(value, sympy.Symbol(f"{name}[{i}]"))
             for name, values in FORMULAS.items()
@@ -170,13 +171,13 @@ class ScalarProofs:
     def _residues(
         self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
     ) -> Iterator[Check]:
-        """Yield left side minus right side."""
+        """Yield left side minus right side of each equation."""
         values = {**self.values, **(further or {})}
         for equation in claim:
             yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
 
     def _angle(self) -> Iterator[Check]:
-        """Yield the differences at ``x = φ²``, and of initial values at x = 0 and α = 0."""
+        """Yield left side minus right side at ``x = φ²``, and for the initial values at x = 0 and α = 0."""
         field = AngleField((), {alpha.name: _steps(self.chart.phi)})
         functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
         angle, phi = field.symbol(alpha.name), self.chart.phi
@@ -189,7 +190,7 @@ class ScalarProofs:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
     def _at(self, element: Element, square: Element) -> Element:
-        """Return a function of x at ``x = square``."""
+        """Return the value of a function of x at ``x = square``."""
         element = self.ring.fraction(element.numerator, element.denominator)
         generator = (1 + square / self.ring.root).sqrt() if self.ring.root else square
 
@@ -201,6 +202,6 @@ class ScalarProofs:
 
 
 def _steps(phi: sympy.Expr) -> int:
-    """Return the least M such that φ is made of sines and cosines of multiples of α/M."""
+    """Return the least M such that all trigonometric functions in φ have multiples of α/M as arguments."""
     arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
     return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))

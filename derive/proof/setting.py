@@ -1,10 +1,10 @@
-"""Values for the symbols of a statement: a ring in which exactly its premises hold.
+"""Values of the symbols of a statement, in a ring where exactly its premises hold.
 
-A premise is used by the form of its left side:
+The form of its left side decides the use of a premise:
 
 * a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x) defines the derivation of the ring;
 * a value ``Shifted(p, x, 0) = 1`` at the origin certifies multipliers;
-* a power ``(1 + x)^n = …`` is replaced; where half of it occurs, a new generator stands for that root;
+* a power ``(1 + x)^n = …`` is replaced; if its square root occurs, a new generator stands for the root;
 * a relation ``v . v = x``, ``i^2 = -1`` reduces polynomials;
 * any other equation defines a symbol or a term, which is replaced by its right side.
 """
@@ -34,7 +34,7 @@ class Symbols:
     Attributes
     ----------
     scalars : tuple of Symbol
-        In order: the symbol that a relation eliminates stands before the others in it.
+        Scalars in order: a relation eliminates the first of its symbols.
     vectors : tuple of Symbol
         Vectors, each with three independent components.
     free : tuple of Symbol
@@ -54,7 +54,7 @@ class Setting(Evaluation):
     symbols : Symbols
     premises : iterable of Premise
     claim : iterable of Equation, optional
-        Equations to be evaluated, in which further powers with exponent n may occur.
+        Equations to be evaluated; they may contain further powers with exponent n.
     zeroed : Expr, optional
         See `DifferentialRing`.
     """
@@ -142,7 +142,7 @@ class Setting(Evaluation):
 
     @property
     def rates(self) -> dict[Any, Any]:
-        """The derivation by time; a symbol with a slope by x has the rate slope times rate of x."""
+        """Derivation by time; a symbol with only a slope by x has the rate slope times rate of x."""
         if self.ring.symbols.get(notation.x) not in self._rates:
             return self._rates
         speed = self._rates[self.ring.symbols[notation.x]]
@@ -150,14 +150,14 @@ class Setting(Evaluation):
 
     @property
     def slopes(self) -> dict[Any, Any]:
-        """The derivation by x."""
+        """Derivation by x."""
         return self._slopes | {self.ring.symbols[notation.x]: self.ring.constant(1)}
 
     def relation_rates(self) -> list[Element]:
         """Return the differences that must be 0 for the derivations to respect the premises.
 
-        These are rates and slopes of the relations, and rate minus slope times rate of x where a symbol has both.
-        Relations between components have no slope.
+        They are the rates and slopes of all relations. A symbol with rate and slope adds its rate minus slope times
+        rate of x. Relations between components have no slope.
         """
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
@@ -169,7 +169,7 @@ class Setting(Evaluation):
         return found + [self._rates[symbol] - self._slopes[symbol] * speed for symbol in both]
 
     def differences(self, equation: Equation) -> list[Element]:
-        """Return left minus right by components, real parts before dual parts."""
+        """Return left side minus right side by components, real parts before dual parts."""
         pairs = self.sides(equation)
         found = [real_part(a) - real_part(b) for a, b in pairs]
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
@@ -191,7 +191,7 @@ def _is_power(term: sympy.Expr) -> bool:
 def _roots(
     equations: Iterable[Equation], known: Iterable[sympy.Expr]
 ) -> dict[sympy.Expr, tuple[sympy.Symbol, sympy.Rational]]:
-    """Return, for each base of powers with exponent a n + b without a premise, a symbol and its exponent over n."""
+    """Return a new symbol, and its exponent over n, for each base of powers a n + b that no premise defines."""
     steps: dict[sympy.Expr, sympy.Rational] = {}
     for equation in equations:
         for power in equation.left.atoms(sympy.Pow) | equation.right.atoms(sympy.Pow):

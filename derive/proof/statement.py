@@ -16,16 +16,16 @@ from .notation import Shifted, latex, text
 
 @dataclass(frozen=True)
 class Equation:
-    """The equation ``left = right``.
+    """Equation ``left = right``.
 
     Attributes
     ----------
     left, right : Expr
         Expressions in the symbols and operators of :mod:`~derive.proof.notation`.
     numbers : tuple of int
-        Its numbers in CP23, if it is one of that paper's equations as printed or as corrected.
+        Numbers of the equation in CP23, if CP23 has it as printed or after correction.
     wrong : Expr, optional
-        A false right side for controls, by default the double. Theorems that use the equation must fail with it.
+        False right side for controls, by default twice the right side. Theorems that use it must fail.
     """
 
     left: sympy.Expr
@@ -40,12 +40,12 @@ class Equation:
 
     @cached_property
     def text(self) -> str:
-        """The equation as plain text."""
+        """Equation as plain text."""
         return f"{text(self.left)} = {text(self.right)}"
 
     @cached_property
     def latex(self) -> str:
-        """The equation as LaTeX, without delimiters."""
+        """Equation as LaTeX, without delimiters."""
         return f"{latex(self.left)} = {latex(self.right)}"
 
     def __str__(self) -> str:
@@ -57,12 +57,12 @@ class Equation:
         return Equation(self.left.xreplace(changes), self.right.xreplace(changes), wrong=wrong)
 
     def altered(self) -> Equation:
-        """Return a false equation: with `wrong`, or the right side doubled, or 1 instead of 0."""
+        """Return a false equation, whose right side is `wrong`, or doubled, or 1 instead of 0."""
         other = 2 * self.right if self.right != 0 else sympy.Integer(1)
         return replace(self, right=other if self.wrong is None else self.wrong, numbers=())
 
     def variants(self, sides: Iterable[str] = ("left", "right")) -> Iterator[Equation]:
-        """Yield `altered`, and the equation with each integer of these sides increased by one."""
+        """Yield `altered`, and copies of the equation with one integer of these sides increased by one."""
         yield self.altered()
         for side in sides:
             expression = getattr(self, side)
@@ -81,7 +81,7 @@ class Premise:
     theorem : str
         Name of the theorem that proves it; empty for a definition.
     instance : tuple of (Expr, Expr)
-        Replacements of symbols in that theorem's equation.
+        Replacements of symbols in the theorem's equation.
     """
 
     equation: Equation
@@ -110,10 +110,10 @@ def definition(
 
 
 def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:
-    """Yield the expression with each of its integers increased by one in turn."""
+    """Yield copies of the expression, each with one integer increased by one."""
     if expression.is_Integer:
         yield expression + (1 if expression != -1 else 2)  # an exponent of 0 would leave 1
-    if isinstance(expression, Shifted):  # it names a value
+    if isinstance(expression, Shifted):  # its integer names a value
         return
     for place, argument in enumerate(expression.args):
         named = expression.is_Pow and not expression.exp.is_Integer and not argument.is_commutative  # (1 + v)^n

@@ -1,4 +1,4 @@
-"""Theorems: a claim, its premises, and the method to decide it.
+"""Theorems, each with a claim, its premises, and the method to decide it.
 
 A premise from another theorem is valid under the conditions of that theorem: for its orders, with terms of sequences at
 the replaced index, and where symbols have the same definitions.
@@ -18,18 +18,18 @@ from .statement import Equation, Premise
 
 
 class Method(Protocol):
-    """A way to decide a claim under premises."""
+    """Method to decide a claim under premises."""
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides of an equation that controls alter: a left side may only name the unknown."""
+        """Sides of an equation that controls alter; a left side that only names the unknown is left out."""
 
     @property
     def title(self) -> str:
         """Description of the method."""
 
     def weaker(self) -> Iterator[tuple[str, Method]]:
-        """Yield, for controls, the name of each hypothesis with the method that lacks it."""
+        """Yield the name of each hypothesis and the method without this hypothesis, for controls."""
 
     def checks(self, task: Task) -> Iterator[Check | Multiplier]:
         """Yield residues and multipliers."""
@@ -37,14 +37,14 @@ class Method(Protocol):
 
 @dataclass(frozen=True)
 class Task:
-    """Claim and premises for a method.
+    """Claim and premises that a method decides.
 
     Attributes
     ----------
     claim : tuple of Equation
     premises : tuple of Premise
     required : tuple of Equation
-        Definitions in the theorems that premises cite, which must hold here too.
+        Definitions from cited theorems, which must hold here too.
     zeroed : Expr, optional
         Multiplier to be taken as 0, for controls.
     """
@@ -57,7 +57,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Theorem:
-    """A statement to be proved.
+    """Statement to be proved.
 
     Attributes
     ----------
@@ -98,14 +98,14 @@ class Theorem:
         return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
 
     def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
-        """Return definitions in the cited theorems of symbols that occur here, except those repeated here."""
+        """Return definitions from cited theorems if all their symbols occur here, except definitions repeated here."""
         own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
 
     def _defined_here(self, equation: Equation) -> bool:
-        """Return whether a premise here concerns the left side; then the equation must hold, else it is a condition."""
+        """Return whether a definition here has this left side on either side: then required, else a condition."""
         own = [premise.equation for premise in self.premises if not premise.theorem]
         return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 
@@ -128,7 +128,7 @@ class Theorem:
 
 
 def _rests_on(premise: Premise, known: Mapping[str, Proof]) -> Iterator[Equation]:
-    """Yield definitions in the theorem that a premise cites, and in those it rests on."""
+    """Yield the definitions in the theorem that a premise cites, and in all theorems used by it."""
     for other in known[premise.theorem].premises if premise.theorem in known else ():
         for equation in _rests_on(other, known) if other.theorem else (other.equation,):
             yield equation.replaced(dict(premise.instance))

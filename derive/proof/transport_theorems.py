@@ -1,8 +1,8 @@
-r"""Theorems for every n on rates at changes of branch and on twists of products, which the papers do not have.
+r"""Theorems for every n on rates at changes of branch and on twists of products, absent from the papers.
 
-A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u`` rates become ``v_k' = S_k v'``,
-``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``; momenta transform by the inverse transpose. The twist of a product of
-displacements gives the Jacobians of composition.
+A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u``, rates transform by ``v_k' = S_k v'``,
+where ``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``. Momenta transform by the inverse transpose. The twist of a product
+of displacements gives the Jacobians of composition.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from .theorem import Theorem
 
 
 def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on branches and products of displacements by the given formulas."""
+    """Return the theorems on branches and products of displacements for the given formulas."""
     return (STEP, TWICE, *(_transport(formulas, sign) for sign in (1, -1)), PRODUCT)
 
 
 def _transport(formulas: Formulas, sign: int) -> Theorem:
-    """Return the theorem that a step between branches keeps the twist; it gives rates and, transposed, momenta."""
+    """Return the theorem that a step between branches keeps the twist; its transpose transforms momenta."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return Theorem(
         f"transport, {'even' if sign == 1 else 'odd'} branch",
@@ -60,7 +60,7 @@ BOTH_ROOT = sympy.cos(BOTH) - r * sympy.sin(BOTH)
 
 
 def _transported(there: sympy.Expr, here: sympy.Expr, root: sympy.Expr) -> sympy.Expr:
-    """Return S of a step from ``here u`` to ``there u``."""
+    """Return the tensor S of a step from ``here u`` to ``there u``; `root` is the divisor of the step."""
     return there / here * (I - dyad(u, u)) + dyad(u, u) / root**2
 
 
@@ -85,7 +85,7 @@ _TWO, _ONE = scalar_2 + second, scalar_1 + first
 
 
 def _moving(scalar: sympy.Expr, vector: sympy.Expr, twist: sympy.Expr) -> tuple[Premise, ...]:
-    """Return ``q' = ω q/2``, CP23 (75), by scalar and vector part."""
+    """Return the premises ``q' = ω q/2``, CP23 (75), for scalar and vector part."""
     return (
         definition(rate(scalar), -dot(twist, vector) / 2),
         definition(rate(vector), (scalar * twist + cross(twist, vector)) / 2),
@@ -102,4 +102,4 @@ PRODUCT = Theorem(
     ),
     Identity(Symbols((scalar_2, scalar_1), (second, first, omega_1, omega_2))),
 )
-"""Consequence: ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""
+"""Theorem that implies ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""

@@ -1,7 +1,7 @@
-r"""The exact ring of vector components: rational functions of these, modulo :math:`v \cdot v = x`.
+r"""The exact ring of rational functions of vector components, modulo :math:`v \cdot v = x`.
 
-Wherever :math:`v_3^2` arises it is replaced by :math:`x - v_1^2 - v_2^2`. So :math:`v_1 v_1 + v_2 v_2 + v_3 v_3`
-becomes the generator :math:`x` by itself, and formulas in x meet components without expansion.
+Each :math:`v_3^2` is replaced by :math:`x - v_1^2 - v_2^2`. Hence :math:`v_1 v_1 + v_2 v_2 + v_3 v_3` becomes the
+generator :math:`x`, and formulas in x combine with components without expansion.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..algebra.element import Element
 from ..algebra.exact import RationalFunctions
 
 NEAR_ZERO = Fraction(1, 10**30)
-"""The square of the first vector at the reference point: small, so that roots are positive near v = 0."""
+"""Square of the first vector at the reference point, small so that roots are positive near v = 0."""
 
 
 class Ring(RationalFunctions):
@@ -27,8 +27,8 @@ class Ring(RationalFunctions):
     extra : sequence of str
         Further independent symbols (dual parts, rates, points).
     root : int
-        Not 0: the square x of the first vector is expressed through s = sqrt(1 + x/root), so that odd powers of
-        1 + x/root have a square root. 0: it is not.
+        Integer k of the generator s = sqrt(1 + x/k), by which the ring expresses the square x of the first vector. Odd
+        powers of 1 + x/k then have a square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint where it is installed.
     """
@@ -87,12 +87,12 @@ class Ring(RationalFunctions):
             return element.derivative({self.index(first): by_first})
         rates = {self.index(name): one}
         for vector, generator in zip(self.vectors, self._generators, strict=True):
-            if name in (f"{vector}1", f"{vector}2", f"{vector}3"):  # x follows: its derivative by v1 is 2 v1
+            if name in (f"{vector}1", f"{vector}2", f"{vector}3"):  # x = v·v too: its derivative by v1 is 2 v1
                 rates[self.index(generator)] = 2 * self.symbol(name) * (by_first if generator == first else 1)
         return element.derivative(rates)
 
     def derivatives(self, expression: Any, symbol: Any, square: Element, order: int) -> list[Element]:
-        """Return an expression in one symbol at the first square, and its derivatives by it up to an order."""
+        """Return an expression at ``symbol = square``, followed by its derivatives by the symbol up to an order."""
         if square != self.square(self.vectors[0]):
             raise ValueError(f"derivatives are by the square of {self.vectors[0]}, not by {square!r}")
         found = [self.lift(expression, {symbol: square})]

@@ -10,6 +10,6 @@ from tests.support.packages import unvalidated
 
 @pytest.fixture
 def without_validation(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Write kernels as printed: validation takes seconds a module."""
+    """Write kernels without validation, which takes seconds per module."""
     found = {name: unvalidated(target) for name, target in TARGETS.items()}
     monkeypatch.setattr("derive.codegen.publish.TARGETS", found)

@@ -14,7 +14,7 @@ from tests.support.imports import ROOT, sources
 
 
 def installed(folder: Path) -> Path:
-    """Return the toolkit's folder as a wheel installs it, without modules of its packages."""
+    """Return the toolkit's folder as a wheel installs it, with empty packages."""
     place = folder / "derive"
     for name in derive._OWN:
         if name.endswith(".py"):

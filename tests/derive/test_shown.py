@@ -1,4 +1,4 @@
-"""Results at a prompt and in a notebook."""
+"""Display of results at a prompt and in a notebook."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONGEST = 120
 
 @pytest.fixture
 def package(without_validation: None) -> Package:
-    """Return the package of the example of `generate`."""
+    """Return the package from the example in the docstring of `generate`."""
     names: dict[str, Package] = {}
     assert examples.failures(inspect.getdoc(derive.generate), "generate", names) == ""
     return names["package"]

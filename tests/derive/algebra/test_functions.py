@@ -1,4 +1,4 @@
-"""Elementary functions of dual numbers: identities hold in the dual part because they hold as functions."""
+"""Elementary functions of dual numbers: identities between functions also hold in the dual part."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_dual_part_is_the_derivative(f) -> None:
 
 @pytest.mark.parametrize("f", [expm1, log1p])
 def test_dual_parts_near_0_too(f) -> None:
-    """Compare functions that SymPy lacks with central differences of 50 digits."""
+    """Compare the dual parts of functions missing in SymPy with central differences of 50 digits."""
     for at in ("0.6", "1e-20"):
         with mpmath.workdps(50):
             x, step = mpmath.mpf(at), mpmath.mpf("1e-16")

@@ -1,4 +1,4 @@
-"""Commands run in this process write kernels without validating them; commands in processes validate."""
+"""Commands in the test process write kernels without validation; commands in other processes validate."""
 
 from __future__ import annotations
 

@@ -116,7 +116,7 @@ from tests.support.packages import unvalidated
 publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
 sys.exit(main())
 """
-"""Command that is killed when the notice and one other file are in place."""
+"""Program of a command that is killed when the notice and one other file are in place."""
 
 
 def test_import_of_a_half_written_package_says_how_to_finish_it(tmp_path: Path, without_validation):
@@ -211,7 +211,7 @@ def test_list_prints_every_catalogue():
         assert word in done.stdout
 
 
-# --- what help says before anything is loaded ---------------------------------------------------------------------
+# --- help before other modules are loaded -------------------------------------------------------------------------
 
 
 def test_about_matches_the_tables_it_names():

@@ -27,7 +27,7 @@ def test_interrupt_ends_with_one_line_and_130(place: str):
     module, _, name = place.rpartition(".")
     code = (
         "import importlib, os, signal, sys, time\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # which jobs in the background are started without
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # background jobs start without this handler
         f"setattr(importlib.import_module({module!r}), {name!r}, lambda **_: os.kill(os.getpid(), signal.SIGINT))\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"

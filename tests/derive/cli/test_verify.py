@@ -58,7 +58,7 @@ def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message:
     assert done.returncode == code
     assert message in " ".join(done.stderr.split())
     assert done.stdout == ""
-    assert done.stderr.count("\n") <= 4  # at most: usage, where help is, an empty line, the message
+    assert done.stderr.count("\n") <= 4  # at most usage, a hint at help, an empty line and the message
 
 
 def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
@@ -111,8 +111,8 @@ def test_one_equation_is_decided_alone() -> None:
     done = in_a_process(code=code, COLUMNS="120")
     assert "where they differ" in done.stdout
     assert "refuted at generic point 1: false" in done.stdout
-    assert "proofs" not in done.stdout  # of theorems that say nothing of it
-    assert done.stdout.endswith("False\n")  # kernels, which are most of what there is to load
+    assert "proofs" not in done.stdout  # no theorem concerns this equation
+    assert done.stdout.endswith("False\n")  # the code generator, the slowest module to load, is not loaded
 
 
 @pytest.mark.parametrize("width", [40, 71, 72, 200])

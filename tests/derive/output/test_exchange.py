@@ -73,15 +73,15 @@ def state(folder: Path, old: dict[str, str], new: dict[str, str]) -> str:
 def test_kill_leaves_old_or_new_files(tmp_path, old, new):
     (folders,) = killed_runs(new, [folder_with(tmp_path / "old", old | MINE)], tmp_path / "once")
     states = [state(folder, old, new) for folder in folders]
-    assert [key for key, _ in itertools.groupby(states)] == ["old", "notice", "new"]  # never back
+    assert [key for key, _ in itertools.groupby(states)] == ["old", "notice", "new"]  # never in another order
     changed = {name for name in new if old.get(name) != new[name]} - {"__init__.py"}
     assert states.count("notice") >= len(changed) + 1
     halves = [folder for folder, found in zip(folders, states, strict=True) if found == "notice"]
-    for again in killed_runs(new, halves, tmp_path / "twice"):  # a run that mends may be killed too
+    for again in killed_runs(new, halves, tmp_path / "twice"):  # a repairing run may be killed too
         states_again = [state(folder, old, new) for folder in again]
         assert [key for key, _ in itertools.groupby(states_again)] == ["notice", "new"]
     for folder, found in zip(folders, states, strict=True):
-        write(folder, OTHER)  # any run will do, it need not be the same
+        write(folder, OTHER)  # any later run repairs the folder
         mended = held(folder)
         assert mended == new | OTHER | MINE or (found == "old" and mended == old | OTHER | MINE)
         assert not leftovers(folder)

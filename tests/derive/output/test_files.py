@@ -1,4 +1,4 @@
-"""Files are written whole, all or none, and compared as a set."""
+"""Files are written all or none, and a folder is compared as a whole."""
 
 from __future__ import annotations
 

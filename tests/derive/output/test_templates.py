@@ -1,4 +1,4 @@
-"""A template is given exactly the names it asks for, those of included templates among them."""
+"""Templates receive exactly the names they use, including the names used by included templates."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.smoke
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
-    """Give a function that writes templates into a folder in place of the project's."""
+    """Provide a function that writes templates into a folder, which replaces the project's folder."""
     monkeypatch.setattr(templates, "folder", lambda: tmp_path)
     templates.environment.cache_clear()
     templates.holes.cache_clear()
@@ -33,7 +33,7 @@ def test_superfluous_and_missing_keys_are_named(write):
     with pytest.raises(TypeError, match=r"templates/a: holes left open: none; data without a hole: array, out$"):
         render("a", n=1, word="w", out=0, array=0)
     with pytest.raises(TypeError, match=r"templates/a: holes left open: word; data without a hole: none$"):
-        render("a", n=0)  # the branch that asks for the word is not taken
+        render("a", n=0)  # the branch that uses the name is not taken
 
 
 def test_included_template_may_use_macros_of_its_includer(write):

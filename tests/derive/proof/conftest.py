@@ -14,7 +14,7 @@ from derive.maps import Cayley, x
 
 @dataclass(frozen=True)
 class Stated:
-    """A map with given coefficients."""
+    """Map with given coefficients."""
 
     coefficients: tuple[sympy.Expr, ...]
 
@@ -55,13 +55,13 @@ class StatedCayley:
 
 @pytest.fixture
 def stated() -> Callable[[int], StatedCayley]:
-    """Right formulas of an order, in a replaceable form."""
+    """Provide the correct formulas of an order, each replaceable."""
     return StatedCayley.of
 
 
 @pytest.fixture
 def mutations() -> Callable[[int], Iterator[tuple[str, str, StatedCayley]]]:
-    """All changes of a single coefficient in an order's three tensors."""
+    """Provide all changes of a single coefficient in the three tensors of an order."""
     return _mutations
 
 

@@ -45,7 +45,7 @@ def test_cited_theorems_mention_the_operator(name: str) -> None:
 
 
 def test_validation_column_matches_the_table() -> None:
-    """Compare with the signature table, where an expectation is exact or not."""
+    """Compare the column with the signature table, which marks each expectation as exact or not."""
     for name, coverage in COVERAGE.items():
         row = PUBLIC.get(ALIASES.get(name, name))
         if row is None:

@@ -1,4 +1,4 @@
-"""The differential ring: factors of denominators are certified, and derivation is a derivation."""
+"""The differential ring: factors of denominators are certified, and derivation obeys the product rule."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_quotients_are_numbers() -> None:
     assert 2 - a == -(a - 2)
 
 
-def test_derivation_is_a_derivation() -> None:
+def test_derivation_obeys_the_product_and_quotient_rules() -> None:
     at = ring()
     a, b = at.generator(x), at.generator(p)
     rates = {at.symbols[x]: at.constant(1), at.symbols[p]: at.generator(q)}

@@ -37,7 +37,7 @@ def test_scaled_charts_solve_the_differential_equation():
 
 @pytest.mark.parametrize("length", ["0.01", "1.3", "3"])
 def test_difference_to_the_limit_has_the_stated_slope(length: str):
-    """Check that the remainder falls as 1/n⁴, by scalars of the scaled charts at n = 1000 and 2000."""
+    """Check that the remainder falls as 1/n⁴, from scalars of the scaled charts at n = 1000 and 2000."""
     with mpmath.workdps(60):
         r = mpmath.mpf(length)
         u = Vector(mpmath.mpf(2) / 7, mpmath.mpf(3) / 7, mpmath.mpf(6) / 7)
@@ -54,7 +54,7 @@ def test_difference_to_the_limit_has_the_stated_slope(length: str):
                 change = (_maps(family(f"scaled{n}"), r, u)[name] - limits[name]) * (1 / epsilon)
                 left.append(max(abs(entry) for entry in change - slope))
                 assert left[-1] < 20 * epsilon * (1 + r * r) ** 3
-            if left[1] > mpmath.mpf(10) ** -12:  # of the exponential, which cuts off 1e-24, divided by ε
+            if left[1] > mpmath.mpf(10) ** -12:  # error of the exponential, whose series ends at 1e-24, over ε
                 assert abs(left[0] / left[1] - 4) < 0.001
 
 

@@ -22,7 +22,7 @@ COUNTS = counts(TEXT)
 
 @pytest.fixture(scope="module")
 def claimed() -> tuple[Proof, ...]:
-    """Proofs of all theorems, each given those before it."""
+    """Return the proofs of all theorems, each decided from the proofs before it."""
     return decided(command.claims())
 
 
@@ -60,7 +60,7 @@ def test_missing_value_is_no_failed_control() -> None:
 
 
 SAMPLE = 4
-"""Every fourth theorem is controlled here; `make check-theorems` runs the controls of all."""
+"""Step of the sample: controls run here for every fourth theorem, and for all in `make check-theorems`."""
 
 
 @pytest.mark.parametrize("theorem", command.claims()[::SAMPLE], ids=lambda theorem: theorem.name)

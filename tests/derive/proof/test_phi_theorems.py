@@ -23,7 +23,7 @@ def test_theorems_hold():
 
 @pytest.mark.parametrize("theorem", ANY_PHI[2:6:3], ids=lambda theorem: theorem.name)
 def test_controls_fail(theorem):
-    """Run the controls of two theorems; `make check-theorems` runs those of all."""
+    """Run the controls of two theorems; `make check-theorems` runs all controls."""
     found = [*controls([theorem], {proof.name: proof for proof in any_phi()})]
     assert found
     assert [str(control) for control in found if not control.noticed] == []

@@ -29,13 +29,13 @@ ANGULAR = Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE))
 
 
 def by_steps(right: sympy.Expr, following: sympy.Expr, symbol: sympy.Symbol, *others: Premise) -> Theorem:
-    """Return the claim A = right, with A = 1 at n = 1, S = n − 1, and too few premises on a symbol."""
+    """Return a theorem that claims A = right, with A = 1 at n = 1, S = n − 1, and too few premises on a symbol."""
     given = (*recurring(n, (A, 1, following), (S, 0, S + 1)), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((S, symbol)), ONE))
 
 
 def by_rates(right: sympy.Expr, start: int, law: sympy.Expr | int, *others: Premise) -> Theorem:
-    """Return the claim A = right for a function A of α."""
+    """Return a theorem that claims A = right for a function A of α."""
     given = (definition(Shifted(A, alpha, 0), start), definition(rate(A), law), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((alpha,)), ZERO))
 
@@ -112,7 +112,7 @@ def test_conditions_of_cited_theorems_are_listed() -> None:
     left, right = (1 + x) ** n * TURN ** (2 * n), COSINE**2 + x * SINE**2 * TURN**2 / RISE**2
     proof = identity({left: right}, (*ANGLES.given(), NORM.premise(0)), symbols).decide(known())
     assert proof.proved
-    assert [condition.left for condition in proof.conditions] == [x]  # it is no other number than tan²
+    assert [condition.left for condition in proof.conditions] == [x]  # x must be tan²
 
 
 def test_induction_checks_conditions_of_cited_theorems() -> None:

@@ -41,7 +41,7 @@ CHECKS = {"tensor": Components.tensor, "tangent": Components.twist, "tangent_inv
 
 
 def noticed(checks: Iterator[Any]) -> bool:
-    """Return whether a residue is not zero."""
+    """Return whether any residue is not zero."""
     return any(check[1] != 0 for check in checks if not isinstance(check, Multiplier))
 
 
@@ -64,7 +64,7 @@ def test_wrong_quaternion_fails(n: int, stated: Callable[[int], Any]) -> None:
         changed = right.with_map("quaternion", wrong)
         assert noticed(Components(changed).quaternion())
         assert not all(proof.proved for proof in instances(changed))
-    both = right.with_map("quaternion", (-s, -t))  # the same rotation and, by the statement, the same quaternion
+    both = right.with_map("quaternion", (-s, -t))  # −q̂ is the same rotation, and the statement allows it
     assert not noticed(Components(both).quaternion())
 
 

@@ -1,4 +1,4 @@
-"""Scalars of charts: proved in every way they are computed; wrong ones fail."""
+"""Scalars of charts: every way to compute them is proved, and wrong scalars fail."""
 
 from __future__ import annotations
 

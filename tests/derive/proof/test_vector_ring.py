@@ -30,7 +30,7 @@ def ring(backend: str, root: int = 0) -> Ring:
 
 
 def value(element: Element) -> Fraction:
-    """Return the element at the point, from its stored form."""
+    """Return the value of an element at the point, from its stored form."""
     numbers = {**POINT, "x": SQUARE}
 
     def at(polynomial: Any) -> Fraction:
