@@ -7,12 +7,12 @@ r"""Scalars of the Cayley map of order n at ``x = v · v``, in closed form, with
 Here c_n and d_n are the brackets of CP23 (88) and (89) divided by x. The type of x decides the result: elements of Q(x)
 give formulas, numbers give values, traced numbers give programs.
 
-A slope, marked y, is ``2 d/dx``: it is the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second
-slopes are marked yy. With ``e = 2n/(1 + x)``, the slope of N over N, none of them divides by x. Only x is needed,
-never |v|, so a pure translation is no special case.
+A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second slopes are
+marked yy. The slope of N divided by N is ``e = 2n/(1 + x)``. No formula divides by x or uses |v|, so a pure translation
+is no special case.
 
 N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
-overflow: it is then NaN, and 1/N would be finite and wrong.
+overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .scalar import scalar
 
 
 class CayleyScalars(CayleyPolynomials):
-    """Scalars of the Cayley map of an order at x."""
+    """Scalars at x of the Cayley map of one order."""
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -36,7 +36,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def root(self) -> Coefficient:
-        """``(1 + x)^(n/2)``; for an even order the norm of half the order, without a square root."""
+        """Root ``(1 + x)^(n/2)`` of the norm; for even n the norm of order n/2, without a square root."""
         if self.order % 2:
             return self.m.name("root", self.m.sqrt(self.norm))
         p, q = self._half
@@ -45,7 +45,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def _half(self) -> tuple[Coefficient, Coefficient]:
-        """Return p and q of half the order."""
+        """Return p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
             p, q = polynomials.ring_pair(half)
@@ -71,7 +71,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """Return (p, q, size): ``p + q v`` is the quaternion times its size, which only half-angle formulas need."""
+        """Return (p, q, size): ``p + q v`` is the unit quaternion times the size, used by half-angle formulas only."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 
     # --- R = I + f skew(v) + g skew(v)², T = f I + g skew(v) + h v⊗v, CP23 (57), (88) --------------------------
