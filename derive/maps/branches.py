@@ -23,8 +23,8 @@ Derivatives = tuple[Coefficient, Coefficient, Coefficient]
 NOISE = 16
 """Divisor that detects noise: a term is rounding noise if, divided by it, the term leaves a sum unchanged.
 
-Such a term is below 8 eps of the sum. At half a turn the error of v is up to 4 eps of its length, the error of α up to
-4π eps, and the error of ``cot(α/2)`` up to 2π eps.
+Such a term is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
+2π eps for ``cot(α/2)``.
 """
 
 
@@ -85,7 +85,7 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
     first, *others = table[::3]
-    # a v at half a turn, up to rounding, is on the first branch
+    # up to rounding, v at half a turn is on the first branch
     limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]

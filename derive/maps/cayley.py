@@ -1,6 +1,6 @@
 r"""Cayley map of order n: its formulas in ``x = v · v``, and its chart.
 
-The map acts on unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), and equally on 6x6 adjoint
+The values are unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), or equally 6x6 adjoint
 matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation but another translation.
 
 Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``ω = dcay v̇`` is the space twist.

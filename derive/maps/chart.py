@@ -182,7 +182,7 @@ class Chart(Protocol):
         """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        """Return the two numbers that describe a turn by some branches, in the working precision of mpmath."""
+        """Return the two numbers that describe a turn by `branch` branches, in the working precision of mpmath."""
 
     def returns(self) -> Sequence[tuple[Any, Any, Any]]:
         """Return a table with a row for each turn back: the limit of x, and the two numbers of the turn.

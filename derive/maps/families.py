@@ -37,7 +37,7 @@ Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 
 @dataclass(frozen=True)
 class Family:
-    """A parameterization ``v = φ(α) u``.
+    """Parameterization ``v = φ(α) u``.
 
     Parameters
     ----------

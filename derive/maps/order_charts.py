@@ -26,7 +26,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
 
     @abstractmethod
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ and its first two derivatives by θ, from sine and cosine of θ; `mark` is a suffix of names."""
+        """Return φ and its first two derivatives by θ, from sine and cosine of θ; `mark` is a suffix for names."""
 
     @abstractmethod
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

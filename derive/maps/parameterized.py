@@ -194,7 +194,7 @@ class QuaternionChart(Parameterized):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of sin α on the branch of v.
 
-        For sin α = 0 return the sign of w at half a turn, and the sign of the translation along v at a whole turn.
+        For sin α = 0 return the sign of w at half a turn, or the sign of the translation along v at a whole turn.
         """
         return self._direction(self.scalars(x, m), y, m)
 

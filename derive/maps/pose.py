@@ -24,7 +24,7 @@ class Pose:
     displacement: Vector
 
     def __matmul__(self, other: Pose) -> Pose:
-        """Return the pose of moving by `other` first, then by this one."""
+        """Return the composed pose: first `other`, then this pose."""
         return Pose(self.rotation @ other.rotation, self.rotation @ other.displacement + self.displacement)
 
     def inverse(self) -> Pose:

@@ -53,7 +53,7 @@ class SineScalars(DependentScalars):
         self.S, self.W, self.H, self.B = polynomials_of(order)
 
     cc = scalar(lambda at: 1 - at.x)
-    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ.
+    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, self._value(polynomial))

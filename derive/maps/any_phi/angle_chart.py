@@ -50,7 +50,7 @@ class AngleChart(QuaternionChart):
 
     @abstractmethod
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ, φ′ and φ″ at an angle, NaN beyond the edge; `mark` is a suffix of names."""
+        """Return φ, φ′ and φ″ at an angle, NaN beyond the edge; `mark` is a suffix for names."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         r, slope, _ = self.phi_derivatives(angle, m)

@@ -4,7 +4,7 @@ r"""Closed form of φ⁻¹, for φ a composition of invertible functions, or φ�
     \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
     a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
 
-This root of the two is 0 at r = 0, and the formula loses no digits there.
+The formula gives the root that is 0 at r = 0, and loses no digits there.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from .grammar import PhiError
 DIGITS = 60
 """Working digits of numerical decisions."""
 EDGE_MAX = 4
-"""Largest edge, in units of π: charts without an edge end there."""
+"""Largest edge in units of π, where charts without an edge are cut."""
 GRID_POINTS = 2000
 
 

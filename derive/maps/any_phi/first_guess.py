@@ -78,7 +78,7 @@ class Variable(Protocol):
 
     @property
     def from_edge(self) -> bool:
-        """Return whether the angle is ``edge − z G(z)``; otherwise it is ``G(z)``."""
+        """Return whether the angle is ``edge − z G(z)`` instead of ``G(z)``."""
 
     def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return z at x and ``r = √x``."""

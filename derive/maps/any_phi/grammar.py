@@ -25,7 +25,7 @@ NUMBER = re.compile(r"(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?|\.(\d+)(?:[eE]([+-]?\
 
 
 class PhiError(ValueError):
-    """A refused φ, with the reason."""
+    """Error for a refused φ, with the reason."""
 
 
 def syntax_tree(text: str) -> ast.expr:

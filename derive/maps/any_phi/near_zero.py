@@ -1,4 +1,4 @@
-r"""The ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
+r"""Ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
 
 Let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0`` on the circle |α| = R, as proved by `intervals`. By the minimum principle,
 α = 0 is the only zero of φ inside. By Rouché's theorem, exactly one pair ±α inside has ``φ² = x``, for every |x| < m.
@@ -129,7 +129,7 @@ def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
-    """Return a bound of a and the m within which a is analytic, from the circle with the largest m."""
+    """Return a bound of |a|, and m such that a is analytic for |x| < m, from the circle with the largest m."""
     found = [(least, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
     for least, radius in sorted(found, key=lambda pair: -pair[0]):
         if least**2 > 2 * X and is_analytic(phi, radius):

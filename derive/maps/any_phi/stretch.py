@@ -79,9 +79,9 @@ class Best:
 def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
     """Yield the best φ up to an angle A among tangents, sines, and odd polynomials with φ′(0) = 1.
 
-    Among tangents ``2n tan(α/2n)`` the limit α is best: it attains the bound ``φ(A)/(2 sin(A/2))`` of the worst stretch,
-    and each tangent has ``φ(A) > A``. Among sines ``c sin(α/c)``, this quotient falls and ``1/φ′(A)`` grows as c decreases.
-    The best c makes both equal: c = 4 for every A. In Lambert's chart they are ``1/cos(α/4)`` and ``cos(α/4)``.
+    Among tangents ``2n tan(α/2n)`` the limit α is best: the worst stretch is at least ``φ(A)/(2 sin(A/2))``, and
+    tangents have ``φ(A) > A``. Among sines ``c sin(α/c)`` this quotient falls and ``1/φ′(A)`` grows as c decreases.
+    The best c makes both equal: c = 4 for every A. Lambert's chart has the values ``1/cos(α/4)`` and ``cos(α/4)``.
     """
     yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda at: (at, np.ones_like(at)), angle))
     c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))

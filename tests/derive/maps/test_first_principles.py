@@ -56,7 +56,7 @@ def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, 
 
 
 def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """Expect rates for u along a coordinate axis e, where ``u × e`` is zero and gives no direction across."""
+    """Expect rates for u along a coordinate axis e, where ``u × e`` is zero and no direction across."""
     for axis in Tensor.identity().rows:
         u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
         assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY

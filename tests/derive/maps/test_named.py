@@ -1,4 +1,4 @@
-"""Charts by name, and recognition of a φ that is one of them."""
+"""Charts by name, and recognition of φ of a named chart."""
 
 from __future__ import annotations
 
