@@ -1,7 +1,7 @@
 r"""Branches of a chart of order n: the axis of the principal angle, and turns of θ = α/2n by kπ/n.
 
-For the Cayley map v_k = r_k u follows from v = r u by ``r_k = (r cos + sin)/(cos − r sin)``, with the cosine and sine
-of ``kπ/n``, CP23 (49). The same formulas serve values and programs.
+For the Cayley map, v_k = r_k u follows from v = r u by ``r_k = (r cos + sin)/(cos − r sin)``, with the cosine and sine
+of ``kπ/n``, CP23 (49). The formulas serve both values and programs.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from . import polynomials
 from .cayley_scalars import CayleyScalars
 
 Derivatives = tuple[Coefficient, Coefficient, Coefficient]
-"""A value with its first and second derivatives."""
+"""Value with its first and second derivatives."""
 
 NOISE = 16
-"""Divisor for noise: a term that vanishes beside another after division by it is 0 but for rounding.
+"""Divisor that detects noise: a term is rounding noise if, divided by it, the term leaves a sum unchanged.
 
-The term is then below 8 eps of the other. A vector of half a turn has an error up to 4 eps of its length, α one of 4π
-eps, and ``cot(α/2)`` one of 2π eps.
+Such a term is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
+2π eps for ``cot(α/2)``.
 """
 
 
 def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
     """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
 
-    Where p = 0 it is the sign of q; where q = 0 that of the translation along v.
+    For p = 0 return the sign of q; for q = 0 return the sign of the translation along v.
     """
     sign, _ = _direction(n, at, y, r, m)
     return sign
@@ -42,7 +42,7 @@ def _direction(
 ) -> tuple[Coefficient, Coefficient]:
     """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
 
-    At half a turn p is 0 but for rounding, and q > 0: then the direction of v is kept.
+    At half a turn p is 0 up to rounding and q > 0; the direction of v is kept then.
     """
     sine = m.name("rq", r * m.abs(at.q))
     either = at.x if n == 1 else m.name("either", sine + at.p)
@@ -65,7 +65,7 @@ def natural(
 
 
 def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
-    """Return ``r_k = (r cos + sin)/(cos − r sin)``, ``dr_k/dr = 1/(cos − r sin)²`` and the derivative of that."""
+    """Return ``r_k = (r cos + sin)/(cos − r sin)``, ``dr_k/dr = 1/(cos − r sin)²`` and the second derivative."""
     cosine, sine = turn
     inverse = m.name("iden", m.div(1, cosine - r * sine))
     slope = m.name("slope", inverse * inverse)
@@ -73,7 +73,7 @@ def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Deriva
 
 
 def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
-    """Return r_k with its derivatives by r, from φ with its derivatives by the angle at r and at r_k."""
+    """Return r_k and its derivatives by r, from φ and its derivatives by the angle before and after the turn."""
     _, slope, bend = before
     slope = m.name("before", slope)
     rk, slope_k, bend_k = after
@@ -83,9 +83,9 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
 
 
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
-    """Return whether x lies beyond the first limit of the table, and the turn of the last limit it lies beyond."""
+    """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
     first, *others = table[::3]
-    # at half a turn, within rounding, v is on the first branch
+    # up to rounding, v at half a turn is on the first branch
     limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
@@ -102,7 +102,7 @@ def turn(n: int, branch: int) -> tuple[Any, Any]:
 
 
 def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
-    """Return for each step of π/n back the limit ``tan²((2j − 1)π/2n)`` of x, and the cosine and sine of the turn."""
+    """Yield the limit ``tan²((2j − 1)π/2n)`` of x, and the cosine and sine of the turn, for each turn back by jπ/n."""
     for j in range(1, n // 2 + 1):
         half = mpmath.mpf(2 * j - 1) / (2 * n)
         yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
@@ -123,7 +123,7 @@ class BranchesOfOrder:
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Return the Re α > 0 where T loses rank, 2πk, then the edge nπ, where v or T is infinite."""
+        """Return the angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
     def beyond(

@@ -8,7 +8,7 @@ With ``c = cos θ`` and ``x = (1 − c²)/c`` the quaternion is ``(c − x + 2 �
 
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 
-The division by c + x, in place of the product with c, keeps the norm 1 for any rounding error of c.
+Division by c + x, instead of multiplication by c, keeps the norm 1 for any rounding error of c.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
 
 
 def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return cos θ at x; NaN, not 0, where x² overflows."""
+    """Return cos θ at x; NaN instead of 0 where x² overflows."""
     below = twice_secant(x, m)
     return m.name("c", (below - below + 2) / below)
 
@@ -65,7 +65,7 @@ class BreusingScalars(DependentScalars):
 
     _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
     rate = scalar(lambda at: 4 * (at.w * at._over), "rho")
-    h = scalar(lambda at: at.c * at._twice * (2 + at._over))  # 2 c w (3 + 2 c²)/(1 + c²), of fewer operations
+    h = scalar(lambda at: at.c * at._twice * (2 + at._over))  # 2 c w (3 + 2 c²)/(1 + c²), with fewer operations
     _decline = scalar(lambda at: 2 * (at.c * at._over), "decline")  # −2 c′/c
     _share = scalar(lambda at: 4 * (at.cc * at._over), "share")  # 4 c²/(1 + c²)
 
@@ -77,7 +77,7 @@ class BreusingScalars(DependentScalars):
 
     _sharing = scalar(lambda at: -2 * (at._share * at._over * at._decline), "sharey")
     f = scalar(lambda at: at.s * at._twice)
-    g = scalar(lambda at: 8 * (at.c / (at._size * at._size)))  # 2 w² = 8 c/(c + x)², of fewer roundings
+    g = scalar(lambda at: 8 * (at.c / (at._size * at._size)))  # 2 w² = 8 c/(c + x)², with fewer roundings
     fi = scalar(lambda at: at._above / (2 * at._root))  # s/w = (c − x)/(2 √c)
     hi = scalar(lambda at: at.m.div(3, 4 * at._root))  # 3/(4 √c)
     hiy = scalar(lambda at: at.m.div(at.hi * at._decline, 2))

@@ -1,7 +1,7 @@
-r"""The Cayley map of order n: its formulas in ``x = v · v``, and its chart.
+r"""Cayley map of order n: its formulas in ``x = v · v``, and its chart.
 
-This is the Cayley map of unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), equally of 6x6
-adjoint matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation and another translation.
+The values are unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), or equally 6x6 adjoint
+matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation but another translation.
 
 Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``ω = dcay v̇`` is the space twist.
 """
@@ -29,19 +29,19 @@ EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent
 """Numbers of the general equations of each map in CP23."""
 
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
-"""First of the four equations (q̂, R, dcay, dcay⁻¹) that CP23 prints for an order."""
+"""Number of the first of the four equations (q̂, R, dcay, dcay⁻¹) in CP23, by order."""
 
 
 @dataclass(frozen=True)
 class Cayley(branches.BranchesOfOrder, Parameterized):
-    """The Cayley map of order n, ``v = tan(α/2n) u``.
+    """Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
     ----------
     order : int
-        n ≥ 1. TypeError for anything but an integer, ValueError below 1.
+        Integer n ≥ 1: TypeError for other types, ValueError below 1.
     name, selection : optional
-        Of a user's φ that is tan(α/2n): the name of its module, and the option that selects it.
+        Name of the module and command-line option, for a user's φ equal to tan(α/2n).
 
     Attributes
     ----------
@@ -78,32 +78,32 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
 
     @property
     def n(self) -> int:
-        """The order."""
+        """Order n."""
         return self.order
 
     @cached_property
     def p(self) -> sympy.Expr:
-        """p_n, CP23 (51)."""
+        """Polynomial p_n, CP23 (51)."""
         return polynomials.p(self.order)
 
     @cached_property
     def q(self) -> sympy.Expr:
-        """q_n, CP23 (52)."""
+        """Polynomial q_n, CP23 (52)."""
         return polynomials.q(self.order)
 
     @cached_property
     def c(self) -> sympy.Expr:
-        """``[n (1+x)ⁿ⁻¹ − p q]/x``, the bracket of dcay_n."""
+        """Bracket ``[n (1+x)ⁿ⁻¹ − p q]/x`` of dcay_n."""
         return polynomials.c(self.order)
 
     @cached_property
     def d(self) -> sympy.Expr:
-        """``[(1+x) q − n p]/x``, the bracket of dcay_n⁻¹."""
+        """Bracket ``[(1+x) q − n p]/x`` of dcay_n⁻¹."""
         return polynomials.d(self.order)
 
     @property
     def poles(self) -> tuple[sympy.Expr, ...]:
-        """Re|v| > 0 where dcay_n⁻¹ has a pole, ``tan(kπ/n)``."""
+        """Lengths ``Re|v| = tan(kπ/n)`` at the poles of dcay_n⁻¹."""
         return polynomials.poles(self.order)
 
     @cached_property

@@ -1,7 +1,7 @@
 """Polynomials p_n, q_n and the brackets c_n, d_n of CP23 (88), (89) at x, with their derivatives.
 
-Above `HORNER_LIMIT` they come from the chain, divided by powers of 1 + x. p, q and d, which scalars use in quotients
-only, are divided by the power ⌊n/2⌋, and c by its square, as p² and x q² are.
+Above `HORNER_LIMIT` they come from the chain, divided by powers of 1 + x. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p,
+q and d is D, and the divisor of c, p² and x q² is D². Scalars use quotients only, where the divisors cancel.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from .scalar import scalar
 
 
 def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet], Coefficient]) -> scalar:
-    """Return a scalar: a derivative of p, q, c or d, by Horner's rule or from the jets of p and q of the chain."""
+    """Return the scalar for a derivative of p, q, c or d, by Horner's rule or from the jets of the chain."""
     return scalar(lambda at: at._at_x(letter, derivative) if at._expanded else by_chain(at, *at._jets))
 
 
 class CayleyPolynomials:
-    """Polynomials of an order at x, each computed and named when it is first asked for."""
+    """Polynomials of one order at x, each computed and named on first use."""
 
     def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
         self.order = order
@@ -32,7 +32,7 @@ class CayleyPolynomials:
 
     @property
     def _expanded(self) -> bool:
-        """Return whether Horner's rule is used; for higher orders it loses digits on shadows."""
+        """Return whether Horner's rule is used; at higher orders it loses digits on shadows."""
         return self.order <= HORNER_LIMIT
 
     @cached_property
@@ -43,7 +43,7 @@ class CayleyPolynomials:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """``1/(1 + x)``; NaN where its power `CHAIN_POWER` underflows, which would make second slopes wrong."""
+        """Factor ``1/(1 + x)``; NaN if the power `CHAIN_POWER` of 1 + x overflows: second slopes would be wrong."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)

@@ -7,12 +7,12 @@ r"""Scalars of the Cayley map of order n at ``x = v · v``, in closed form, with
 Here c_n and d_n are the brackets of CP23 (88) and (89) divided by x. The type of x decides the result: elements of Q(x)
 give formulas, numbers give values, traced numbers give programs.
 
-A slope, marked y, is ``2 d/dx``: it is the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second
-slopes are marked yy. With ``e = 2n/(1 + x)``, the slope of N over N, none of them divides by x. Only x is needed,
-never |v|, so a pure translation is no special case.
+A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second slopes are
+marked yy. The slope of N divided by N is ``e = 2n/(1 + x)``. No formula divides by x or uses |v|, so a pure translation
+is no special case.
 
 N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
-overflow: it is then NaN, and 1/N would be finite and wrong.
+overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .scalar import scalar
 
 
 class CayleyScalars(CayleyPolynomials):
-    """Scalars of the Cayley map of an order at x."""
+    """Scalars at x of the Cayley map of one order."""
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -36,7 +36,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def root(self) -> Coefficient:
-        """``(1 + x)^(n/2)``; for an even order the norm of half the order, without a square root."""
+        """Root ``(1 + x)^(n/2)`` of the norm; for even n the norm of order n/2, without a square root."""
         if self.order % 2:
             return self.m.name("root", self.m.sqrt(self.norm))
         p, q = self._half
@@ -45,7 +45,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def _half(self) -> tuple[Coefficient, Coefficient]:
-        """Return p and q of half the order."""
+        """Return p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
             p, q = polynomials.ring_pair(half)
@@ -71,7 +71,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
-        """Return (p, q, size): ``p + q v`` is the quaternion times its size, which only half-angle formulas need."""
+        """Return (p, q, size): ``p + q v`` is the quaternion times the size; only half-angle formulas use the size."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 
     # --- R = I + f skew(v) + g skew(v)², T = f I + g skew(v) + h v⊗v, CP23 (57), (88) --------------------------
@@ -82,7 +82,7 @@ class CayleyScalars(CayleyPolynomials):
 
     @property
     def rate(self) -> Coefficient:
-        """``2n/(1 + x)``."""
+        """Factor ``2n/(1 + x)`` of T along the axis."""
         return self._growth
 
     ratey = scalar(lambda at: -at._falling, "ey")  # −4n/(1 + x)²
@@ -99,13 +99,13 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def gyy(self) -> Coefficient:
-        """``2 gy′ = 16 (q q″ + q′²)/N − e (gy + 8 q q′/N) + (e²/n) g``."""
+        """Second slope of g, ``2 gy′ = 16 (q q″ + q′²)/N − e (gy + 8 q q′/N) + (e²/n) g``."""
         bend = 8 * ((self.q * self.ddq + self.dq * self.dq) * self._twice_inverse_norm)
         return self.m.name("gyy", bend - (self._growing_gy + self._growth * self._rising) + self._falling_g)
 
     @cached_property
     def hyy(self) -> Coefficient:
-        """``2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h``."""
+        """Second slope of h, ``2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h``."""
         bend = 4 * (self.ddc * self._twice_inverse_norm)
         return self.m.name("hyy", bend - self._growth * (self.hy + self._bending) + self._falling * self.h)
 
@@ -120,18 +120,18 @@ class CayleyScalars(CayleyPolynomials):
 
     @cached_property
     def hiy(self) -> Coefficient:
-        """``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
+        """Slope of h_i, ``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
         change = 2 * self.dd - 2 * self.dq * self._bracket
         return self.m.name("hiy", self.m.div(change * self._inverse_q, self.order))
 
     @cached_property
     def fiyy(self) -> Coefficient:
-        """``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
+        """Second slope of f_i, ``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
         change = 4 * self.c * self._log_slope - 2 * self.dc
         return self.m.name("fiyy", change * self._inverse_q * self._inverse_q)
 
     @cached_property
     def hiyy(self) -> Coefficient:
-        """``2 hiy′ = 4 (d″ − d q″/q)/(n q) − 4 (q′/q) hiy``."""
+        """Second slope of h_i, ``2 hiy′ = 4 (d″ − d q″/q)/(n q) − 4 (q′/q) hiy``."""
         bend = self.m.div(4 * ((self.ddd - self.ddq * self._bracket) * self._inverse_q), self.order)
         return self.m.name("hiyy", bend - 4 * self._log_slope * self.hiy)

@@ -22,7 +22,7 @@ def quaternion(n: int, at: Coefficient) -> Pair:
 
     .. math:: \hat q = \frac{p_n + q_n v}{(1+x)^{n/2}}
 
-    Defined for every v. With v on branch k and even n this is ``(−1)ᵏ q̂`` of the principal branch.
+    Defined for every v. For v on branch k and even n, the result is ``(−1)ᵏ q̂`` with q̂ of the principal branch.
     """
     at_x = scalars(n, at)
     return at_x.s, at_x.w
@@ -46,7 +46,7 @@ def tangent(n: int, at: Coefficient) -> Isotropic:
         \mathrm{dcay}_n = \frac{2 p_n q_n}{(1+x)^n}\,I + \frac{2 q_n^2}{(1+x)^n}\,\tilde v
             + \frac{2 c_n}{(1+x)^n}\,v \otimes v, \qquad x\,c_n = n (1+x)^{n-1} - p_n q_n
 
-    Defined for every v; loses rank at ``q_n = 0``, that is Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
+    Defined for every v. The rank drops at ``q_n = 0``, that is at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
     """
     at_x = scalars(n, at)
     return Isotropic(at_x.f, at_x.g, at_x.h, at)

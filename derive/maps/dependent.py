@@ -1,4 +1,4 @@
-r"""Scalars that follow from others in every chart: from s and w, h and ``ρ = 1/φ′``, with their slopes.
+r"""Scalars of every chart that follow from s, w, and from h and ``ρ = 1/φ′`` with their slopes.
 
 .. math::
     f = 2 s w \quad g = 2 w^2 \quad f + x h = \rho \qquad
@@ -7,8 +7,8 @@ r"""Scalars that follow from others in every chart: from s and w, h and ``ρ = 1
     f_i = \frac{s}{w} \quad h_i = \frac{g - f_i h}{\rho} \qquad
     f_{iy} = -\frac{h}{g} \quad h_{iy} = \frac{g_y - f_{iy} h - f_i h_y - h_i \rho_y}{\rho}
 
-and their derivatives. They follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where two terms cancel,
-the factor of their difference is small, so that no digits are lost.
+and derivatives of these. All follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where two terms
+cancel, a small factor multiplies the difference, so no digits are lost.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .scalar import scalar
 
 
 class DependentScalars:
-    """Scalars of a chart. A subclass has s and w, and h and ``rate``, ρ, with their first and second slopes."""
+    """Scalars of a chart. A subclass provides s, w, and both h and ρ (``rate``) with first and second slopes."""
 
     s: Any
     w: Any

@@ -1,6 +1,6 @@
 """Evaluation of p_n, q_n and their derivatives without loss of digits, by Horner's rule or a chain of doublings.
 
-The chain divides by powers of 1 + x at each step, so that no order overflows sooner than the fourth.
+The chain divides by powers of 1 + x at each step. Every order then overflows no sooner than order 4.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ HORNER_LIMIT = 8
 """Largest order evaluated by Horner's rule: above it, large alternating coefficients cancel and digits are lost."""
 
 CHAIN_POWER = 4
-"""Power of 1 + x whose inverse second slopes need; it must not overflow."""
+"""Largest power of 1/(1 + x) in second slopes: ``(1 + x)^4`` must not overflow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +78,10 @@ def horner(polynomial: Any, x: Coefficient) -> Coefficient:
 
 
 def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
-    """Return jets of (p_k, q_k) over ``(1 + x)^⌊k/2⌋`` for every k between 1 and ``order`` of a chain of doublings.
+    """Return the jets of (p_k, q_k), divided by ``(1 + x)^⌊k/2⌋``, for each k on a chain of doublings up to ``order``.
 
-    ``p_2k = p² − x q²``, ``q_2k = 2 p q``; ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``: no alternating sums. Derivatives
-    are those of p_k and q_k, divided alike. Where k is odd, the squares are divided once more, by 1 + x.
+    Steps are ``p_2k = p² − x q²``, ``q_2k = 2 p q`` and ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``, without alternating
+    sums. Derivatives of p_k and q_k are divided by the same power. Doubling an odd k divides once more by 1 + x.
     """
     argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
     k, p, q = 1, Jet(1), Jet(1)

@@ -1,9 +1,9 @@
-r"""The exponential of so(3) over dual numbers, on tensors and on quaternions.
+r"""Exponential of so(3) over dual numbers, on tensors and on quaternions.
 
 .. math:: \exp\tilde a = I + \frac{\sin|a|}{|a|}\,\tilde a + \frac{1 - \cos|a|}{|a|^2}\,\tilde a^2 \qquad
     \text{CP23 (17), (25)}
 
-Where Re a = 0 the series ends by itself: ``skew(a)³ = −|a|² skew(a) = 0``.
+For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
     a : Vector
         Euler (dual) vector.
     library
-        Provides ``sin``, ``cos``, ``sqrt`` of its coefficients.
+        Provider of ``sin``, ``cos``, ``sqrt`` for the coefficients.
     """
     square, skew = a.dot(a), Tensor.skew(a)
     if is_zero(real_part(square)):

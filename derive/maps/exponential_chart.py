@@ -1,4 +1,4 @@
-r"""The exponential chart, ``v = α u``: T is dexp, and the inverse map is the logarithm.
+r"""Exponential chart, ``v = α u``: T is dexp, and the inverse map is the logarithm.
 
 .. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x) \qquad x = \alpha^2
 """
@@ -32,7 +32,7 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Series below the limit; at angle 0 beyond it."""
+        """Stumpff functions of the half angle by series; beyond the limit unused, at angle 0."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
@@ -40,19 +40,19 @@ class ExponentialScalars(DependentScalars):
     def _whole(self) -> stumpff.WholeAngle:
         return stumpff.WholeAngle(self._half, self.m)
 
-    # α² beyond the limit; for x below it, another number beyond
+    # α² beyond the limit; for x below the limit, a stand-in beyond it
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """``cos(α/2)`` and ``sin(α/2)/α``."""
+        """Values of ``cos(α/2)`` and ``sin(α/2)/α``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
         return cosine, sine / self._angle
 
     @cached_property
     def _turned(self) -> tuple[Coefficient, Coefficient]:
-        """``sin α`` and ``1 − cos α``, corrected by the rounding error of the root."""
+        """Values of ``sin α`` and ``1 − cos α``, corrected for the rounding error of the root α = √x."""
         t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
@@ -61,14 +61,14 @@ class ExponentialScalars(DependentScalars):
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    # (α² − root²)/2α, α² the exact sum of the squares that are given
+    # (α² − root²)/2α, with α² the exact sum of the given squares
     _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
 
     @property
     def _left(self) -> Coefficient:
-        """``α² − root²``, by terms that are exact up to α = 8.
+        """Difference ``α² − root²``, by terms that are exact up to α = 8.
 
-        Beyond 8 it is 0: the error may be no small angle there, and a correction would not keep R a rotation.
+        Beyond 8 it is set to 0: the error may be a large angle, and a corrected R would not be a rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside

@@ -12,7 +12,7 @@ With ``q̂ = cos α/2 + u sin α/2`` and φ odd and smooth,
     T^{-1} &= \frac{\varphi}{2} \cot\frac{\alpha}{2}\,I - \frac12\,\tilde v
         + \frac{\varphi' - (\varphi/2) \cot(\alpha/2)}{\varphi^2}\,v \otimes v
 
-where ``ω = T v̇`` is the space twist. Both are smooth functions of ``x = v · v`` at α = 0.
+where ``ω = T v̇`` is the space twist. All coefficients are smooth functions of ``x = v · v`` at α = 0.
 ``det T = 2 (1 − cos α)/(φ′ φ²)``, so that T loses rank at Re α = 2πk, k ≠ 0, and is not defined where φ′ = 0.
 """
 
@@ -30,26 +30,26 @@ from .any_phi.elementary import evaluate
 from .polynomials import require_order, x
 
 alpha = sympy.Symbol("alpha")
-"""The dual angle α: rotation angle + ε translation along the screw axis."""
+"""Dual angle α: rotation angle + ε translation along the screw axis."""
 
 Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 
 
 @dataclass(frozen=True)
 class Family:
-    """A parameterization ``v = φ(α) u``.
+    """Parameterization ``v = φ(α) u``.
 
     Parameters
     ----------
     name : str
     order : int
-        The order n of the Cayley map that a(v) belongs to.
+        Order n of the Cayley map with the factor a(v).
     phi : Expr
         φ as a function of `alpha`: odd, smooth near 0, φ′(0) rational and not 0.
     scale : Expr
-        a(v) as a function of ``x = v · v``.
+        Factor a(v) as a function of ``x = v · v``.
     domain : str
-        The angles Re α at which φ is defined, increasing, and a(v) belongs to this α.
+        Range of Re α in which φ is defined and increases, and `scale` holds.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Family:
 
     @cached_property
     def slope(self) -> sympy.Expr:
-        """φ′."""
+        """Derivative φ′."""
         return self.phi.diff(alpha)
 
     @property
@@ -76,7 +76,7 @@ class Family:
         return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
 
     def at(self, angle: Coefficient, library: Any = functions) -> Coefficient:
-        """Return φ of a number; `library` has its ``sin``, ``cos`` and ``sqrt``.
+        """Return φ at a number; `library` provides ``sin``, ``cos`` and ``sqrt`` for it.
 
         Raises
         ------
@@ -86,7 +86,7 @@ class Family:
         return evaluate(self.phi, alpha, angle, library)
 
     def vector(self, angle: Coefficient, axis: Vector, library: Any = functions) -> Vector:
-        """Return ``v = φ(α) u`` of a screw."""
+        """Return ``v = φ(α) u`` for a dual angle α and an axis u."""
         v: Vector = axis * self.at(angle, library)
         return v
 
@@ -126,9 +126,9 @@ def breusing() -> Family:
 
 
 def isochoric() -> Family:
-    """Isochoric vector, ``[6 (α − sin α)]^(1/3) u``: det T = 1, so that it keeps volumes of sets of rotations."""
+    """Isochoric vector, ``[6 (α − sin α)]^(1/3) u``, with det T = 1: volumes of sets of rotations are preserved."""
     phi = sympy.cbrt(6 * (alpha - sympy.sin(alpha)))
-    scale = phi * sympy.cot(alpha / 2)  # no elementary function of x
+    scale = phi * sympy.cot(alpha / 2)  # not an elementary function of x
     return Family("isochoric", 1, phi, scale, "every alpha; T loses rank at |Re alpha| = 2 pi k")
 
 
@@ -147,5 +147,5 @@ def of_angle(phi: sympy.Expr) -> SimpleNamespace:
 
 
 def by_square(expression: sympy.Expr, phi: sympy.Expr) -> sympy.Expr:
-    """Return the derivative by x = φ² of a function of α."""
+    """Return the derivative of a function of α with respect to x = φ²."""
     return expression.diff(alpha) / (2 * phi * phi.diff(alpha))

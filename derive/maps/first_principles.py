@@ -30,7 +30,7 @@ def body_twist(R: Tensor, R_dot: Tensor) -> Vector:
 
 
 def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, differentiated along each axis."""
+    """Return the operator that takes v̇ to the space twist of ``tensor(v)``, by differentiation along each axis."""
     columns = []
     for axis in Tensor.identity().rows:
         R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
@@ -44,7 +44,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
     Raises
     ------
     ZeroDivisionError
-        Where the twist does not determine u̇.
+        If the twist does not determine u̇.
     """
     across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
     first = next(w for w in across if not is_zero(real_part(w.dot(w))))
@@ -59,7 +59,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
-    """Return the coefficient with a time derivative, nested below its dual unit if it has one."""
+    """Return the coefficient with its time derivative as dual part; for a dual number, inside each of its two parts."""
     if not isinstance(c, Dual):
         return Dual(c, rate)
     return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))

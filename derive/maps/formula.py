@@ -1,4 +1,4 @@
-"""Formulas of the paper as values: coefficients, equation numbers, domain."""
+"""Formulas of the paper as objects with coefficients, equation numbers and domain."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..algebra import Dual, Isotropic, Quaternion, Tensor, Vector
 from .polynomials import x
 
 LATEX_ORDER = "rev-lex"
-"""Ascending powers, as the paper prints its polynomials."""
+"""Order of terms in LaTeX: ascending powers, as in the paper."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,15 +26,15 @@ class Formula:
     order : int
         The order n.
     coefficients : tuple of Expr
-        In `x`, exact and reduced.
+        Functions of `x`, exact and reduced.
     at : callable
-        The same coefficients at any number x, as `closed_forms` computes them.
+        Function that returns the coefficients at any number x.
     equations : tuple of int
-        Its equations in CP23: the general one, then that of this order if the paper prints it.
+        Equation numbers in CP23: the general equations, then the one printed for this order, if any.
     identities : tuple of str
-        Identities that it satisfies.
+        Identities that the formula satisfies.
     domain, singular : str
-        Where it is defined, and where it or its inverse is not.
+        Texts on the domain of the map, and on the singular set of the map or its inverse.
     symbol, definition : str
         LaTeX of the left-hand side and of the right-hand side in p_n, q_n.
     """
@@ -54,7 +54,7 @@ class Formula:
     """LaTeX of the basis that the coefficients multiply."""
 
     def latex(self) -> str:
-        r"""Return the formula with its coefficients written out, ``symbol = definition = a I + …``.
+        r"""Return the formula as LaTeX with explicit coefficients, ``symbol = definition = a I + …``.
 
         Examples
         --------
@@ -70,7 +70,7 @@ class Formula:
         return f"$\\displaystyle {self.latex()}$"
 
     def _expand(self, v: Sequence[sympy.Expr]) -> tuple[tuple[Dual, ...], Vector]:
-        """Return the coefficients at the dual vector `v`, f(x) + ε x° f′(x), and that vector."""
+        """Return the coefficients ``f(x) + ε x° f′(x)`` at the dual vector `v`, and the vector itself."""
         if len(v) != 6:
             raise ValueError(f"expected 6 symbols, real part v1 v2 v3 then dual part, got {len(v)}")
         vector = Vector.dual(v[:3], v[3:])
@@ -118,7 +118,7 @@ class IsotropicMap(Formula):
 
 
 class QuaternionMap(Formula):
-    """Unit dual quaternion ``s + t v``; its coefficients are (s, t), over ``(1+x)^(n/2)``."""
+    """Unit dual quaternion ``s + t v``; its coefficients (s, t) have the denominator ``(1+x)^(n/2)``."""
 
     __slots__ = ()
 

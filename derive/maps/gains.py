@@ -1,7 +1,7 @@
-r"""Gain of a Cayley map, ``v = gain · vec q``: from a quaternion to the vector, for values and programs.
+r"""Gain of a Cayley map: the factor in ``v = gain · vec q``, for values and programs.
 
-The gain is ``tan(α/2n)/sin(α/2)`` with the sign of the scalar part. For powers of two half-angle formulas replace
-trigonometric functions.
+The gain is ``tan(α/2n)/sin(α/2)`` with the sign of the scalar part. For n a power of two,
+half-angle formulas replace trigonometric functions.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from ..algebra.arithmetic import Arithmetic
 
 
 def gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-    """Return ``tan(α/2n)/|vec q|`` with the sign of the scalar part, of a quaternion of norm `size`.
+    """Return ``tan(α/2n)/|vec q|`` with the sign of the scalar part, for a quaternion of norm `size`.
 
-    `size` is needed for n = 2, 4, 8, … only. Infinite at α = nπ, that is for n = 1 at half a turn.
+    Only n = 2, 4, 8, … need `size`. The gain is infinite at α = nπ: for n = 1 at half a turn.
     """
     if n == 1:
         return m.div(1, q.scalar)
@@ -24,30 +24,30 @@ def gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool
     if has_ladder(n):
         return m.div(sign, _ladder(n, cosine, size, m))
     still, square, sine = half_sine(q, cosine, m)
-    if not (positive or isinstance(size, int)):  # NaN, not 1/∞ = 0, where the square of a product overflows
+    if not (positive or isinstance(size, int)):  # NaN instead of 1/∞ = 0 where the square overflows
         sine = m.name("sinq", square / sine)
     tangent = m.tan(m.div(m.atan2(sine, cosine), n))
     return sign * (m.where(still, 1, tangent) / m.where(still, n * cosine, sine))
 
 
 def half_cosine(q: Quaternion, m: Arithmetic, positive: bool) -> tuple[Any, Coefficient]:
-    """Return whether the scalar part is negative, and its size."""
+    """Return whether the scalar part is negative, and its absolute value."""
     negative = False if positive else m.name("negative", m.less(q.scalar, 0))
     cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
     return negative, cosine
 
 
 def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, Coefficient, Coefficient]:
-    """Return whether the vector part is 0, its square, and its length; where it is 0 another length."""
+    """Return whether the vector part is 0, its square, and its length (a stand-in for a zero vector)."""
     square = m.name("ss", q.vector.dot(q.vector))
     still = m.name("still", m.equal(square, 0))
-    # no root of 0: its derivative is infinite, and 0 times infinity is no gradient
+    # avoid the root of 0: its derivative is infinite, and 0 · ∞ would spoil the gradient
     sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
     return still, square, sine
 
 
 def has_ladder(n: int) -> bool:
-    """Return whether log2(n) half-angle formulas lead from α/2 to α/2n: n is a power of two."""
+    """Return whether n is a power of two: then log2(n) half-angle formulas lead from α/2 to α/2n."""
     return n & (n - 1) == 0
 
 

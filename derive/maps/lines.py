@@ -1,7 +1,7 @@
-r"""Oriented lines as unit dual vectors: Study's mapping, and the distance of two lines.
+r"""Oriented lines as unit dual vectors: Study's mapping, and the distance between two lines.
 
 The line through the point p with unit direction a is ``a + ε p × a`` (direction, moment about the origin). The
-functions take any real coefficients; `library` has their ``sqrt``.
+functions take any real coefficients; `library` provides their ``sqrt``.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ def foot(line: Vector) -> Vector:
 
 
 def distance(a: Vector, b: Vector, library: Any = functions) -> Coefficient:
-    """Return the shortest distance of two lines that are not parallel, ``|(q − p)·(a × b)| / |a × b|``."""
+    """Return the shortest distance between two lines that are not parallel, ``|(q − p)·(a × b)| / |a × b|``."""
     normal = a.re.cross(b.re)
     return abs((foot(b) - foot(a)).dot(normal)) / library.sqrt(normal.dot(normal))
 
 
 def distance_of_parallels(a: Vector, b: Vector, library: Any = functions) -> Coefficient:
-    """Return the distance of two parallel lines of either orientation, ``|(q − p) × a|``."""
+    """Return the distance between two parallel lines of either orientation, ``|(q − p) × a|``."""
     across = (foot(b) - foot(a)).cross(a.re)
     return library.sqrt(across.dot(across))

@@ -1,7 +1,7 @@
-r"""Charts with a scale: ``v = K w``, w the vector of a base chart.
+r"""Multiples of a base chart: ``v = K w`` with w the vector of the base chart.
 
-``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is that of w at ``x/K²``, divided by a power of K
-(`POWERS`); its inverse maps and branches are those of the base chart:
+``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is the scalar of w at ``x/K²``, divided by a
+power of K (`POWERS`). Inverse maps and branches come from the base chart:
 
 .. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
     f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}
@@ -48,7 +48,7 @@ def divided(value: Coefficient, factor: Fraction, m: Arithmetic, power: int = 1)
 
 
 class MultipleScalars:
-    """Scalars of ``v = K w``, from those of the base chart at ``x/K²``."""
+    """Scalars of ``v = K w``, from the scalars of the base chart at ``x/K²``."""
 
     def __init__(self, base: Scalars, factor: Fraction, m: Arithmetic) -> None:
         self.base = base
@@ -72,14 +72,14 @@ class MultipleScalars:
 
 @dataclass(frozen=True)
 class Multiple(Parameterized):
-    """Chart ``v = K w`` of a base chart: its branches, edge and singular angles are those of the base chart.
+    """Chart ``v = K w`` with the branches, edge and singular angles of its base chart.
 
     Attributes
     ----------
     base : Chart
-        The chart of w.
+        Chart of w.
     factor : Fraction
-        K > 0.
+        Factor K > 0.
     """
 
     name: str
@@ -188,7 +188,7 @@ class Multiple(Parameterized):
         return self.base.turn(branch)
 
     def returns(self) -> Sequence[tuple[Any, Any, Any]]:
-        """Return the table of the base chart: its limits are those of ``x/K²``."""
+        """Return the table of the base chart, whose limits apply to ``x/K²``."""
         return self.base.returns()
 
     def _square(self, x: Coefficient, m: Arithmetic) -> Coefficient:

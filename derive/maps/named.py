@@ -1,4 +1,4 @@
-"""Charts by name, and the chart of a user's φ: a named chart, a multiple of one, or another."""
+"""Charts by name, and the chart of a user's φ: a named chart, a multiple of a named chart, or a general chart."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ ORDER_DIGITS_MAX = 9
 
 
 def sine(n: int) -> Sine:
-    """Return ``sin(α/2n) u``."""
+    """Return the sine chart ``sin(α/2n) u``."""
     return Sine(f"sine{n}", require_order(n), title=f"Sine chart of order {n}")
 
 
 def scaled(n: int) -> Multiple:
-    """Return ``2n tan(α/2n) u``, the normal higher-order Rodrigues vector."""
+    """Return the chart ``2n tan(α/2n) u``, the normal higher-order Rodrigues vector."""
     return Multiple(f"scaled{n}", Cayley(n), Fraction(2 * n), title=f"Normal Rodrigues vector of order {n}")
 
 
@@ -53,10 +53,10 @@ SINGLE: Mapping[str, Callable[[], Named]] = {
 """Charts by name."""
 
 SYMBOLIC = ("isochoric",)
-"""Names of `families` without a kernel: their scalars are no elementary functions of x."""
+"""Names of `families` without kernels: their scalars are not elementary functions of x."""
 
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
-"""Charts by the part of the name before the order."""
+"""Charts as functions of the order, by the stem of the name."""
 
 
 def family(name: str) -> Named:
@@ -65,7 +65,7 @@ def family(name: str) -> Named:
     Raises
     ------
     ValueError
-        If there is none of that name.
+        If no parameterization has that name.
     """
     numbered = re.fullmatch(rf"([a-z]+?)([1-9]\d{{0,{ORDER_DIGITS_MAX - 1}}})", name)
     if name in SINGLE:
@@ -81,7 +81,7 @@ def family(name: str) -> Named:
 
 
 def recognized(phi: sympy.Expr) -> Named | None:
-    """Return the known chart that a φ describes, or a multiple of one; None for another φ. The decision is exact."""
+    """Return the known chart of φ, or the multiple of a known chart, by an exact decision; None for another φ."""
     if phi == Breusing().phi:
         return Breusing()
     form = multiple_of_known(phi)
@@ -97,7 +97,7 @@ def recognized(phi: sympy.Expr) -> Named | None:
 
 
 def described(chart: Chart) -> str:
-    """Return the name of a known chart, ``cayley1`` or ``2 sine1``; nothing for another φ."""
+    """Return the name of a known chart, such as ``cayley1`` or ``2 sine1``; an empty text for another φ."""
     match chart:
         case Multiple():
             return f"{chart.factor} {described(chart.base)}"
@@ -109,16 +109,16 @@ def described(chart: Chart) -> str:
 
 
 def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
-    """Return the chart of a φ under the given name; a known chart where φ describes one.
+    """Return the chart of φ under the given name: a known chart where φ describes one, else a general chart.
 
     Parameters
     ----------
     phi : str or Expr
-        Odd, in `families.alpha`; a text is read by `expressions.parsed`.
+        Odd function of `families.alpha`; a text is read by `expressions.parsed`.
     name : str
-        Name of its module, an identifier.
+        Name of the generated module, an identifier.
     order : int, optional
-        The value of n in a text.
+        Value of n in a text.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None)
     expression = parsed(phi, order) if isinstance(phi, str) else phi
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
         raise PhiError(f"the name of a module is an identifier, got {name!r}")
-    if expression != 0 and parity(expression) != -1:  # φ = 0 is refused for its slope
+    if expression != 0 and parity(expression) != -1:  # edge_of refuses φ = 0 for its slope
         raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
     with_n = f" -n {order}" if order is not None else ""
     selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")

@@ -1,4 +1,4 @@
-r"""Angles near nπ, the pole of φ in a chart of order n, by their distance γ = nπ − α from it.
+r"""Angles near the pole nπ of φ in a chart of order n, by the distance γ = nπ − α.
 
 The rounding error of α is relative to α, so that ``nπ − α`` has few digits near the pole. Sine and cosine of α/2 give
 all digits of γ:
@@ -18,9 +18,9 @@ Sides = tuple[Any, Coefficient, Coefficient]
 
 
 def sides(n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Sides:
-    """Return whether |α| is near nπ, then γ there and |α| elsewhere, and the sign of α.
+    """Return whether |α| is near nπ, the value γ if so or |α| if not, and the sign of α.
 
-    ``sine >= 0`` and cosine are those of α/2 up to a common factor.
+    ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor.
     """
     side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
     size = m.name("size", m.abs(angle))

@@ -1,6 +1,6 @@
-r"""Charts of order n, θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``, CP23 (60) with ``a = cos θ/σ``.
+r"""Charts of order n with θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ``, ``σ = sin θ/|v|``; CP23 (60) with ``a = cos θ/σ``.
 
-A subclass defines φ as a function of θ. Branches differ by turns of θ by ``kπ/n``, brought back to |θ| < π/2.
+A subclass defines φ as a function of θ. Branches differ by turns ``kπ/n`` of θ, reduced to |θ| < π/2.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
 
     @abstractmethod
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ and its first two derivatives by θ, from sine and cosine of θ; a mark tells names apart."""
+        """Return φ and its first two derivatives by θ, from sine and cosine of θ; `mark` is a suffix for names."""
 
     @abstractmethod
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
@@ -37,7 +37,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         """Return numerator and denominator of ``φ/sin θ``."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Return φ and φ′ at the angle brought into (−nπ, nπ], where cos θ ≥ 0."""
+        """Return φ and φ′ at the angle reduced to (−nπ, nπ], where cos θ ≥ 0."""
         return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
     def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -1,4 +1,4 @@
-"""Formulas of a chart and texts about them, from its φ and its scalars alone."""
+"""Formulas of a chart and their texts, derived from φ and the scalars of the chart."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Parameterized(ABC):
     factor: Fraction = Fraction(1)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields alone: cached formulas hold functions that cannot be sent to another process."""
+        """Return the fields without cached formulas, which hold functions that cannot be pickled."""
         return {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
 
     @property
@@ -69,7 +69,7 @@ class Parameterized(ABC):
 
     @property
     def algebraic(self) -> bool:
-        """Whether its formulas contain no root but one sqrt(1 + x/k), k an integer."""
+        """Tell whether the formulas contain at most one root, sqrt(1 + x/k) with k an integer."""
         return True
 
     @property
@@ -92,12 +92,12 @@ class Parameterized(ABC):
 
     @property
     def scale(self) -> sympy.Expr:
-        """a(v) as a function of α, ``q̂ = ±(a + v)ⁿ/(a² + x)^(n/2)``: CP23 (60), (61)."""
+        """Factor a(v) as a function of α, from ``q̂ = ±(a + v)ⁿ/(a² + x)^(n/2)``: CP23 (60), (61)."""
         return self.phi * sympy.cot(alpha / (2 * self.order))
 
     @property
     def range(self) -> sympy.Expr:
-        """The |v| at the edge; infinite at a pole."""
+        """Length |v| at the edge; infinite at a pole."""
         return self.phi.subs(alpha, self.edge)
 
     @property
@@ -110,7 +110,7 @@ class Parameterized(ABC):
 
     @property
     def closed_inverse(self) -> sympy.Expr | None:
-        """φ⁻¹, in which `families.alpha` stands for |v|; None where no form is found."""
+        """Closed form of φ⁻¹, with `families.alpha` in place of |v|; None if no form is found."""
         return closed_inverse(self.phi)
 
     def inverse(self, size: Any) -> Any:
@@ -131,7 +131,7 @@ class Parameterized(ABC):
 
     @cached_property
     def _values(self) -> Any:
-        """Scalars and x, as expressions in x, or in α where they are not algebraic."""
+        """Scalars and x as expressions in x; in α for a chart that is not algebraic."""
         return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
 
     @cached_property
@@ -186,7 +186,7 @@ class QuaternionChart(Parameterized):
         return fi, self.scalars(x, m).hi
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
-        """Return scalars with the given f_i, from which h_i follows: T⁻¹ along the axis is φ′ for any error of f_i."""
+        """Return scalars with the given f_i and with h_i from it: for any error of f_i, T⁻¹ along the axis is φ′."""
         at = self.scalars(x, m)
         at.fi = fi
         return at
@@ -194,12 +194,12 @@ class QuaternionChart(Parameterized):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of sin α on the branch of v.
 
-        Where it is 0, it is that of w at half a turn, and that of the translation along v at a whole turn.
+        For sin α = 0 return the sign of w at half a turn, or the sign of the translation along v at a whole turn.
         """
         return self._direction(self.scalars(x, m), y, m)
 
     def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
-        # at half a turn s is 0 but for rounding, and w > 0: then the direction of v is kept
+        # at half a turn s is 0 up to rounding; with w > 0 the direction of v is kept
         kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
         turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))

@@ -1,13 +1,13 @@
 r"""Polynomials p_n, q_n of the higher-order Cayley maps, and their laws.
 
-With ``(1 + iX)ⁿ = p_n + i X q_n`` and ``x = X²`` (CP23 writes p_n(X), q_n(X); both are even, here they are functions
-of x):
+The polynomials satisfy ``(1 + iX)ⁿ = p_n + i X q_n`` with ``x = X²``. CP23 writes p_n(X), q_n(X); both are even, so
+here they are functions of x:
 
 .. math::
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
 The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
-d_n are theorems. Functions here compute them independently.
+d_n are theorems. Functions here compute these independently.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import sympy
 from ..algebra import Coefficient, Dual
 
 x = sympy.Symbol("x")
-"""The square ``v · v`` of the parameter vector, a dual number."""
+"""Square ``v · v`` of the parameter vector, a dual number."""
 
 RING, RING_X = sympy.ring(x, sympy.ZZ)
 """Ring Z[x] of the polynomials, and its generator."""
@@ -55,11 +55,11 @@ def require_order(n: Any) -> int:
 
 
 FIRST: Pair = (1, 1)
-"""(p_1, q_1)."""
+"""Pair (p_1, q_1)."""
 
 
 def following(pair: Pair, at: Coefficient) -> Pair:
-    """Return the pair of order n + 1 from that of order n, by the recurrence CP23 (56)."""
+    """Return the pair of order n + 1 from the pair of order n, by the recurrence CP23 (56)."""
     p, q = pair
     return p - at * q, p + q
 
@@ -73,19 +73,19 @@ def pair(n: int, at: Coefficient) -> Pair:
 
 
 def multiply(first: Pair, second: Pair, at: Coefficient) -> Pair:
-    """Return the pair of order m + n from those of m and n, by ``(1 + iX)ᵐ (1 + iX)ⁿ``: the addition law."""
+    """Return the pair of order m + n from the pairs of orders m and n: addition law, ``(1 + iX)ᵐ (1 + iX)ⁿ``."""
     (p, q), (r, s) = first, second
     return p * r - at * (q * s), p * s + q * r
 
 
 def double(half: Pair, at: Coefficient) -> Pair:
-    """Doubling law: ``p_2m = p_m² − x q_m²``, ``q_2m = 2 p_m q_m``."""
+    """Return the pair of order 2m by the doubling law ``p_2m = p_m² − x q_m²``, ``q_2m = 2 p_m q_m``."""
     p, q = half
     return p * p - at * (q * q), 2 * (p * q)
 
 
 def pair_by_squaring(n: int, at: Coefficient) -> Pair:
-    """Return (p_n, q_n) at any number `at` by doubling and single steps, about ``2 log2 n`` of them."""
+    """Return (p_n, q_n) at any number `at` in about ``2 log2 n`` doublings and single steps."""
     result = FIRST
     for bit in f"{require_order(n):b}"[1:]:
         result = double(result, at)
@@ -95,7 +95,7 @@ def pair_by_squaring(n: int, at: Coefficient) -> Pair:
 
 
 def pair_with_derivative(n: int, at: Coefficient) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
-    """Return (p_n, q_n, p_n′, q_n′), a prime being d/dx: the pair at the dual number ``at + ε``."""
+    """Return (p_n, q_n, p_n′, q_n′), with ′ = d/dx, from the pair at the dual number ``at + ε``."""
     if require_order(n) == 1:
         return 1, 1, 0, 0
     p, q = (value if isinstance(value, Dual) else Dual(value, 0) for value in pair_by_squaring(n, Dual(at, 1)))
@@ -105,7 +105,7 @@ def pair_with_derivative(n: int, at: Coefficient) -> tuple[Coefficient, Coeffici
 def brackets(n: int, at: Coefficient) -> Pair:
     """Return (c_n, d_n) at any number: ``c_n = 2 (p q′ − q p′)``, ``d_n = q − 2 q′ − 2 p′``.
 
-    Unlike the alternating sums of `c_binomial` and `d_binomial`, this loses no digits on shadows at high order.
+    Unlike the alternating sums of `c_binomial` and `d_binomial`, the formulas lose no digits on shadows at high order.
     """
     return brackets_of(*pair_with_derivative(n, at))
 
@@ -139,7 +139,7 @@ def ring_brackets(n: int) -> tuple[Any, Any]:
     Raises
     ------
     ArithmeticError
-        If x did not divide a bracket. It always does.
+        If x does not divide a bracket, which never happens.
     """
     p_n, q_n = ring_pair(n)
     quotients = []
@@ -184,7 +184,7 @@ def d_binomial(n: int) -> sympy.Expr:
 
 
 def rational(value: Any) -> sympy.Expr:
-    """Return an element of `FIELD` as a reduced fraction in x, powers of ``1 + x`` in the denominator kept as such."""
+    """Return an element of `FIELD` as a reduced fraction in x; powers of ``1 + x`` in the denominator stay factored."""
     element = FIELD(value)
     numerator, denominator, power = element.numer, element.denom, 0
     while denominator.evaluate(0, -1) == 0:
@@ -195,13 +195,13 @@ def rational(value: Any) -> sympy.Expr:
 
 
 def singular_angles(n: int) -> tuple[sympy.Expr, ...]:
-    """Return the Re α > 0 where dcay_n loses rank, ``2πk`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``, then ``nπ``, where v → ∞."""
+    """Return the angles ``2πk``, ``1 ≤ k ≤ ⌊(n−1)/2⌋``, where dcay_n loses rank, then ``nπ``, where v → ∞."""
     poles = tuple(2 * sympy.pi * k for k in range(1, (require_order(n) - 1) // 2 + 1))
     return (*poles, n * sympy.pi)
 
 
 def poles(n: int) -> tuple[sympy.Expr, ...]:
-    """Return the positive Re|v| with ``q_n = 0``, ``tan(kπ/n)`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``: the poles of dcay_n⁻¹."""
+    """Return the poles of dcay_n⁻¹, ``Re|v| = tan(kπ/n)`` for ``1 ≤ k ≤ ⌊(n−1)/2⌋``, where ``q_n = 0``."""
     return tuple(sympy.tan(sympy.pi * k / n) for k in range(1, (require_order(n) - 1) // 2 + 1))
 
 

@@ -1,7 +1,7 @@
 r"""Poses, orthogonal dual tensors and screws: the isomorphism φ, structural and natural invariants.
 
-A pose takes body to space: rotation Q, displacement ρ of the origin (length units). CP23 (14) makes it the orthogonal
-dual tensor ``R = (I + ε skew(ρ)) Q``. All functions take any real number type: SymPy, mpmath, floats.
+A pose takes body to space by a rotation Q and a displacement ρ of the origin (length units). CP23 (14) represents it by
+the orthogonal dual tensor ``R = (I + ε skew(ρ)) Q``. All functions take any real number type: SymPy, mpmath, floats.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .sign_tests import is_zero, orientation
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """An element of SE(3), the homogeneous matrix ``[[Q, ρ], [0, 1]]``: ``r -> Q r + ρ``.
+    """Element of SE(3), the homogeneous matrix ``[[Q, ρ], [0, 1]]``: ``r -> Q r + ρ``.
 
     `rotation` and `displacement` are the structural invariants of CP23 Theorem 1.
     """
@@ -24,7 +24,7 @@ class Pose:
     displacement: Vector
 
     def __matmul__(self, other: Pose) -> Pose:
-        """Return the pose of moving by `other` first, then by this one."""
+        """Return the composed pose: first `other`, then this pose."""
         return Pose(self.rotation @ other.rotation, self.rotation @ other.displacement + self.displacement)
 
     def inverse(self) -> Pose:
@@ -39,7 +39,7 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class Screw:
-    """The natural invariants of a pose, CP23 Theorem 3.
+    """Natural invariants of a pose, CP23 Theorem 3.
 
     `angle` is the dual angle ``α + ε d`` (rotation, translation along the axis); `axis` is the unit dual vector
     ``u + ε u°`` of the Mozzi-Chasles axis (direction, moment about the space origin).
@@ -57,7 +57,7 @@ def tensor_from_pose(pose: Pose) -> Tensor:
 def pose_from_tensor(R: Tensor) -> Pose:
     """Return φ⁻¹ of an orthogonal dual tensor, ``Q = Re R``, ``ρ = vect(Du R Qᵀ)``, CP23 (16).
 
-    These are its structural invariants. Orthogonality is not checked.
+    Q and ρ are the structural invariants. Orthogonality of R is not checked.
     """
     Q = R.re
     return Pose(Q, (R.du @ Q.transpose).vect())
@@ -67,15 +67,15 @@ def natural_invariants(R: Tensor) -> Screw:
     r"""Return the dual angle, 0 ≤ α ≤ π, and the unit dual axis of an orthogonal dual tensor, CP23 (18).
 
     With ``w = vect Q = sin α u`` and ``tr Q = 1 + 2 cos α``, ``α = atan2(|w|, (tr Q − 1)/2)``. CP23 writes |w| as
-    ``½ sqrt((1 + tr Q)(3 − tr Q))``, which is equal. The axis, in the three cases of the trace:
+    ``½ sqrt((1 + tr Q)(3 − tr Q))``, which is equal. The axis u depends on the trace:
 
     * −1 < tr Q < 3: ``u = w/|w|``;
-    * tr Q = −1 (Q is symmetric, α = π): u from ``Q + I = 2 u⊗u``. ±u are both right; the first non-zero component is
-      made positive;
+    * tr Q = −1 (Q is symmetric, α = π): u from ``Q + I = 2 u⊗u``. Both signs are right; the first non-zero
+      component is made positive;
     * tr Q = 3 (Q = I, α = 0, a translation): ``u = ρ/|ρ|``, with moment zero; any parallel axis would do.
 
-    The second is the limit of ``(Q + Qᵀ)/2 − cos α I = (1 − cos α) u⊗u``, sign by w, which serves all of tr Q < 1:
-    towards α = π ``w/|w|`` loses digits.
+    The second case is the limit of ``(Q + Qᵀ)/2 − cos α I = (1 − cos α) u⊗u``. This equation, with the sign from w,
+    gives u for all tr Q < 1, because ``w/|w|`` loses digits towards α = π.
 
     .. math::
         d = \rho \cdot u, \qquad
@@ -84,8 +84,8 @@ def natural_invariants(R: Tensor) -> Screw:
     Parameters
     ----------
     R : Tensor
-        Dual tensor. Its orthogonality is not checked. Whether w or ρ vanishes is decided exactly; roots
-        in SymPy numbers are rationalised and expanded for it.
+        Dual tensor; orthogonality is not checked. Zero tests of w and ρ are exact: roots in SymPy numbers are
+        rationalised and expanded first.
 
     Raises
     ------
@@ -124,7 +124,7 @@ def quaternion_from_screw(screw: Screw) -> Quaternion:
 
 
 def polar(w: Vector) -> tuple[Dual, Vector]:
-    """Return magnitude and unit dual direction of a dual vector, CP23 Proposition 1 with moment 0 where Re w = 0."""
+    """Return magnitude and unit dual direction of a dual vector, CP23 Proposition 1; the moment is 0 where Re w = 0."""
     length = w.magnitude()
     if not is_zero(w.re.dot(w.re)):
         return length, w / length
@@ -134,7 +134,7 @@ def polar(w: Vector) -> tuple[Dual, Vector]:
 
 
 def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector:
-    """Return u from ``(1 − cos α) u⊗u``, by the column of its largest diagonal entry."""
+    """Return u from ``(1 − cos α) u⊗u``, by the column with the largest diagonal entry."""
     outer = (Q + Q.transpose) / 2 - Tensor.identity() * cosine
     k = max(range(3), key=lambda i: outer[i, i])
     column = Vector(outer[0, k], outer[1, k], outer[2, k])

@@ -1,11 +1,11 @@
-r"""The dual Rodrigues vector and the dual Cayley formula, K10 (Karakılıç 2010, "The dual Rodrigues parameters").
+r"""Dual Rodrigues vector and the dual Cayley formula, K10 (Karakılıç 2010, "The dual Rodrigues parameters").
 
 An orthogonal dual tensor A with dual angle ``f + ε f*`` about the unit dual vector ŝ (its screw axis) has
 
 .. math:: B = (A - I)(A + I)^{-1} = \widetilde{b}, \qquad A = (I + B)(I - B)^{-1}, \qquad
         b = \tan\tfrac{f + ε f^*}{2}\,ŝ
 
-The same b is the v of order n = 1. Space frame; components in the order of the basis.
+The vector b is v of order n = 1. Components are in the space frame, in the order of the basis.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def cayley_matrix(A: Tensor) -> Tensor:
     Raises
     ------
     ZeroDivisionError
-        Where ``A + I`` is exactly singular: at a half turn, and for every reflection.
+        If ``A + I`` is exactly singular: at a half turn, and for every reflection.
     """
     unit = Tensor.identity()
     B: Tensor = (A - unit) @ (A + unit).inverse()
@@ -38,7 +38,7 @@ def cayley_formula(b: Vector) -> Tensor:
 def rodrigues_vector(A: Tensor) -> Vector:
     """Return b with ``A x − x = b × (A x + x)`` for all x, from the invariants: ``b = 2 vect A / (1 + tr A)``.
 
-    No inverse is taken, so that it can stand against `cayley_matrix`. Singular at half turns.
+    No inverse is taken, so the result is independent of `cayley_matrix`. Singular at half turns.
     """
     b: Vector = A.vect() * 2 / (1 + A.trace())
     return b
@@ -50,7 +50,7 @@ def direction(b: Vector, library: Any = functions) -> Vector:
     Parameters
     ----------
     b : Vector
-        Dual vector with real part other than zero.
+        Dual vector with non-zero real part.
     library
         Provides ``sqrt`` of its coefficients.
     """

@@ -1,4 +1,4 @@
-"""Scalars of a chart, each computed and named when it is first asked for."""
+"""Scalars of a chart, each computed and named on first use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class scalar:
     formula : callable
         Return the value from the other scalars.
     name : str, optional
-        Name in programs; by default that of the attribute.
+        Name in programs; the name of the attribute by default.
     """
 
     def __init__(self, formula: Callable[[Any], Coefficient], name: str = "") -> None:

@@ -1,4 +1,4 @@
-"""Exact decisions about real numbers of any type: zero or not, and which sign."""
+"""Exact zero tests and signs of real numbers of any type."""
 
 from __future__ import annotations
 

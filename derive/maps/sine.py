@@ -1,7 +1,7 @@
 r"""Sine charts, ``v = sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
 
-With ``x = sin² θ``, ``c = √(1 − x)`` and polynomials S, W, H, B of x: for even n ``cos nθ = S`` and
-``sin nθ/sin θ = c W``, for odd n ``c S`` and ``W``. For either
+Let θ = α/2n, ``x = sin² θ``, ``c = √(1 − x)``, and S, W, H, B be polynomials in x. For even n ``cos nθ = S`` and
+``sin nθ/sin θ = c W``; for odd n ``cos nθ = c S`` and ``sin nθ/sin θ = W``. The forms of h_i are for even and odd n:
 
 .. math::
     h = \frac{H}{c} \quad x H = 2 n - 2 (1 - x) S W \qquad \rho = \frac{2 n}{c} \qquad
@@ -30,7 +30,7 @@ from .scalar import scalar
 
 @lru_cache(maxsize=64)
 def polynomials_of(n: int) -> tuple[Any, Any, Any, Any]:
-    """Return S, W, H and B of an order, elements of Z[x]."""
+    """Return S, W, H and B of order n, as elements of Z[x]."""
     p, q = ring_pair(n)
     S, W = _homogeneous(p, n // 2), _homogeneous(q, (n - 1) // 2)
     sine = W if n % 2 else (1 - RING_X) * W
@@ -53,7 +53,7 @@ class SineScalars(DependentScalars):
         self.S, self.W, self.H, self.B = polynomials_of(order)
 
     cc = scalar(lambda at: 1 - at.x)
-    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ.
+    c = scalar(lambda at: at.m.sqrt(at.cc))  # cos θ
 
     def _at(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, self._value(polynomial))
@@ -72,7 +72,7 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def hy(self) -> Coefficient:
-        """``(2 H′ + H/c²)/c``."""
+        """Slope of h, ``(2 H′ + H/c²)/c``."""
         direct = 2 * self._at("dH", self.H.diff(RING_X)) / self.c
         return self.m.name("hy", direct + self.h / self.cc)
 
@@ -80,7 +80,7 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def hyy(self) -> Coefficient:
-        """``(4 H″ + 4 H′/c² + 3 H/c⁴)/c = (4 H″ − 2 H′/c²)/c + 3 h_y/c²``."""
+        """Second slope of h, ``(4 H″ + 4 H′/c² + 3 H/c⁴)/c = (4 H″ − 2 H′/c²)/c + 3 h_y/c²``."""
         slope = self.H.diff(RING_X)
         first, second = self._at("dH", slope), self._at("ddH", slope.diff(RING_X))
         direct = (4 * second - self.m.div(2 * first, self.cc)) / self.c
@@ -91,14 +91,14 @@ class SineScalars(DependentScalars):
 
     @cached_property
     def hiy(self) -> Coefficient:
-        """From ``n (w h_i)_y = 2 B′ c − B/c``, or ``2 B′``."""
+        """Slope of h_i, from ``n (w h_i)_y = 2 B′ c − B/c`` for odd n and ``2 B′`` for even n."""
         B, dB = self._at("B", self.B), 2 * self._at("dB", self.B.diff(RING_X))
         change = self.c * dB - self.m.div(B, self.c) if self.odd else dB
         return self.m.name("hiy", self._quotient(change, self.hi * self.wy))
 
     @cached_property
     def hiyy(self) -> Coefficient:
-        """From ``n (w h_i)_yy = 4 B″ c − 4 B′/c − B/c³``, or ``4 B″``."""
+        """Second slope of h_i: ``n (w h_i)_yy`` is ``4 B″ c − 4 B′/c − B/c³`` for odd n and ``4 B″`` for even n."""
         slope = self.B.diff(RING_X)
         B, dB, ddB = self._at("B", self.B), self._at("dB", slope), self._at("ddB", slope.diff(RING_X))
         change = 4 * ddB
@@ -113,9 +113,9 @@ class SineScalars(DependentScalars):
 
 
 class SineAtAngle(SineScalars):
-    """Scalars where f_i and cos θ are known."""
+    """Scalars for known f_i and cos θ."""
 
-    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis is φ′ for any error of f_i
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis stays φ′ for any error of f_i
 
     def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart.order, x, m)
@@ -124,7 +124,7 @@ class SineAtAngle(SineScalars):
         self.cc = m.name("cc", self.c * self.c)
 
     def _value(self, polynomial: Any) -> Coefficient:
-        """Return a polynomial in powers of cos² θ, which loses no digits near the edge."""
+        """Return the value by powers of cos² θ, without loss of digits near the edge."""
         return horner(polynomial.compose(RING_X, 1 - RING_X), self.cc)
 
 
@@ -149,13 +149,13 @@ class Sine(OrderChart):
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> SineAtAngle:
         _, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m)
-        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # its sign changes every 2nπ
+        return SineAtAngle(self, x, fi, m.abs(cosine), m)  # the sign of cos θ changes every 2nπ
 
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-        """Return cos θ and 1; beyond the edge another number, which is not used."""
+        """Return cos θ and 1; beyond the edge the cosine is an unused stand-in."""
         return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -6,7 +6,7 @@ r"""Stumpff functions: sine and cosine of an angle divided by its powers, withou
     c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
 
 They are analytic in ξ, with ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below `LIMIT` a truncated
-series gives those of the half angle, and sums of positive terms give those of the angle:
+series gives the functions of the half angle. Sums of positive terms then give the functions of the angle:
 
 .. math::
     c_3(4\zeta) = \tfrac14 (c_3 + c_1 c_2) \quad c_4(4\zeta) = \tfrac18 c_3 (1 + c_1) \quad
@@ -14,7 +14,7 @@ series gives those of the half angle, and sums of positive terms give those of t
 
     c_6(4\zeta) = \tfrac1{32} (2 c_5 + c_3^2) \quad c_7(4\zeta) = \tfrac1{64} (c_7 + c_6 + c_3 c_4 + \tfrac12 c_5)
 
-Beyond `LIMIT` sine and cosine give them without loss of digits.
+Beyond `LIMIT`, sine and cosine give the functions without loss of digits.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ from .any_phi.real_constants import SMALL
 from .scalar import scalar
 
 LIMIT = 6
-"""Largest ξ of the series, an angle of 2.4."""
+"""Largest ξ for the series; the angle there is 2.4."""
 
 TERMS = 9
 """Number of terms in the series of c₇ at ξ/4."""
 
 REMAINDER = (LIMIT / 4) ** TERMS / factorial(2 * TERMS + 7)
-"""Bound of the truncation error: the first omitted term, since signs alternate and sizes fall."""
+"""Bound of the truncation error: the first omitted term of an alternating series with decreasing terms."""
 
 
 def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``, with joined denominators."""
+    """Return the truncated series ``7! c₇ = 1 − ζ/8·9 (1 − ζ/10·11 (1 − …))``; adjacent denominators are multiplied."""
     above: Coefficient = 1
     below = 1
     for step in range(TERMS - 1, 0, -1):
@@ -51,7 +51,7 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
 
 
 class HalfAngle:
-    """c₀ … c₇ of half an angle, from ``ζ = ξ/4``, below the limit."""
+    """Stumpff functions c₀ … c₇ of the half angle, at ``ζ = ξ/4`` below the limit."""
 
     def __init__(self, zeta: Coefficient, m: Arithmetic) -> None:
         self.zeta = zeta
@@ -66,14 +66,14 @@ class HalfAngle:
     _beside = scalar(lambda at: 1 + at.c0, "C01")
     c2 = scalar(lambda at: at.square / at._beside, "C2")  # c₁²/(1 + c₀), by sin² + cos² = 1
     _cube = scalar(lambda at: at.c3 * at.c3, "CC3")
-    # by the same identity; it is added to larger terms only
+    # by sin² + cos² = 1; used only in sums with larger terms
     c4 = scalar(lambda at: (4 * at.c3 - at.c2 - 2 * (at.zeta * at._cube)) / (2 * at._beside), "C4")
-    # by the same identity
+    # by sin² + cos² = 1
     c6 = scalar(lambda at: at.m.div(4 * at.c5 + 2 * at._cube - at.c4 - 2 * (at.c2 * at.c4), 4), "C6")
 
 
 class WholeAngle:
-    """c₃ … c₇ of the angle."""
+    """Stumpff functions c₃ … c₇ of the whole angle, from the half angle."""
 
     def __init__(self, half: HalfAngle, m: Arithmetic) -> None:
         self.half = half

@@ -1,7 +1,7 @@
 r"""Charts of a user's φ: the steps from the text of φ(α) to scalar programs that keep all digits.
 
-A chart is ``v = φ(α) u``. Its scalars are functions of ``x = v · v``, and φ⁻¹ has no formula in general. So scalars are
-computed in two ranges of x. Each chart has its own limit between them:
+A chart is ``v = φ(α) u``. Its scalars are functions of ``x = v · v``, and φ⁻¹ has no formula in general. Scalars are
+therefore computed in two ranges of x. Each chart has its own limit between them:
 
 ========================  ==========================================================================================
 near v = 0                ``a(x) = α/|v|`` is analytic. An interpolating polynomial replaces it, with a proved bound
@@ -14,7 +14,7 @@ The modules, in the order of their use:
 ====================  ==============================================================================================
 grammar               Check the text against a list of allowed syntax. Nothing is evaluated, SymPy is not loaded.
 expressions           Build the SymPy expression, and decide that it is odd by its structure.
-recognition           Decide exactly whether φ is a named chart or a multiple of one, which is used instead.
+recognition           Decide exactly whether φ is a named chart or a multiple of it, and use that chart then.
 edges                 Find the edge of the chart: the first pole of φ or zero of φ′, or 4π.
 intervals             Bound |φ| from below on a circle by interval arithmetic, and prove that φ is analytic inside.
 near_zero             Interpolate a(x) with a bound of the error, which follows from that circle.

@@ -38,7 +38,7 @@ class AngleChart(QuaternionChart):
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Return whole turns, then the edge where there is one."""
+        """Return the whole turns, then the edge, if any."""
         if self.edge.is_infinite:
             return tuple(2 * sympy.pi * k for k in range(1, int(SINGULAR_ANGLE_MAX / (2 * sympy.pi)) + 1))
         turns = int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
@@ -46,18 +46,18 @@ class AngleChart(QuaternionChart):
 
     @abstractmethod
     def own_angle(self, at: Any, r: Coefficient) -> Coefficient:
-        """Return α of a length r, from the scalars at ``r²``."""
+        """Return α for a length r, from the scalars at ``r²``."""
 
     @abstractmethod
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ, φ′ and φ″ of an angle, NaN beyond the edge; a mark tells names apart."""
+        """Return φ, φ′ and φ″ at an angle, NaN beyond the edge; `mark` is a suffix for names."""
 
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return ``φ/sin(α/2)``; α follows from sine and cosine of its half."""
+        """Return ``φ/sin(α/2)``; α follows from sine and cosine of α/2."""
         negative, cosine = half_cosine(q, m, positive)
         still, _, sine = half_sine(q, cosine, m)
         r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
@@ -80,7 +80,7 @@ class AngleChart(QuaternionChart):
     def beyond(
         self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
     ) -> tuple[Any, Sequence[Coefficient]]:
-        """Unwrap α by whole turns where it exceeds half a turn."""
+        """Return whether α exceeds half a turn, and the turn back to the principal angle."""
         selected, (one, _) = branches.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
@@ -92,7 +92,7 @@ class AngleChart(QuaternionChart):
         return mpmath.mpf(1), 2 * branch * mpmath.pi
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        """Return x at half a turn, without a turn: `beyond` computes how far back to go."""
+        """Return one row, x at half a turn with a turn of 0: `beyond` computes the turn back."""
         if self.edge <= sympy.pi:
             return ()
         limit = mpmath.mpf(self.phi.subs(alpha, sympy.pi).evalf(mpmath.mp.dps + 5)) ** 2

@@ -1,10 +1,10 @@
-r"""φ⁻¹ in closed form: where φ is a composition of invertible functions, or φ² a quotient of quadratics in α².
+r"""Closed form of φ⁻¹, for φ a composition of invertible functions, or φ² a quotient of quadratics in α².
 
 .. math:: \varphi^2 = \frac{\alpha^2 (n_1 + n_2 \alpha^2)}{d_0 + d_1 \alpha^2 + d_2 \alpha^4} \qquad
     \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
     a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
 
-Of both roots it is the one that is 0 at r = 0. This form of it loses no digits there.
+The formula gives the root that is 0 at r = 0, and loses no digits there.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ import sympy
 from ..families import alpha
 
 PRINCIPAL = {sympy.sin: sympy.asin}
-"""Inverse functions up to the first fold, which SymPy does not name as inverses."""
+"""Inverse functions up to the first fold, in addition to the inverses of SymPy."""
 DEGREE = 2
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:
-    """Return φ⁻¹, in which `families.alpha` stands for the length; None where no form is found.
+    """Return φ⁻¹ with `families.alpha` in place of the length; None if no form is found.
 
-    It holds from 0 to the edge of φ: there each function of a composition increases, and the root does.
+    The form holds from 0 to the edge of φ, where the root and every function of a composition increase.
     """
     return _unwound(phi) or _root(phi)
 

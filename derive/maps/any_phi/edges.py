@@ -1,4 +1,4 @@
-"""The edge of φ, and the inverse φ⁻¹ below it as a number."""
+"""Edge of φ, and the inverse φ⁻¹ below the edge as a number."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .grammar import PhiError
 DIGITS = 60
 """Working digits of numerical decisions."""
 EDGE_MAX = 4
-"""Largest edge, in units of π: charts without an edge end there."""
+"""Largest edge in units of π, where charts without an edge are cut."""
 GRID_POINTS = 2000
 
 
@@ -31,7 +31,7 @@ class Edge:
 
 
 def edge_of(phi: sympy.Expr) -> Edge:
-    """Return the first zero of φ′ or pole of φ.
+    """Return the edge: the first zero of φ′ or pole of φ, or else the cut at 4π.
 
     Raises
     ------
@@ -60,12 +60,12 @@ def edge_of(phi: sympy.Expr) -> Edge:
 
 
 def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
-    """Return φ, or a derivative of it, at an angle.
+    """Return φ, or a derivative of φ, at an angle.
 
     Raises
     ------
     PhiError
-        If it is not real there.
+        If the value is not real.
     """
     value = evaluate(expression, alpha, at)
     if isinstance(value, mpmath.mpc | complex):
@@ -82,7 +82,7 @@ def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
 
 
 def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
-    """Find the pole by bisection: 1/φ changes sign there, or φ is not real beyond."""
+    """Return the pole by bisection: φ is positive below the pole, and negative or not real beyond."""
 
     def inside(at: Any) -> bool:
         try:
@@ -100,7 +100,7 @@ def _pole(phi: sympy.Expr, low: Any, high: Any) -> Edge:
 
 
 def _named(root: Any) -> sympy.Expr:
-    """Return a multiple of π or the root of a fraction that agrees to 40 digits; a decimal where there is none."""
+    """Return the multiple of π or root of a fraction that agrees with a number to 40 digits; else a decimal."""
     for value, make in ((root / mpmath.pi, lambda q: q * sympy.pi), (root**2, sympy.sqrt)):
         near = Fraction(int(mpmath.nint(value * 5040)), 5040)
         if abs(value - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -40:
@@ -109,7 +109,7 @@ def _named(root: Any) -> sympy.Expr:
 
 
 def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """Return the edge; without one, an angle beyond that of a length."""
+    """Return the edge as a number; without an edge, an angle where φ exceeds the length."""
     if not edge.is_infinite:
         return mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
     high = mpmath.mpf(1)
@@ -119,7 +119,7 @@ def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
 
 
 def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """Return φ⁻¹ of a length below that of the edge, in the working precision; floats give the first guess."""
+    """Return φ⁻¹ of a length below φ at the edge, in the working precision; floats give the first guess."""
     if size == 0:
         return size
     slope, high = _slope(phi), _end(phi, edge, size)

@@ -19,10 +19,10 @@ FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
 
 EXPRESSIONS_MAX = 256
-"""Limit of cached expressions: reading a tree takes longer than computing its value."""
+"""Limit of cached expressions; reading a tree takes longer than evaluating it."""
 
 Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficient]
-"""Computes one part of an expression from known parts, the value of the symbol and a library."""
+"""Function that computes one part of an expression from known parts, the value of the symbol and a library."""
 
 
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
@@ -31,15 +31,15 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     Parameters
     ----------
     library
-        Provides ``sin``, ``cos``, ``sqrt`` of the numbers; quotients of these give tan and cot, ``exp`` and ``log``
-        the powers with other denominators than 2, of positive numbers.
+        Provider of ``sin``, ``cos``, ``sqrt`` for the numbers. Quotients give tan and cot; ``exp`` and ``log`` give
+        powers of positive numbers whose exponents have denominators above 2.
 
     Raises
     ------
     ZeroDivisionError
         If a part is divided by zero, whatever the number type.
     ValueError
-        If a part is no elementary function, or of another symbol.
+        If a part is not elementary, or contains another symbol.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):
@@ -62,7 +62,7 @@ class _Reader:
         self._symbol, self._places = symbol, {symbol: 0}
 
     def place(self, e: sympy.Expr) -> int:
-        """Return the index of the value of an expression."""
+        """Return the index of the step that computes an expression."""
         if e not in self._places:
             step = self._step(e)
             self._places[e] = len(self.steps)

@@ -1,4 +1,4 @@
-"""Expression of φ in SymPy, from a text whose grammar has been checked; its parity, decided by its structure."""
+"""SymPy expression of φ, built from a text with checked grammar, and its parity, decided by structure."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
     Raises
     ------
     PhiError
-        Naming the part that is refused.
+        If a part is refused; the message names the part.
     """
     text = text.strip()
     tree = grammar.syntax_tree(text)
@@ -45,14 +45,14 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
 
 
 class _Builder:
-    """Builds the expression of one text."""
+    """Builder of the SymPy expression for one text."""
 
     def __init__(self, text: str, order: int | None) -> None:
         self.text = text
         self.order = order
 
     def build(self, node: ast.expr) -> sympy.Expr:
-        """Return the expression of a node, which `grammar` allows."""
+        """Return the expression of a node that `grammar` allows."""
         match node:
             case ast.Constant():
                 digits, exponent = grammar.decimal(node, self.text)
@@ -94,7 +94,7 @@ class _Builder:
 
 
 def parity(expression: sympy.Expr) -> int | None:
-    """Return −1 of an expression that is odd in α by its structure, 1 of an even one, None where neither is decided."""
+    """Return −1 if the structure of an expression is odd in α, 1 if it is even, None if undecided."""
     if expression == alpha:
         return -1
     if alpha not in expression.free_symbols:

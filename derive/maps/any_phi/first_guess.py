@@ -1,4 +1,4 @@
-"""First guess of Newton's method from ``|v|`` to the angle: φ⁻¹ in closed form, or a fitted polynomial."""
+"""First guess of the angle from ``|v|``, for Newton's method: φ⁻¹ in closed form, or a fitted polynomial."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Guess(ABC):
-    """An angle near φ⁻¹(r), with the number of Newton steps from it to the root.
+    """Angle near φ⁻¹(r), with the number of Newton steps from it to the root.
 
-    ``edge`` is the edge as a number.
+    ``edge`` is the edge of the chart as a number.
     """
 
     edge: Any
@@ -50,12 +50,12 @@ class Guess(ABC):
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the guess in an arithmetic."""
+        """Return the guess at x and ``r = √x``, in the operations of an arithmetic."""
 
 
 @dataclass(frozen=True)
 class Closed(Guess):
-    """φ⁻¹ in closed form. One Newton step corrects its rounding. ``size`` is x at the edge, or infinity."""
+    """Guess by φ⁻¹ in closed form. One Newton step corrects rounding. ``size`` is x at the edge, or infinity."""
 
     inverse: sympy.Expr
     size: Any
@@ -67,21 +67,21 @@ class Closed(Guess):
             raise PhiError(f"{self.inverse} divides by zero at alpha = {mpmath.nstr(mpmath.sqrt(x), 5)}") from None
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the guess; beyond the edge, where logarithms and roots end, that of another length."""
+        """Return the guess; beyond the edge, where logarithms and roots are undefined, the guess at length 0."""
         if mpmath.isfinite(self.size):
             r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
         return Lowering(r, m).at(self.inverse)
 
 
 class Variable(Protocol):
-    """Variable z, in which the angle, or its distance to the edge, is close to a polynomial."""
+    """Variable z of a fit: the angle, or its distance to the edge, is close to a polynomial in z."""
 
     @property
     def from_edge(self) -> bool:
-        """Return whether the angle is ``edge − z G(z)``; otherwise it is ``G(z)``."""
+        """Return whether the angle is ``edge − z G(z)`` instead of ``G(z)``."""
 
     def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return z."""
+        """Return z at x and ``r = √x``."""
 
     def back(self, z: Any) -> Any:
         """Return x from z."""
@@ -89,7 +89,7 @@ class Variable(Protocol):
 
 @dataclass(frozen=True)
 class Fold:
-    """``z = √(1 − x/X)``: the angle is analytic in it at a fold."""
+    """Variable ``z = √(1 − x/X)``, in which the angle is analytic at a fold."""
 
     size: Any
     from_edge = True
@@ -104,7 +104,7 @@ class Fold:
 
 @dataclass(frozen=True)
 class Pole:
-    """``z = 1/√(1 + x/S)``: the angle is analytic in it at a pole."""
+    """Variable ``z = 1/√(1 + x/S)``, in which the angle is analytic at a pole."""
 
     size: Any
     from_edge = True
@@ -117,7 +117,7 @@ class Pole:
 
 
 class Length:
-    """``z = r``, for charts without an edge."""
+    """Variable ``z = r``, for charts without an edge."""
 
     from_edge = False
 
@@ -129,7 +129,7 @@ class Length:
 
 
 class Logarithm:
-    """``z = log(1 + r)``, for φ that grows fast."""
+    """Variable ``z = log(1 + r)``, for a fast-growing φ."""
 
     from_edge = False
 
@@ -142,7 +142,7 @@ class Logarithm:
 
 @dataclass(frozen=True)
 class Fitted(Guess):
-    """Polynomial G in a variable z."""
+    """Guess by a polynomial G in a variable z."""
 
     variable: Variable
     polynomial: Polynomial
@@ -158,7 +158,7 @@ class Fitted(Guess):
 
 @dataclass(frozen=True)
 class Guarded(Guess):
-    """Newton's method between bounds, with bisection where a step leaves them."""
+    """Guess by Newton's method between bounds, with bisection where a step leaves the bounds."""
 
     phi: sympy.Expr
     start: Fitted
@@ -202,7 +202,7 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 
 
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
-    """Return guesses in the order of their trial."""
+    """Yield guesses in the order of trial."""
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle better than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
@@ -247,7 +247,7 @@ def _square(phi: sympy.Expr, angle: Any) -> Any:
 def _steps(phi: sympy.Expr, edge: Edge, start: Guess, first: Any) -> int:
     """Return the largest number of Newton steps needed, over many angles up to the edge and near it.
 
-    The tolerance is relative to the distance to the edge.
+    The tolerance is relative to the distance to the edge; for a cut, to the angle.
     """
     slope, most, end = phi.diff(alpha), 0, start.edge
     shares = [mpmath.mpf(k) / 97 for k in range(97)] + [1 - mpmath.mpf(10) ** -k for k in range(2, 9)]

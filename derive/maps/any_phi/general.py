@@ -1,10 +1,10 @@
-r"""Chart of any φ: scalars from ``a(x) = α/|v|`` near v = 0, and from φ at the angle beyond.
+r"""Chart of any φ: scalars from ``a(x) = α/|v|`` near v = 0, and from φ at the angle beyond a limit.
 
 .. math::
     w = \tfrac12 a\,c_1(\tfrac\xi4) \qquad \rho = a + 2 x a' \qquad h = a^3 c_3(\xi) + 2 a' \qquad
     \xi = \alpha^2 = x a^2
 
-Beyond, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and
+Beyond the limit, with ``ρ = 1/φ′``, theorems on every φ give ``h = (ρ − f)/x``, ``h_y = (ρ_y − 3h + ρ g)/x`` and
 ``h_yy = (ρ_yy − 5 h_y + ρ_y g + ρ g_y)/x``.
 """
 
@@ -42,7 +42,7 @@ class GeneralScalars(DependentScalars):
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
-        """Return one value below the limit, another beyond."""
+        """Return `near` below the limit of x, and `far` beyond."""
         return self.m.where(self.is_near, near, far)
 
     # --- below the limit ----------------------------------------------------------------------------------------
@@ -51,7 +51,7 @@ class GeneralScalars(DependentScalars):
     _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
 
     def _a(self, count: int) -> Coefficient:
-        """Return a derivative of a(x)."""
+        """Return the derivative of a(x) of order `count`."""
         if count not in self._found:
             of = self.chart.near.polynomials[count]
             self._found[count] = of.at(self._x, self.m, f"a{count}")
@@ -98,7 +98,7 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """x beyond the limit; for x below it, another number beyond."""
+        """Value of x beyond the limit; for x below the limit, a stand-in beyond it."""
         limit = self.chart.near.limit
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
@@ -107,16 +107,16 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def far_angle(self) -> Coefficient:
-        """α beyond the limit."""
+        """Angle α beyond the limit."""
         return self.chart.far_angle(self._square, self._length, self.m)
 
     def angle_of(self, r: Coefficient) -> Coefficient:
-        """Return α of a length r, whose square is x."""
+        """Return α for a length r, where ``r² = x``."""
         return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     @cached_property
     def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
-        """``cos(α/2)`` and ``sin(α/2)/|v|``."""
+        """Values of ``cos(α/2)`` and ``sin(α/2)/|v|``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
@@ -157,12 +157,12 @@ class GeneralScalars(DependentScalars):
 
 
 class GeneralAtAngle(GeneralScalars):
-    """Scalars where f_i and α are known."""
+    """Scalars for known f_i and α."""
 
     def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart, x, m)
         self.fi = fi
-        # below the limit, another angle where all is regular
+        # below the limit, a stand-in angle where all functions are regular
         beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
         self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
 

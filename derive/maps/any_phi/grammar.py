@@ -1,4 +1,4 @@
-"""Grammar of φ: a list of allowed syntax, checked on Python's syntax tree. Nothing of a text is evaluated.
+"""Grammar of φ: a list of allowed syntax, checked on Python's syntax tree. No part of a text is evaluated.
 
 Numbers, ``alpha``, ``n``, ``pi``, ``+ - * / **`` and some functions are allowed. Everything else is refused by name.
 This module uses the standard library alone, so that a wrong text is refused before SymPy is loaded.
@@ -25,16 +25,16 @@ NUMBER = re.compile(r"(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?|\.(\d+)(?:[eE]([+-]?\
 
 
 class PhiError(ValueError):
-    """A refused φ, with the reason."""
+    """Error for a refused φ, with the reason."""
 
 
 def syntax_tree(text: str) -> ast.expr:
-    """Return the syntax tree of a φ, every node of which is allowed.
+    """Return the syntax tree of a φ, with every node checked against the allowed syntax.
 
     Raises
     ------
     PhiError
-        Naming the part that is not allowed.
+        If a part is not allowed; the message names the part.
     """
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")

@@ -19,9 +19,9 @@ NOT_INTERVALS = "interval arithmetic does not know it"
 
 
 def smallest(phi: sympy.Expr, radius: Any) -> Any:
-    """Return the least |φ| on a quarter of a circle, rounded down.
+    """Return a lower bound of |φ| on a quarter of a circle.
 
-    None where ``Re φ/(φ′(0) α) > 0`` is not proved there.
+    The result is None if ``Re φ/(φ′(0) α) > 0`` is not proved there.
     """
     with mpmath.workdps(DIGITS):
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
@@ -65,14 +65,14 @@ def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
 
 
 Interval: TypeAlias = Any
-"""A complex interval of mpmath, or a real one."""
+"""Complex or real interval of mpmath."""
 
 
 @lru_cache(maxsize=256)
 def _on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
     """Return an expression as a function of complex intervals.
 
-    It raises ValueError where an interval may contain a pole or a branch cut.
+    The function raises ValueError where an interval may contain a pole or a branch cut.
     """
     if e == alpha:
         return lambda z: z

@@ -1,7 +1,7 @@
-"""φ and its derivatives at an angle, in the operations of an arithmetic.
+"""Values of φ and its derivatives at an angle, in the operations of an arithmetic.
 
 Sines come from the tangent of a quarter of the angle, exponentials from ``e^a − 1``, logarithms from ``log(1 + a)``.
-Arcs come from a series that takes complex numbers. None of them loses digits near 0.
+Arcs come from a series that takes complex numbers. No operation loses digits near 0.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ LEVELS = 5
 """Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
-"""Coefficients of the series of the arc tangent, without signs, times the first."""
+"""Coefficients of the arc tangent series, without signs, scaled to integers."""
 
 SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
 """Advice for a chart without kernels."""
@@ -79,7 +79,7 @@ class Lowering:
     def derivative(self, phi: sympy.Expr, count: int) -> Coefficient:
         """Return a derivative of φ, or φ itself for count 0.
 
-    For a quotient ``φ = N/D`` Leibniz's rule for ``φ D = N`` gives it in shared parts.
+        For a quotient ``φ = N/D``, Leibniz's rule for ``φ D = N`` gives the derivative from shared parts.
     """
         above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
         if not below.has(alpha):
@@ -160,9 +160,9 @@ class Lowering:
         }
 
     def _atan(self, a: Coefficient) -> Coefficient:
-        """Return the arc tangent; beyond 1 it is ``π/2 − atan(1/a)``.
+        """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
 
-        The operation `atan2` takes no complex numbers, and complex steps go through forward maps.
+        The operation `atan2` takes no complex numbers, which complex steps through forward maps need.
         """
         m = self.m
         short = m.less(a * a, 1)
@@ -175,7 +175,7 @@ class Lowering:
     def _short_arc(self, u: Coefficient) -> Coefficient:
         """Return the arc tangent of a number up to 1.
 
-        A series gives the arc of a quarter of the angle, to 1e-10. A step by the tangent of what is left corrects it.
+        A series gives a quarter of the angle, to 1e-10. The tangent of the error then corrects the angle.
         """
         m, quarter = self.m, u
         for _ in range(2):
@@ -188,7 +188,7 @@ class Lowering:
         return start - (tangent - u) / (1 + tangent * u)
 
     def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
-        """Return sine and cosine from the tangent of a quarter of the angle, which has its pole far away."""
+        """Return sine and cosine from the tangent of a quarter of the angle, whose pole is far away."""
         if argument not in self._pairs:
             m = self.m
             sine, cosine = double_angle(m.tan(m.div(self.at(argument), 4)), m)
@@ -196,13 +196,13 @@ class Lowering:
         return self._pairs[argument]
 
     def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
-        """Return the size of a value and whether it is negative; a selection has a derivative at 0, `abs` has none."""
+        """Return |a| and whether a is negative; unlike `abs`, a selection has a derivative at 0."""
         m, a = self.m, self.at(argument)
         below = m.less(a, 0)
         return m.where(below, -a, a), below
 
     def _exp(self, argument: sympy.Expr) -> Coefficient:
-        """Return the exponential from ``E = e^|a| − 1``: it is ``1 + E``, or 1 over that for negative a."""
+        """Return the exponential from ``E = e^|a| − 1``: ``1 + E``, or ``1/(1 + E)`` for negative a."""
         m, (size, below) = self.m, self._side(argument)
         power = 1 + m.expm1(size)
         return m.where(below, 1, power) / m.where(below, power, 1)
@@ -224,7 +224,7 @@ class Lowering:
         return self.m.where(below, less, -less) / (2 + less)
 
     def _log(self, argument: sympy.Expr) -> Coefficient:
-        """Return ``log(1 + (a − 1))``; below 1/2, where that loses digits, ``−log(1 + (1 − a)/a)``."""
+        """Return ``log(1 + (a − 1))``; for a < 1/2, where it loses digits, ``−log(1 + (1 − a)/a)``."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
         small = m.less(2 * a, 1)
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
@@ -238,7 +238,7 @@ def _nested(polynomial: sympy.Expr) -> sympy.Expr:
 
 
 class _Unnamed:
-    """Arithmetic that names nothing: a trace numbers the values that are used more than once."""
+    """Arithmetic without names of values; a trace numbers the values used more than once."""
 
     def __init__(self, m: Arithmetic) -> None:
         m.name_rest("e")

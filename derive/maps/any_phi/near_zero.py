@@ -1,11 +1,11 @@
-r"""The ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
+r"""Ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
 
-On the circle |α| = R let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0``, which `intervals` proves. By the minimum principle φ
-has no zero but α = 0 inside. By Rouché's theorem exactly one pair ±α inside has ``φ² = x``, for every |x| < m. So a is
-analytic for |x| < m, and at most ``R/√m``.
+Let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0`` on the circle |α| = R, as proved by `intervals`. By the minimum principle,
+α = 0 is the only zero of φ inside. By Rouché's theorem, exactly one pair ±α inside has ``φ² = x``, for every |x| < m.
+Hence a is analytic for |x| < m, and |a| is at most ``R/√m``.
 
 The polynomial interpolates a at N + 1 Chebyshev points of [0, X]. Its error is at most ``4 R/√m ρ^(−N)/(ρ − 1)``. Here
-ρ belongs to an ellipse inside |x| < m with foci 0 and X: the sum of its half axes, over X/2. Errors are in units of
+ρ is the sum of the half axes, divided by X/2, of an ellipse inside |x| < m with foci 0 and X. Errors are in units of
 a(0) and X.
 """
 
@@ -27,13 +27,13 @@ from .intervals import is_analytic, smallest
 from .real_constants import Polynomial, polynomial
 
 NEAR_ANGLE = mpmath.mpf("1.3")
-"""Angle up to which a(x) is interpolated; a fifth of the edge, if that is less."""
+"""Largest angle for the interpolation of a(x); a fifth of the edge, if less."""
 RADII = [mpmath.mpf(k) / 2 for k in range(16, 2, -1)] + [mpmath.mpf(k) / 16 for k in range(22, 2, -2)]
 NEAR_DIVISORS = (1, 2, 4, 8, 16)
-"""Divisors of that angle, tried in this order until a bound of the error is proved."""
+"""Divisors of `NEAR_ANGLE`, tried in this order until a bound of the error is proved."""
 ERROR_MAX = mpmath.mpf(10) ** -21
 LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
-"""Least and largest limit of x: fractions of small integers."""
+"""Least and largest limit of x, so that limits are fractions of small integers."""
 DEGREES = range(8, 40)
 DERIVATIVES = 3
 
@@ -51,7 +51,7 @@ class Ratio:
 
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
-    """Interpolate ``α/|v|`` near 0.
+    """Return polynomials that interpolate ``α/|v|`` near 0.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def _error_bound(bound: Any, rho: Any, degree: int) -> Any:
     found = []
     for share in range(1, 16):
         inner = rho ** (mpmath.mpf(share) / 16)
-        apart = (inner + 1 / inner - 2) / 4  # distance of the interval from that ellipse
+        apart = (inner + 1 / inner - 2) / 4  # distance of the interval from the inner ellipse
         found.append(4 * bound * (inner / rho) ** degree / (rho / inner - 1) * 6 * max(1, apart**-3))
     return max(4 * bound * rho**-degree / (rho - 1), min(found))
 
@@ -129,7 +129,7 @@ def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
-    """Return a bound of a and the m within which a is analytic, from the circle with the largest m."""
+    """Return a bound of |a|, and m such that a is analytic for |x| < m, from the circle with the largest m."""
     found = [(least, radius) for radius in RADII if (least := smallest(phi, radius)) is not None]
     for least, radius in sorted(found, key=lambda pair: -pair[0]):
         if least**2 > 2 * X and is_analytic(phi, radius):

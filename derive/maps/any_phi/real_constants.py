@@ -34,7 +34,7 @@ def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
 class Polynomial:
     """Polynomial ``Σ c_k t^k`` in ``t = (x − centre)/2^scale``, with coefficients split into levels.
 
-    ``shift`` is the power of 2 that divides the first level.
+    The first level is divided by ``2^shift``.
     """
 
     levels: tuple[tuple[int, ...], ...]
@@ -58,12 +58,12 @@ class Polynomial:
 
     @property
     def _is_long(self) -> bool:
-        """Return whether it is a constant of several levels, whose powers float32 would not hold as integers."""
+        """Return whether this is a constant of several levels; its powers of two are too large for float32 integers."""
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property
     def rounding(self) -> Any:
-        """Bound of the error by splitting, for |t| ≤ 1."""
+        """Bound of the error of splitting the coefficients, for |t| ≤ 1."""
         return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)
 
     def value(self, x: Any) -> Any:
@@ -79,7 +79,7 @@ class Polynomial:
 def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
 ) -> Polynomial:
-    """Split the coefficients of powers of (x − centre)/2^scale."""
+    """Return the polynomial with these coefficients of powers of ``(x − centre)/2^scale``, split into levels."""
     with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # less precision cuts the last level
         largest = max(map(abs, coefficients))
         shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0

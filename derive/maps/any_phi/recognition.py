@@ -1,7 +1,7 @@
-r"""Exact decision whether a φ is a multiple of ``α``, ``tan(α/2n)`` or ``sin(α/2n)``, in whatever form it is written.
+r"""Exact decision whether a φ is a multiple of ``α``, ``tan(α/2n)`` or ``sin(α/2n)``, written in any form.
 
-Sines, cosines and tangents of multiples of uα, u the greatest common divisor, are rational functions of
-``E = exp(i u α)``. In lowest terms there is one form of each:
+Let u be the greatest common divisor of the factors of α. Sines, cosines and tangents of multiples of uα are rational
+functions of ``E = exp(i u α)``. In lowest terms each has one form:
 
 .. math:: \tan\frac{j u \alpha}{2} = \frac{1}{i} \frac{E^j - 1}{E^j + 1} \qquad
     \sin j u \alpha = \frac{1}{2 i} \frac{E^{2j} - 1}{E^j}
@@ -22,7 +22,7 @@ from sympy.polys.polyerrors import CoercionFailed
 from ..families import alpha
 
 HARMONICS_MAX = 64
-"""Limit of k in multiples k u of the angle: the degree of polynomials in E."""
+"""Limit of k in multiples kuα, which bounds the degree of polynomials in E."""
 
 I, E = sympy.I, sympy.Symbol("E")
 BY_EXPONENTIAL: Mapping[Any, Callable[[int], sympy.Expr]] = {
@@ -33,11 +33,11 @@ BY_EXPONENTIAL: Mapping[Any, Callable[[int], sympy.Expr]] = {
 }
 
 Form = tuple[Fraction, Any, int]
-"""(K, function, n) for ``K function(α/2n)``; (K, None, 1) for ``K α``."""
+"""Form (K, function, n) of ``K function(α/2n)``; (K, None, 1) for ``K α``."""
 
 
 def multiple_of_known(phi: sympy.Expr) -> Form | None:
-    """Return the form of φ; None where it is another function."""
+    """Return the form of φ; None for any other function."""
     if phi.is_rational_function(alpha):
         factor = sympy.cancel(phi / alpha)
         return (_fraction(factor), None, 1) if _is_positive_rational(factor) else None
@@ -54,7 +54,7 @@ def multiple_of_known(phi: sympy.Expr) -> Form | None:
 
 
 def _form(rational: sympy.Expr, unit: Fraction) -> Form | None:
-    """Compare a rational function of E, in lowest terms, with the forms of tangent and sine."""
+    """Return the form of a rational function of E, by comparison with tangent and sine in lowest terms."""
     try:
         above, below = (sympy.Poly(part, E, domain="QQ_I") for part in sympy.fraction(sympy.together(rational)))
     except CoercionFailed:  # an irrational coefficient

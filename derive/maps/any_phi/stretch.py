@@ -1,7 +1,7 @@
 r"""Singular values of Re T, and the φ that keeps them nearest to 1.
 
-Along the axis the singular value is ``1/φ′``. In the plane across it Re T is ``f I + g skew(v)``, and the singular
-value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
+Along the axis the singular value is ``1/φ′``. In the plane across the axis Re T is ``f I + g skew(v)``, and the
+singular value is ``2 sin(α/2)/φ``, from ``f² + x g² = 2 g``.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..families import alpha
 from .elementary import evaluate
 
 POINTS = 400
-"""Number of angles among which an extremum is searched."""
+"""Number of angles in the search for an extremum."""
 
 DECIMAL_UNITS = 10**6
 
@@ -31,7 +31,7 @@ Angles: TypeAlias = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Stretch:
-    """φ and both singular values, ``1/φ′`` along the axis and ``2 sin(α/2)/φ`` across it, at an angle."""
+    """Value of φ and both singular values at an angle: ``1/φ′`` along the axis, ``2 sin(α/2)/φ`` across it."""
 
     size: float
     along: float
@@ -49,7 +49,7 @@ class Stretch:
 
 
 def stretch(phi: sympy.Expr, angle: float) -> Stretch:
-    """Return φ and singular values at an angle ≥ 0."""
+    """Return φ and both singular values at an angle ≥ 0."""
     at = mpmath.mpf(angle)
     slope = float(mpmath.re(evaluate(phi.diff(alpha), alpha, at)))
     if angle == 0:
@@ -61,15 +61,15 @@ def stretch(phi: sympy.Expr, angle: float) -> Stretch:
 def bound(angle: float) -> float:
     """Return ``√(A/2 / sin(A/2))``, a lower bound of `Stretch.worst` up to an angle A for every φ with φ′ > 0.
 
-    With ``1/φ′ ≤ M`` is ``φ(A) ≥ A/M``, and with ``φ/(2 sin(A/2)) ≤ M`` is ``φ(A) ≤ 2 M sin(A/2)``: so
-    ``M² ≥ A/(2 sin(A/2))``. α divided by this M reaches it; with φ′(0) = 1 none does, whose slope has to fall at once.
+    ``1/φ′ ≤ M`` gives ``φ(A) ≥ A/M``, and ``φ/(2 sin(A/2)) ≤ M`` gives ``φ(A) ≤ 2 M sin(A/2)``. Hence
+    ``M² ≥ A/(2 sin(A/2))``. ``φ = α/M`` attains the bound. No φ with φ′(0) = 1 does: its slope would have to jump.
     """
     return math.sqrt(angle / 2 / math.sin(angle / 2))
 
 
 @dataclass(frozen=True)
 class Best:
-    """The φ of a kind that keeps the singular values nearest to 1, as text for ``--phi``."""
+    """Best φ of one kind, with the singular values nearest to 1, as text for ``--phi``."""
 
     kind: str
     phi: str
@@ -77,11 +77,11 @@ class Best:
 
 
 def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
-    """Return the best φ up to an angle A among tangents, sines, and odd polynomials with φ′(0) = 1.
+    """Yield the best φ up to an angle A among tangents, sines, and odd polynomials with φ′(0) = 1.
 
-    Of ``φ = 2n tan(α/2n)`` the limit α is best: ``φ(A) > A`` makes ``φ(A)/(2 sin(A/2))`` larger, and of α that is the
-    greatest. Of ``φ = c sin(α/c)`` it falls, and ``1/φ′(A)`` grows, as c gets less: where they are equal is the best,
-    for every A at c = 4. This is Lambert's chart, whose singular values are ``1/cos(α/4)`` and ``cos(α/4)``.
+    Among tangents ``2n tan(α/2n)`` the limit α is best: the worst stretch is at least ``φ(A)/(2 sin(A/2))``, and
+    tangents have ``φ(A) > A``. Among sines ``c sin(α/c)`` this quotient falls and ``1/φ′(A)`` grows as c decreases.
+    The best c makes both equal: c = 4 for every A. Lambert's chart has the values ``1/cos(α/4)`` and ``cos(α/4)``.
     """
     yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda at: (at, np.ones_like(at)), angle))
     c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))
@@ -103,7 +103,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _worst(sized: Callable[[Angles], tuple[Angles, Angles]], angle: float) -> float:
-    """Return the greatest of both singular values and their inverses, given φ and φ′ of angles."""
+    """Return the greatest of both singular values and their inverses; `sized` returns φ and φ′ of angles."""
     at = np.linspace(0, angle, POINTS + 1)[1:]
     size, slope = sized(at)
     if not (np.all(size > 0) and np.all(slope > 0)):

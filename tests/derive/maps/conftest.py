@@ -1,4 +1,4 @@
-"""Seeded dual vectors for the tests of this folder: 50-digit ones, and exact rational ones."""
+"""Seeded dual vectors for the tests of this folder, with 50 digits or exact rational numbers."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def draw_exact() -> Callable[[], Vector]:
 
 @pytest.fixture
 def gap() -> Callable[[object, object], mpmath.mpf]:
-    """Largest difference, real or dual, between two numbers or structures."""
+    """Return the largest difference, real or dual, between two numbers or structures."""
 
     def largest(a: object, b: object) -> mpmath.mpf:
         difference = a - b  # type: ignore[operator]

@@ -1,4 +1,4 @@
-"""The front door: coefficients, matrices and texts of Cayley(n) against what they claim."""
+"""Coefficients, matrices and texts of Cayley(n), compared with the paper and independent formulas."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def is_zero(expression: sympy.Expr) -> bool:
 
 
 def test_printed_coefficients() -> None:
-    """CP23 (96)-(98), (103)-(105), (110)-(112), with the shared signs and fraction bars derived."""
+    """Compare with CP23 (96)-(98), (103)-(105), (110)-(112); shared signs and fraction bars are derived."""
     expected = {
         (1, "tangent"): (2 / (1 + x), 2 / (1 + x), 0),
         (1, "tangent_inv"): (sympy.Rational(1, 2), -sympy.Rational(1, 2), sympy.Rational(1, 2)),
@@ -72,7 +72,7 @@ def identities(m: Cayley) -> dict[str, tuple[object, object]]:
 
 
 @pytest.mark.parametrize("n", ORDERS)
-def test_every_identity_a_formula_states(n: int) -> None:
+def test_stated_identities_of_formulas_hold(n: int) -> None:
     m = Cayley(n)
     table = identities(m)
     stated = [text for name in ("quaternion", *MAPS) for text in getattr(m, name).identities]
@@ -84,7 +84,7 @@ def test_every_identity_a_formula_states(n: int) -> None:
 
 @pytest.mark.parametrize("n", [1, 2, 3, 4])
 def test_tangent_is_the_derivative_of_the_tensor(n: int) -> None:
-    """ω = vect(Ṙ Rᵀ), entry by entry along one symbol, at rational points."""
+    """Compare with ``ω = vect(Ṙ Rᵀ)``, by derivatives along each real symbol at a rational point."""
     R, _ = Cayley(n).tensor.matrix(V)
     T, _ = Cayley(n).tangent.matrix(V)
     point = dict(zip(V, map(sympy.Rational, ("1/3", "-2/5", "3/7", "1", "2", "3")), strict=True))
@@ -106,7 +106,7 @@ def test_dual_matrix_is_the_directional_derivative(n: int, name: str) -> None:
 
 
 @pytest.mark.parametrize("n", ORDERS)
-def test_symbolic_and_numeric_forms_are_one(n: int, draw_exact) -> None:
+def test_symbolic_and_numeric_forms_agree(n: int, draw_exact) -> None:
     m = Cayley(n)
     for _ in range(3):
         v = draw_exact()
@@ -117,7 +117,7 @@ def test_symbolic_and_numeric_forms_are_one(n: int, draw_exact) -> None:
             assert values == getattr(closed_forms, name)(n, square)
             for value, expression in zip(values.coefficients, formula.coefficients, strict=True):
                 at = {x: sympy.Rational(square.re)}
-                assert isinstance(real_part(value), Fraction)  # which a float would be equal to
+                assert isinstance(real_part(value), Fraction)  # an equal float would pass the next line
                 assert real_part(value) == Fraction(str(expression.subs(at)))
                 assert dual_part(value) == square.du * Fraction(str(expression.diff(x).subs(at)))
 
@@ -133,7 +133,7 @@ def test_quaternion_is_unit_and_gives_the_tensor(n: int, draw, gap) -> None:
 
 @pytest.mark.parametrize("n", range(1, 9))
 def test_quaternion_is_the_power_of_its_definition(n: int, draw, gap) -> None:
-    """CP23 (46) squared, ``q̂² = ((1 + v)(1 − v)⁻¹)ⁿ``, by quaternion products."""
+    """Compare with the square of CP23 (46), ``q̂² = ((1 + v)(1 − v)⁻¹)ⁿ``, by quaternion products."""
     v = draw()
     step = Quaternion(Dual(1), v) * Quaternion(Dual(1), -v).inverse()
     power = step

@@ -1,4 +1,4 @@
-"""φ⁻¹ in closed form returns the angle of a length, up to the edge."""
+"""Closed forms of φ⁻¹ return the angle of a length, up to the edge."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ INVERSES = {
     "alpha*sqrt(1 + alpha**2)": None,
     "alpha*sqrt((1 + alpha**2)/(3 + alpha**2))": None,
 }
-"""Closed inverses by φ; None where the form of the root is not compared."""
+"""Closed inverses by φ; None if the form of the root is not compared."""
 
 
 @pytest.mark.parametrize("phi", list(INVERSES))

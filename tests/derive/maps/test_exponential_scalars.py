@@ -1,4 +1,4 @@
-"""Scalars of the exponential beyond its series correct the rounding error of the angle."""
+"""Scalars of the exponential chart correct the rounding error of the angle, beyond the limit of the series."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Lossy(ExponentialScalars):
 
 
 def worst(kind: type[ExponentialScalars]) -> float:
-    """The largest error of ``sin α`` and ``1 − cos α``, in eps."""
+    """Return the largest error of ``sin α`` and ``1 − cos α``, in eps."""
     largest = 0.0
     for x in SQUARES:
         at = kind(x, Sharp())
@@ -34,7 +34,7 @@ def worst(kind: type[ExponentialScalars]) -> float:
 
 @pytest.mark.parametrize("kind", [ExponentialScalars, PrincipalScalars])
 def test_rounding_of_the_root_is_corrected(kind: type[ExponentialScalars]) -> None:
-    """Within 2 eps: tangent, sum, quotient, correction, quotient, half each; the 2 eps of the angle are not in it."""
+    """Allow 2 eps, half an eps for each rounded operation; the correction removes the 2 eps of the angle."""
     assert worst(kind) <= 2
 
 

@@ -1,4 +1,4 @@
-"""Operators by differentiation of displacements alone, against their closed forms; exponentials."""
+"""Tangent operators by differentiation of displacements, compared with closed forms; exponentials."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def cosine(a: Any) -> Any:
 
 
 def about(angle: Any, u: Vector) -> Tensor:
-    """Rodrigues' formula, in dual numbers of dual numbers too."""
+    """Return the rotation by Rodrigues' formula, for nested dual numbers too."""
     skew = Tensor.skew(u)
     turned: Tensor = Tensor.identity() + skew * sine(angle) + skew @ skew * (1 - cosine(angle))
     return turned
 
 
 def rate_of_axis(angle: Any, u: Vector) -> Tensor:
-    """Θ of u̇ = Θ ω, CP23 (78)."""
+    """Return the operator Θ of ``u̇ = Θ ω``, CP23 (78)."""
     skew, half = Tensor.skew(u), angle / 2
     operator: Tensor = (skew + skew @ skew * (cosine(half) / sine(half))) / -2
     return operator
@@ -56,13 +56,13 @@ def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, 
 
 
 def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """For u along a coordinate axis e, the product u × e is zero and cannot serve as a direction across."""
+    """Expect rates for u along a coordinate axis e, where ``u × e`` is zero and no direction across."""
     for axis in Tensor.identity().rows:
         u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
         assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY
 
 
-def test_without_rotation_the_axis_turns_at_any_rate(draw: Draw) -> None:
+def test_rates_of_the_axis_without_rotation_raise(draw: Draw) -> None:
     v = draw().re
     with pytest.raises(ZeroDivisionError):
         first_principles.axis_rates(about, mpmath.mpf(0), v / v.magnitude())

@@ -21,7 +21,7 @@ RADIUS = mpmath.mpf("1.5")
 
 
 def points(seed: int, count: int = 100) -> list[mpmath.mpc]:
-    """On a quarter of the circle, its ends among them."""
+    """Return points on a quarter of the circle, both ends included."""
     draw = random.Random(seed)
     return [RADIUS * mpmath.expjpi(share / 2) for share in (0, 1, *(draw.random() for _ in range(count)))]
 
@@ -32,7 +32,7 @@ def at(phi: sympy.Expr, z: mpmath.mpc) -> mpmath.mpc:
 
 @pytest.mark.parametrize("text", PHI)
 def test_bound_on_a_circle_is_close_and_below_all_points(text: str):
-    """Arcs are 1/80 long, and slopes of these φ in proportion to themselves at most 4: bounds are off by some 10 %."""
+    """Allow 20 %: arcs are 1/80 long and relative slopes |φ′/φ| at most 4, so bounds are off by about 10 %."""
     phi = parsed(text)
     least = intervals.smallest(phi, RADIUS)
     assert intervals.is_analytic(phi, RADIUS)

@@ -1,4 +1,4 @@
-"""Lines as unit dual vectors, and their distance."""
+"""Lines as unit dual vectors, and the distance between lines."""
 
 from __future__ import annotations
 

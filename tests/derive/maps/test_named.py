@@ -1,4 +1,4 @@
-"""Charts by name, and recognition of a φ that is one of them."""
+"""Charts by name, and recognition of φ of a named chart."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def test_scalars_of_a_multiple_are_those_of_its_base_by_powers_of_the_factor(phi
 
 @pytest.mark.parametrize("name", ["orthographic", "lambert", "breusing", "scaled3"])
 def test_coefficients_at_no_rotation(name: str):
-    """φ = c₁ α + c₃ α³ + …: T has 1/c₁, 1/(2c₁²), (1/6 − 2c₃/c₁)/c₁³ there, T⁻¹ c₁, −1/2, 2c₃/c₁² + 1/(12c₁)."""
+    """Expect 1/c₁, 1/(2c₁²), (1/6 − 2c₃/c₁)/c₁³ in T; c₁, −1/2, 2c₃/c₁² + 1/(12c₁) in T⁻¹; φ = c₁ α + c₃ α³ + …."""
     chart = family(name)
     first, third = (chart.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
     at = chart.scalars(sympy.Integer(0), PLAIN)

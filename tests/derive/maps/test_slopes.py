@@ -1,6 +1,6 @@
-"""Scalars of every chart at numbers: slopes are derivatives, and all of them belong to one φ, near v = 0 and beyond.
+"""Scalars of every chart at numbers: slopes are derivatives, and all scalars belong to one φ, near v = 0 and beyond.
 
-Proofs know the formulas beyond, and those near v = 0 by what their polynomials approximate: here both are evaluated.
+Proofs cover the formulas beyond, and the functions that polynomials approximate near v = 0. Tests evaluate both.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ PHI = {
     "halves": "alpha*acos(alpha**2/500)",
     "arcsine": "asin(alpha/20) + alpha",
 }
-"""φ with every kind of edge and every function that kernels compute; "arc" has a pole near 0."""
+"""Functions φ with every kind of edge and every function that kernels compute; "arc" has a pole near 0."""
 
 SHARES = ("1e-5", "0.1", "0.3", "0.9")
 """Shares of the edge, or of three quarters of a turn, whichever is less."""
 
 TOLERANCE = 1e-11
-"""Polynomials approximate to 1e-17 or better, with a step of 1e-3 at least between their nodes; two slopes of that.
+"""Tolerance for two slopes of polynomials with errors up to 1e-17 and nodes at least 1e-3 apart.
 
-The differences of 1e-9 are off by its square only.
+Differences with a step of 1e-9 add an error of the square of the step only.
 """
 
 
 @pytest.fixture(scope="module")
 def of(request: pytest.FixtureRequest) -> Any:
-    """A chart, of a φ with its polynomials: they take as long as all that is asked of them."""
+    """Chart by name, with polynomials already fitted: fitting them takes as long as all tests of the chart."""
     name: str = request.param
     if name in PHI:
         (made,) = charts(phi=PHI[name], name=name)
@@ -54,7 +54,7 @@ def of(request: pytest.FixtureRequest) -> Any:
 
 
 def squares(of: Any) -> list[mpmath.mpf]:
-    """Values of x = v·v, 0 the first."""
+    """Return values of ``x = v · v``, with 0 first."""
     end = mpmath.mpf(sympy.Min(of.edge, 3 * sympy.pi / 2).evalf(40))
     return [mpmath.mpf(0), *(length(of, mpmath.mpf(share) * end) ** 2 for share in SHARES)]
 

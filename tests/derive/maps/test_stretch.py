@@ -33,7 +33,7 @@ def test_second_order_is_conformal():
 
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi])
 def test_best_phi_is_above_the_bound_and_generates(angle: float):
-    """The exponential has the square of the bound, sines and polynomials less; a third degree is enough to see it."""
+    """Expect the square of the bound for the exponential chart, and less for sines and cubic polynomials."""
     tangent, sine, cubic = best(angle, (3,))
     assert tangent.phi == "alpha"
     assert tangent.worst == pytest.approx(bound(angle) ** 2, rel=1e-12)
@@ -47,7 +47,7 @@ def test_best_phi_is_above_the_bound_and_generates(angle: float):
 
 @pytest.mark.parametrize("angle", [0.5, math.pi / 2, math.pi, 5.0])
 def test_lamberts_chart_is_the_best_of_sines(angle: float):
-    """Its singular values are inverse to each other, 1/cos(α/4) along the axis; a little less or more of c is worse."""
+    """Expect reciprocal singular values, ``1/cos(α/4)`` along the axis; a slightly smaller or larger c is worse."""
     _, sine = best(angle, ())
     assert sine.phi == "4*sin(alpha/4)"
     assert sine.worst == pytest.approx(1 / math.cos(angle / 4), rel=1e-14)
@@ -62,8 +62,8 @@ def test_tangents_of_any_order_are_worse_than_the_exponential(n: int):
     assert stretch(2 * n * sympy.tan(alpha / (2 * n)), 3.0).worst > stretch(alpha, 3.0).worst
 
 
-def test_no_multiple_is_better():
-    """The bound at π: a φ of slopes that all obey it is too long there, or too short."""
+def test_no_phi_is_better_than_the_bound():
+    """Draw φ with slopes slightly within the bound: at π each φ is too long or too short for the bound."""
     rng = np.random.default_rng(1)
     least = bound(math.pi)
     for _ in range(50):

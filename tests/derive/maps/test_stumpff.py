@@ -34,7 +34,7 @@ def test_truncation_error_is_the_bound():
 
 
 def test_number_of_terms_is_the_least_for_long_doubles():
-    """Of ``7! c₇``, which is 1 at rest, less than an eps is cut off; with one term less it would be more."""
+    """Expect a truncation error of ``7! c₇``, about 1, below eps; one term fewer would exceed eps."""
     share = 5040 * stumpff.REMAINDER
     one_less = share * (2 * stumpff.TERMS + 6) * (2 * stumpff.TERMS + 7) / (stumpff.LIMIT / 4)
     assert share < 2.0**-63 < one_less
