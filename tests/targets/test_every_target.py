@@ -1,4 +1,4 @@
-"""Properties of every target: its text is printed and agrees with the formulas."""
+"""Properties of every target: its printed text agrees with the formulas."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
 
-# C is executed as text in tests/derive/codegen/test_c_text.py; the headers of the native target are those of C
+# tests/derive/codegen/test_c_text.py interprets the C headers, which the native target uses too
 NAMES = [name for name in TARGETS if name not in ("c", "native", "numpy")]
 
 

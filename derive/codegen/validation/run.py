@@ -53,7 +53,7 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's scalar programs, and all chart-specific kernels.
+    """Return functions that together read every result of a chart's scalar programs, and functions that return v.
 
     A module for rotations shares the scalars of the module for poses: the functions `WIRED` check that it does.
     """

@@ -1,4 +1,4 @@
-"""The interpreter of C: what it computes, and what it refuses because C would round it or leave it undefined."""
+"""Interpreter of C: exact results, and refusal of code that C would round or leave undefined."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.codegen.validation.c_interpreter import UNSET, CError, Pointer, load
 
 
 def run(text: str, *arguments: Any) -> Any:
-    """Return the value of f."""
+    """Return the value of the C function f for these arguments."""
     return load(text).call("f", *arguments)
 
 

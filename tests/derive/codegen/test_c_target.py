@@ -1,4 +1,4 @@
-"""The C target: what the printer writes, what validation catches, what the command says."""
+"""C target: printed text, errors caught by validation, and messages of the command."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def texts(shared):
 
 
 def printed(record, names=("a", "b")):
-    """The assignment and store of a program that records one value from two inputs."""
+    """Return the printed assignment and store of a program that records one value from two inputs."""
     trace = Trace()
     values = trace.inputs("v", names)
     return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), KERNELS["pose"].results, {}).text
@@ -164,7 +164,7 @@ def test_every_function_has_a_plain_form_and_one_for_rows(texts, table, prefix):
 
 
 def test_of_scalars_a_header_of_rotations_holds_those_that_are_new(texts):
-    """None here: its functions call the scalars of poses, which the headers of poses define."""
+    """No scalars are new: functions of rotations call the scalars that the headers of poses define."""
     text = texts["rotation/geometry.h"]
     called = set(re.findall(r"DUALCAY_CHART\((\w+_scalars)\)", text))
     assert len(called) > 10
@@ -204,7 +204,7 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
 )
 def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
-    """Whatever is included first, and whichever other files are there."""
+    """The error names the command for any header included first, also with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     for name in {"geometry.h", "rotation/geometry.h"} - {first}:
         (staged / name).unlink()
@@ -236,7 +236,7 @@ def test_what_was_printed_agrees(staged):
     assert compiled.test(staged, Cayley(3)) > 1000
 
 
-# one of each kind: the text is executed too, where mutants take no compiler (test_c_text)
+# one change of each kind; test_c_text tries many more without a compiler
 @pytest.mark.compiler
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
@@ -258,7 +258,7 @@ def test_what_was_printed_agrees(staged):
     ],
 )
 def test_a_changed_kernel_fails_validation(staged, monkeypatch, file, function, pattern, replacement):
-    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # what is wrong is so at any optimisation
+    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # fast to compile; errors show at any optimisation
     header, order = staged / file, 4 if "4" in file else 3
     name = rf"DUALCAY_NAME\({function}\)" if file.endswith("geometry.h") else f"dualcay_cayley{order}_{function}"
     text = header.read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Numbers of 50 digits follow real arithmetic, and IEEE rules where that is undefined."""
+"""Numbers of 50 digits follow real arithmetic; undefined results follow IEEE rules."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_operations_are_rounded_to_these_digits(operation: Callable[..., Any], a
     wanted = operation(a, b)
     for first, second in ((Decimal(a), Decimal(b)), (a, Decimal(b)), (Decimal(a), b)):
         apart = abs(exactly(operation(first, second)) - wanted)
-        if operation in (operator.add, operator.sub):  # of either term, and of the result
+        if operation in (operator.add, operator.sub):  # both terms and the result are rounded
             assert apart <= ROUNDING * (1 + ROUNDING) * (abs(a) + abs(b) + abs(wanted))
         else:
             assert apart <= 3 * ROUNDING * (1 + 4 * ROUNDING) * abs(wanted)
@@ -53,11 +53,11 @@ def test_numbers_of_mpmath_are_taken_as_they_are(bits: int, shift: int) -> None:
     with mpmath.workprec(200):
         value = mpmath.ldexp(mpmath.mpf(bits), shift)
         exact = bits * Fraction(2) ** shift
-        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # the power of 2 to one unit
+        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # includes one unit for the power of 2
 
 
 class Limb:
-    """An integer type other than int, such as mpmath takes from gmpy2."""
+    """Integer type other than int, like the mpz that mpmath takes from gmpy2."""
 
     def __init__(self, value: int) -> None:
         self.value = value
@@ -78,11 +78,11 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
     assert Decimal(10**5000).value.adjusted() == 5000
     assert exactly(Decimal(10**60 + 1)) == 10**60
     with mpmath.workdps(DIGITS):
-        for number in (10**7, 10**12):  # exact powers of 2 would take forever
+        for number in (10**7, 10**12):  # exact powers of 2 would take too long
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
         assert Decimal(10**5000).tan().value.is_finite()
-        tiny = Decimal(decimal.Decimal("1e-3000000"))  # a fraction would have three million digits
+        tiny = Decimal(decimal.Decimal("1e-3000000"))  # as a fraction it would have three million digits
         assert abs(tiny.tan() / tiny - 1) < Fraction(1, 10**48)
 
 

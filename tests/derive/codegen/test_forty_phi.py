@@ -1,6 +1,6 @@
-"""Law over forty φ: each generates in every target that can be built here, or is refused with a reason.
+"""Test of forty φ: each generates in every target that can be built here, or is refused with a reason.
 
-They are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
+The forty are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ ROOTS = [
 PHI = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
 TARGETS = ("numpy", "array-api", "numba", "c")
 SAMPLE = {(phi, "numpy") for phi in ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(alpha/3)/(1 + cos(alpha/3))")}
-"""Pairs that every run tries, the fastest of their kinds; all others are thorough."""
+"""Pairs of φ and target that every run tests, each the fastest of its kind; the others are marked thorough."""
 
 
 def test_there_are_forty_of_them() -> None:

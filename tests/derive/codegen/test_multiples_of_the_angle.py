@@ -25,7 +25,7 @@ from dualcay import exponential
 
 
 def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
-    """An integer over an integer would be a float on 50 digits; squares of a(0) would overflow in single precision."""
+    """Guard against a quotient of integers, a mere float in 50-digit runs, and against float32 overflow of a(0)²."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
     files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
     assert validate(tmp_path / "of_units", chart, geometry=True) > 500
@@ -35,7 +35,7 @@ def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> 
         kernels = module_of(package, chart, POSES)
         for dtype in (np.float64, np.float32):
             there, here = (np.asarray(rows, dtype) for rows in (w, 1.5 * w))
-            # v is rounded, and either kernel loses some units of it; dual parts are as long as w
+            # v is rounded, and each kernel loses a few units; dual parts have the size of w
             close = 16 * np.finfo(dtype).eps * (1 + np.linalg.norm(w, axis=-1, keepdims=True))
             assert np.all(abs(kernels.quaternion(here) - exponential.quaternion(there)) <= close)
 
