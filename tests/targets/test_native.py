@@ -189,7 +189,7 @@ def test_errors_are_those_of_numpy_kernels(native, call):
 
 
 def test_singular_points_raise_no_floating_point_error(native):
-    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # nearly q = 0; its shadow is v = 0
+    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # pole where q is nearly 0
     with np.errstate(all="raise"), warnings.catch_warnings():
         warnings.simplefilter("error")
         assert not np.isfinite(native(3).shadow(np.zeros(6), 1)).any()
