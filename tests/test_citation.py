@@ -28,5 +28,5 @@ def test_papers_and_version_are_those_of_the_toolkit(name: str) -> None:
         assert " ".join(title) in " ".join(words(text))
 
 
-def test_the_changelog_knows_the_version() -> None:
+def test_changelog_contains_the_version() -> None:
     assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")

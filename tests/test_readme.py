@@ -61,7 +61,7 @@ def test_every_link_leads_somewhere(link: str) -> None:
     assert not section or f"\n## {section}\n" in TEXT.lower()
 
 
-def test_numbers_are_those_of_the_benchmarks() -> None:
+def test_numbers_agree_with_the_benchmark_page() -> None:
     page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8").splitlines()
     rows = [line for line in TEXT.splitlines() if re.match(r"\| (n|\d+) \| ", line)]
     assert len(rows) > 5

@@ -61,7 +61,7 @@ def several(found):
 # --- choice of the library ----------------------------------------------------------------------------------------
 
 
-def test_every_function_of_several_arrays_takes_those_of_numpy_into_the_other_library(module, strict):
+def test_numpy_arguments_are_converted_in_every_function_of_several_arrays(module, strict):
     assert {len(PUBLIC[name].arguments) for name in SEVERAL} == {2, 3}
     for name in SEVERAL:
         assert_taken(getattr(module, name), inputs(load(3), name, 3, (2,)), strict.asarray)
@@ -140,7 +140,7 @@ def test_two_libraries_beside_numpy_are_named(module, strict, jax):
         module.interpolate(V.tolist(), one, other[0])
 
 
-def test_arguments_that_are_no_arrays_are_named(module, strict):
+def test_arguments_that_are_not_arrays_are_named(module, strict):
     for first in (W, strict.asarray(W)):
         with pytest.raises(TypeError, match="v_dot must be an array of NumPy, JAX, PyTorch or the like, got dict"):
             module.twist(first, {})

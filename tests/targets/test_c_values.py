@@ -80,7 +80,7 @@ def by_c(form, name, arrays, branch, layout, table=POSES):
     return out if layout == "rows" else [part.T for part in out]
 
 
-def test_maps_without_tan_agree_to_the_last_bit(both):
+def test_maps_without_tan_are_bit_identical(both):
     form, module, dtype = both
     operations = lower_chart(Cayley(module.ORDER)).operations
     plain = [name for name, row in PUBLIC.items() if not row.branch and row.kernel in operations]
@@ -95,7 +95,7 @@ def test_maps_without_tan_agree_to_the_last_bit(both):
 
 @pytest.mark.parametrize("layout", ["rows", "aos"])
 @pytest.mark.parametrize("name", PUBLIC)
-def test_both_layouts_agree_but_for_rounding(both, name, layout):
+def test_both_layouts_agree_up_to_rounding(both, name, layout):
     form, module, dtype = both
     arrays = arguments(name, module, dtype, np.random.default_rng(11))
     n = module.ORDER
@@ -106,7 +106,7 @@ def test_both_layouts_agree_but_for_rounding(both, name, layout):
             assert_close(ours, theirs)
 
 
-def test_rotations_agree_but_for_rounding(folder, tmp_path):
+def test_rotations_agree_up_to_rounding(folder, tmp_path):
     """One order suffices: rotations share the scalars of poses, which are compared above."""
     command = compiler()
     library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)

@@ -47,7 +47,7 @@ def test_scalar_last_reorders_each_half_of_a_quaternion(package, target, out):
 
 
 @pytest.mark.parametrize("target", ["numba", "array-api"])
-def test_a_module_shows_what_it_offers(package, target):
+def test_dir_of_a_module_lists_its_public_names(package, target):
     for table in ("", ".rotation"):
         module = importlib.import_module(f"{package(target)}{table}.cayley3")
         assert sorted(dir(module)) == sorted(module.__all__)

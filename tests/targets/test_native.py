@@ -198,7 +198,7 @@ def test_singular_points_raise_no_floating_point_error(native):
         assert np.isnan(native(3).pose(np.array([[np.nan, 0, 0, 0, 0, 0], pole]))).any(axis=(1, 2)).tolist() == [1, 0]
 
 
-def test_other_threads_run_meanwhile(native):
+def test_other_threads_run_during_a_call(native):
     """A counting thread continues during a long call, which therefore does not hold the GIL."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
@@ -233,7 +233,7 @@ def said(site: Path, **environment: str) -> tuple[str, str]:
     return done.stdout, done.stderr
 
 
-def test_an_environment_variable_switches_it_off(site):
+def test_environment_variable_disables_compiled_functions(site):
     assert said(site, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
     assert "native in" in said(site)[0]
 

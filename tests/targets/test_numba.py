@@ -202,7 +202,7 @@ def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported
     assert hits(negative) == 0
 
 
-def test_cores_serve_loops_compiled_elsewhere(compiled):
+def test_compiled_user_code_may_call_cores(compiled):
     core = compiled(ORDER).CHART.kernels["quaternion"].kernel.core
 
     @njit
@@ -278,7 +278,7 @@ def test_compiled_kernel_refuses_arrays_of_other_sizes(compiled, inside):
 
 
 @pytest.mark.parametrize("dtype", [">f4", ">f8"])
-def test_numbers_of_the_other_byte_order_are_turned(compiled, dtype):
+def test_byte_swapped_arrays_are_converted(compiled, dtype):
     v = sampling.poses(ORDER, "uniform").astype(dtype)
     got = compiled(ORDER).pose(v)
     assert got.dtype == np.dtype(dtype).newbyteorder("=")

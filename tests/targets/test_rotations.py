@@ -46,7 +46,7 @@ def test_compiled_functions(package):
     assert module.random((2,), rng=0).shape == (2, 3)
 
 
-def test_a_lone_angle_may_be_a_number_of_python(package):
+def test_single_angle_may_be_a_python_number(package):
     module = importlib.import_module(f"{package('array-api')}.rotation.cayley2")
     v = module.from_angle_axis(np.pi / 2, np.array([0, 0, 1.0]))
     np.testing.assert_allclose(v, [0, 0, np.tan(np.pi / 8)], rtol=2 * EPS)  # errors of a tangent and a product

@@ -259,7 +259,7 @@ def test_angles_of_vectors_are_found(phi: sympy.Expr, edge: sympy.Expr, angles: 
             assert abs(found / angle - 1) < 10 ** mpmath.mpf(-44)
 
 
-def test_no_angle_is_found_beyond_the_edge():
+def test_length_without_angle_below_the_edge_is_an_error():
     with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
         Vectors(Sine()).angle(mpmath.mpf("1.5"))
 
@@ -273,7 +273,7 @@ def test_edges_have_full_precision_at_any_working_precision():
         assert all(abs(angle - k * mpmath.pi) < mpmath.mpf(10) ** -48 for angle, k in zip(found, (3, 2), strict=True))
 
 
-def test_long_vectors_are_no_tie():
+def test_long_vector_below_half_a_turn_is_on_branch_0():
     """The angle α is not π: 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
     with mpmath.workdps(670):
         v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))

@@ -68,7 +68,7 @@ def test_rounding_undefined_or_unread_expressions_are_refused(text: str, message
         expression(text)
 
 
-def test_integer_division_is_found_where_it_is_not_executed() -> None:
+def test_unexecuted_integer_division_is_refused() -> None:
     with pytest.raises(CError, match=r"unit\.c:3: an integer division"):
         load("double f(double a) {\n    if (a < a) {\n        return 1 / 2;\n    }\n    return a;\n}")
 

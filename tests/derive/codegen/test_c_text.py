@@ -113,7 +113,7 @@ def test_changed_text_fails(folder, table, each, least):
         (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
     ],
 )
-def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message):
+def test_errors_in_headers_are_named(folder, tmp_path, pattern, replacement, message):
     texts = {name: (folder / name).read_text() for name in ("cayley3.h", "geometry.h", "dualcay.h")}
     changed = next(name for name, text in texts.items() if re.search(pattern, text))
     files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})
@@ -129,7 +129,7 @@ def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message)
         (r'#include "../dualcay.h"', '#include "../../dualcay.h"', r"neither in the folder nor"),
     ],
 )
-def test_what_is_wrong_of_rotations_is_named(folder, tmp_path, pattern, replacement, message):
+def test_errors_in_rotation_headers_are_named(folder, tmp_path, pattern, replacement, message):
     texts = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.h")}
     changed = next(name for name, text in texts.items() if name.startswith("rotation/") and re.search(pattern, text))
     files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})

@@ -28,7 +28,7 @@ def exactly(number: Decimal) -> Fraction:
 
 @given(a=RATIONALS, b=RATIONALS)
 @pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
-def test_operations_are_rounded_to_these_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
+def test_operations_are_rounded_to_50_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
     if operation is operator.truediv and not b:
         return
     wanted = operation(a, b)
@@ -49,7 +49,7 @@ def test_comparison_negation_and_absolute_value_are_exact(a: Fraction, b: Fracti
 
 
 @given(bits=st.integers(-(2**200), 2**200), shift=st.integers(-1200, 1200))
-def test_numbers_of_mpmath_are_taken_as_they_are(bits: int, shift: int) -> None:
+def test_mpmath_numbers_are_converted_to_50_digits(bits: int, shift: int) -> None:
     with mpmath.workprec(200):
         value = mpmath.ldexp(mpmath.mpf(bits), shift)
         exact = bits * Fraction(2) ** shift
@@ -95,7 +95,7 @@ def test_functions_are_those_of_mpmath(name: str) -> None:
                 assert close(getattr(Decimal(number), name)(), wanted, Decimal(mpmath.mpf(10) ** -45))
 
 
-def test_the_angle_of_a_vector_is_that_of_mpmath() -> None:
+def test_arctan2_agrees_with_mpmath() -> None:
     with mpmath.workdps(DIGITS):
         for y, x in ((3, -4), (-3, -4), (0, -1), (5, 0)):
             found = Decimal(y).arctan2(Decimal(x))
@@ -116,7 +116,7 @@ def test_undefined_results_are_nan() -> None:
             close(other, one, one)
 
 
-def test_close_is_within_the_tolerance_by_1_and_the_size() -> None:
+def test_close_tolerance_is_relative_to_1_plus_size() -> None:
     pairs = {
         True: [(Fraction(10009, 10000), 1), (100, Fraction(1001, 10)), (mpmath.nan, NAN), (NAN, mpmath.nan)],
         False: [(Fraction(1003, 1000), 1), (99, 100), (NAN, 1), (1, NAN), (INFINITE, 1), (1, INFINITE)],

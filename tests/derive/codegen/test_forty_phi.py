@@ -31,7 +31,7 @@ SAMPLE = {(phi, "numpy") for phi in ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(al
 """Pairs of φ and target that every run tests, each the fastest of its kind; the others are marked thorough."""
 
 
-def test_there_are_forty_of_them() -> None:
+def test_forty_phi_are_listed() -> None:
     assert len(set(PHI)) == 40
 
 

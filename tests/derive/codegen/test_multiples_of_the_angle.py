@@ -41,7 +41,7 @@ def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("phi", ["sin(alpha)", "alpha/cos(alpha)", "tan(2*alpha/3)"])
-def test_a_map_that_ends_before_half_a_turn_is_refused_with_its_reason(tmp_path: Path, phi: str) -> None:
+def test_phi_with_edge_below_half_a_turn_is_refused_with_reason(tmp_path: Path, phi: str) -> None:
     chart = parameterization(phi, "short")
     assert {proof.status for proof in prove(chart).proofs} == {"proved"}
     with pytest.raises(PhiError, match=r"ends at alpha = .*, and poses that turn further, up to pi, have no v"):
