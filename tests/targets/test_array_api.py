@@ -27,7 +27,7 @@ LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
 
 SOME = ("uniform", "pure translation", "shadow")
-"""Regimes of poses that suffice for libraries which compute like the NumPy of validation."""
+"""Regimes of poses that suffice for libraries with the arithmetic of NumPy, in which the text was validated."""
 REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
 SLOW = ("jax", "jax.jit", "dask")
 """Libraries that compile or plan every operation: tests use one order, one type and few functions."""

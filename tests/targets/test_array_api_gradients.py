@@ -132,7 +132,7 @@ def test_shadows_and_screws(array_api, order, jacobians):
 
 @JACOBIANS
 def test_steps_of_half_a_turn_and_more(array_api, jacobians):
-    """The derivative by δ is T(v')⁻¹ dexp(δ), although tan(|δ|/2) is huge at half a turn and 0 at a whole turn."""
+    """Derivatives by δ equal T(v')⁻¹ dexp(δ), although tan(|δ|/2) is huge at half a turn and 0 at a whole turn."""
     module, v = array_api(3), np.repeat(samples(3, "uniform"), 3, axis=0)
     third = np.pi / 3
     delta = np.array([[0, 0, np.pi, 0.1, 0.2, 0.3], [-third, 2 * third, 2 * third, 1, 2, 3], [0, 5, 0, 1, 0, 0]])
@@ -143,7 +143,7 @@ def test_steps_of_half_a_turn_and_more(array_api, jacobians):
 
 @JACOBIANS
 def test_motions_past_a_whole_turn(array_api, jacobians):
-    """Rotation about the axis of v, from which the start varies: n = 1 has one branch, so nothing is singular there.
+    """Motion about the axis of v is differentiated by v: n = 1 has one branch, so nothing is singular there.
 
     Tolerance 1e-8: central differences with step 1e-6 of a function with derivatives of about ten.
     """

@@ -23,7 +23,7 @@ LIBRARY = {"tan", "atan2"}
 COUNT = 300
 
 QUICKLY = (*FLAGS, "-O1")
-"""Flags for a fast build: the last optimization level overrides, and avoids slow vectorization."""
+"""Flags for a fast build: the final -O1 overrides earlier levels, and avoids slow vectorization."""
 
 
 # all orders share their geometry, so each order runs in one real type

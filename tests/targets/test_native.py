@@ -82,7 +82,7 @@ def test_every_program_is_compiled(native, rotations):
 
 
 def test_reimport_reuses_compiled_functions(native):
-    """A second import must not recreate the tables that NumPy keeps of the extension module."""
+    """Check that a second import does not recreate tables of the extension module, which NumPy keeps."""
     native(3).pose(np.zeros(6))
     name = "dualcay_native.cayley3"
     first = sys.modules.pop(name)
@@ -93,7 +93,7 @@ def test_reimport_reuses_compiled_functions(native):
 
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
-    """The replay covers types, layouts, batches, ``out``, overlaps and branches."""
+    """Replay with all types, layouts, batches, ``out``, overlaps and branches."""
     machinery = TARGETS["numpy"].machinery
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
@@ -114,7 +114,7 @@ def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
 def test_fast_path_takes_plain_float64_arrays_and_agrees_to_the_digit(native, name):
-    """The fast path takes any batch of aligned float64 arrays, and silently refuses all other arguments."""
+    """Check that the fast path takes aligned float64 arrays of one batch shape, and silently refuses all else."""
     function, directly = native(3).CHART.native[name]
     values = inputs(load(3), name, 3, (12,))
     parts = [array.shape for array in PUBLIC[name].arguments]
@@ -199,7 +199,7 @@ def test_singular_points_raise_no_floating_point_error(native):
 
 
 def test_other_threads_run_during_a_call(native):
-    """A counting thread continues during a long call, which therefore does not hold the GIL."""
+    """Check that a counting thread continues during a long call, which therefore does not hold the GIL."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
 

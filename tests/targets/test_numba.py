@@ -255,7 +255,7 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
 
 
 def test_compiled_functions_are_cached(compiled, inside):
-    """Each function is compiled once; functions that share a kernel but differ in constants stay separate."""
+    """Check that each function is compiled once, and that functions of one kernel with other constants are separate."""
     module = compiled(ORDER)
     assert inside(module.twist) is inside(module.twist)
     assert inside(module.twist) is not inside(module.body_twist)

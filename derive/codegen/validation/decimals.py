@@ -101,7 +101,7 @@ class Decimal:
         return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(mpmath.nan)
 
 
-@lru_cache(maxsize=4096)  # calls in every layout need equal values
+@lru_cache(maxsize=4096)  # calls in different layouts repeat the arguments
 def _computed(function: Callable[..., Any], precision: int, *values: decimal.Decimal) -> Decimal:
     """Return the value of a function of mpmath; ``precision`` is the working precision, a key of the cache."""
     return Decimal(function(*map(_binary, values)))

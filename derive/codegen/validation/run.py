@@ -53,9 +53,9 @@ def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's scalar programs, and functions that return v.
+    """Return functions that together read every result of a chart's scalar programs, and functions that only copy v.
 
-    A module for rotations shares the scalars of the module for poses: the functions `WIRED` check that it does.
+    A module for rotations shares the scalars of the module for poses: calls of the functions `WIRED` check this.
     """
     lowered, programs = lower_chart(chart, table), geometry(table)
     shown = {} if table is POSES else lower_chart(chart, POSES).scalars

@@ -30,13 +30,13 @@ SMALL = 1e-21 / 7
 The factor 1/7 prevents sums from being exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
-"""Size of the small components in charts whose edge is half a turn: a smaller scalar part would be too near it."""
+"""Size of the small components in charts with edge π: a smaller scalar part would be too near the edge."""
 
 EDGE_MARGIN = 1e-12
 """Least margin to the edge, as defined by `Vectors.finite`: nearer vectors are too ill-conditioned to compare."""
 
 JACOBIAN_MARGIN = 0.1
-"""Least margin to the edge for Jacobians, whose condition number grows by one power faster."""
+"""Least margin to the edge for Jacobians, whose conditioning is worse by one power of the margin."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
 """Angle between a vector and the limit of its branch, in the cases nearest to the limit."""
@@ -53,7 +53,7 @@ STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size 
 """Steps in the range of the series of the exponential, where its last terms weigh most, and steps beyond it."""
 
 POLE_DISTANCE = mpmath.mpf(1) / 64
-"""Distance in angle from the edge, so near that `SMALL_STEP` in one direction crosses the edge."""
+"""Distance in angle from the edge, small enough for `SMALL_STEP` to cross the edge in one direction."""
 
 STEP_NAMES, STEP_JACOBIANS = ("retract", "body_retract"), ("retract_jacobians", "body_retract_jacobians")
 

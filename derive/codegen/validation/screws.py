@@ -1,7 +1,7 @@
 """Seeded screws on which kernels take every side of every selection.
 
-Kernels read the quaternion of a rotation matrix from one of four rows, which belongs to its largest component. For each
-row one screw makes this component largest, with axes of both signs and angles below and beyond a quarter turn. Another
+Kernels read the quaternion of a rotation matrix from one of four rows: the row of the largest component. For each row
+one screw makes this component largest, with axes of both signs and angles below and beyond a quarter turn. Another
 screw makes all other components small: the other rows lose their digits, so a wrong row selection shows.
 """
 

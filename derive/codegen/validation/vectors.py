@@ -129,7 +129,7 @@ class Vectors:
         angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
         found = []
         with mpmath.workdps(mpmath.mp.dps + DIGITS_CANCELLED * max(order, 1)):
-            at = max(angle, least)  # moves an even function by the order of least² = eps
+            at = max(angle, least)  # changes an even function by least² = eps only
             for _ in range(order + 1):
                 found.append(evaluate(expression, alpha, at))
                 expression = _by_square(expression, self.chart.phi)
@@ -186,7 +186,7 @@ class Vectors:
         angle = self.angle(length)
         halves = angle.re / mpmath.pi
         exact = is_whole(halves)
-        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # half to even: sin(α/2) > 0
+        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # ties to even: same sin(α/2)
         rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
         sign = orientation(rest, angle.du)
         return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign

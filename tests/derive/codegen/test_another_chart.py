@@ -1,4 +1,4 @@
-"""A chart unknown to the toolkit, v = sin(α/6) u, is proved, printed and validated."""
+"""Proof, printing and validation of a chart unknown to the toolkit, v = sin(α/6) u."""
 
 from __future__ import annotations
 
@@ -161,7 +161,7 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the change of an interpolated motion when both end poses change by the size of their quaternion vectors.
+    """Return the change of an interpolated pose when both end poses change by the size of their quaternion vectors.
 
     Near the edge T is large and T⁻¹ small along the axis, but not across it. The rounding of poses, on which every
     interpolation depends, therefore exceeds the effect of changes in the components of v.
@@ -274,7 +274,7 @@ def test_edges_have_full_precision_at_any_working_precision():
 
 
 def test_long_vector_below_half_a_turn_is_on_branch_0():
-    """The angle α is not π: 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
+    """Check that α is not taken for π: 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
     with mpmath.workdps(670):
         v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
         chart = Vectors(Cayley(1))

@@ -204,7 +204,7 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
 )
 def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
-    """The error names the command for any header included first, also with other headers missing."""
+    """Check that the error names the command for any header included first, even with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     for name in {"geometry.h", "rotation/geometry.h"} - {first}:
         (staged / name).unlink()

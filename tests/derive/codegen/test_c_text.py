@@ -73,7 +73,7 @@ def test_printed_headers_pass_and_every_function_is_called(folder: Path) -> None
 
 @pytest.mark.parametrize(("table", "each", "least"), [(POSES, 2, 40), (ROTATIONS, 1, 15)], ids=["poses", "rotations"])
 def test_changed_text_fails(folder, table, each, least):
-    """At least ``least`` changes of signs, coefficients, indices, strides and orders of results are all caught.
+    """Check that validation catches at least ``least`` changes of signs, coefficients, indices, strides and orders.
 
     Rotations share the scalars of poses, so only their own geometry is changed.
     """

@@ -25,7 +25,7 @@ from dualcay import exponential
 
 
 def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
-    """Guard against a quotient of integers, a mere float in 50-digit runs, and against float32 overflow of a(0)²."""
+    """Detect a quotient of integers, which is a float in runs with 50 digits, and float32 overflow of a(0)²."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
     files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
     assert validate(tmp_path / "of_units", chart, geometry=True) > 500

@@ -91,7 +91,7 @@ def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle
 
 
 def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
-    """The edge is √40: at 1 rad a vector exists one turn back, but not one turn further."""
+    """Check at 1 rad, with the edge at √40: a vector exists one turn back, but not one turn further."""
     v = np.array([1 / (1 + 1 / 40), 0, 0, 0.1, 0.2, 0.3])
     assert np.isnan(kernels.shadow(v, 1)).all()
     back = kernels.shadow(v, -1)
@@ -103,7 +103,7 @@ def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
 
 
 def test_beyond_a_fold_there_is_no_vector():
-    """The fold lies just beyond half a turn: branch −1 holds only angles near half a turn, and the replay has none."""
+    """Check a fold just beyond half a turn: branch −1 holds only angles near half a turn, and the replay has none."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
     at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
     with mpmath.workdps(50):
@@ -126,7 +126,7 @@ def test_complex_steps_go_through_the_origin(kernels: ModuleType):
 
 
 def test_both_ranges_agree_at_their_limit():
-    """The difference is at most the sum of both errors: the proved remainder, and the rest after Newton's last step."""
+    """Differences are at most the sum of both errors: the proved remainder, and the rest after Newton's last step."""
     from derive.algebra.arithmetic import PLAIN
 
     chart = parameterization(TEXT, "folded")

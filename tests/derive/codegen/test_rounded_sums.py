@@ -58,7 +58,7 @@ def test_error_of_two_terms_is_exact():
     ],
 )
 def test_error_of_three_terms_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any]):
-    """The errors of both additions are exact and at most an eps of the largest term; only their sum is rounded."""
+    """Errors of both additions are exact and at most an eps of the largest term; only their sum is rounded."""
     of, lost = traced(sum_of), 0.0
     for terms in drawn(3):
         total, rest = of(*terms)

@@ -22,7 +22,7 @@ LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
     "expm1": (1, lambda a: a.expm1()),
     "log1p": (1, lambda a: a.log1p()),
 }
-"""Functions of the C library by name: the number of arguments, and the call on the number type."""
+"""Functions of the C library by name: the number of arguments, and the method to call on the numbers."""
 
 SYSTEM: Mapping[str, str] = {
     "stddef.h": "typedef unsigned long size_t;\n",
