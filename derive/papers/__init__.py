@@ -1,23 +1,23 @@
-"""Equations of two papers: `verify` computes the status of each.
+"""Entries for the equations of two papers; `verify` computes the status of each.
 
 =====================  ========================================================================
-numbers                numbers that formulas are executed on, and values of symbols
-language               formulas: terms, operators, values, execution
-equation               an entry
+numbers                fields in which formulas are evaluated, and values of symbols
+language               terms, operators, values and evaluation of formulas
+equation               entry for a printed equation or claim
 result                 verdicts and status of an entry
-paper                  a paper, its sections and the inventory of its text
-condurache_popa_2023   the entries of CP23, a module for each section
-karakilic_2010         the entries of K10
+paper                  paper with its sections and the inventory of its text
+condurache_popa_2023   entries of CP23, one module for each section
+karakilic_2010         entries of K10
 poles                  points at which a denominator vanishes
-sharp                  sharpness of a condition, by the denominators
-counterexample         numbers of a false statement at a point
-explore                values of a statement at seeded points, special ones and poles
+sharp                  sharpness of a condition, tested by the denominators
+counterexample         numerical values of a false statement at a point
+explore                truth of a statement at seeded points, special points and poles
 decide                 status of an entry
-mutation               mutants of a statement, executed
-report                 the results as text, JSON, Markdown, HTML and LaTeX
+mutation               mutants of a statement and their evaluation
+report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
-A module imports only from those above it.
+Each module imports only from modules above it in the table.
 """
 
 from __future__ import annotations
@@ -47,16 +47,16 @@ def verify(
     paper : str, optional
         Slug of one paper; both by default.
     equations : str or iterable of str, optional
-        Numbers or slugs, also as one text with commas, ``"88,111"``; all by default.
+        Numbers or slugs, or one string separated by commas: ``"88,111"``. All by default.
     orders : sequence of int, optional
-        The orders n at which statements about n are executed, 1 … 5 by default.
+        Orders n at which statements about n are evaluated; 1 … 5 by default.
     progress : callable, optional
-        Called with (done, total) after each.
+        Function called with (done, total) after each equation.
 
     Raises
     ------
     ValueError
-        For a paper or an equation that does not exist.
+        If the paper or an equation does not exist.
 
     Examples
     --------

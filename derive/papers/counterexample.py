@@ -1,4 +1,4 @@
-"""Counterexamples: the numbers of symbols and sides at a point."""
+"""Counterexamples: values of the symbols and of both sides at a point."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .numbers.fields import DIGITS
 from .result import Counterexample
 
 SHOWN_DIGITS = 30
-"""Digits of a value."""
+"""Digits shown for a value."""
 
 
 def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Counterexample:
-    """Return the free symbols of a statement at a point, and the sides that differ there."""
+    """Return the values of a statement's free symbols at a point, and the sides that differ there."""
     with mpmath.workdps(DIGITS):
         symbols = {latex(symbol): shown(env.value(symbol)) for symbol in entry.free(statement)
                    if is_value(env.value(symbol))}
@@ -31,7 +31,7 @@ def counterexample(point: str, env: Env, entry: Equation, statement: Term) -> Co
 
 
 def _different(env: Env, statement: Term) -> tuple[list[str], ...]:
-    """Return the first two sides of an equation that are not equal."""
+    """Return the first two neighbouring sides of an equation that are unequal."""
     if not isinstance(statement, Apply):
         return ()
     if Trait.JOINS in statement.operator.traits:

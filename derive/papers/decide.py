@@ -1,4 +1,4 @@
-"""Decision of an entry: refute at points, prove at generic values, test both sides of a condition."""
+"""Decision of an entry: refutation at points, proof at generic values, test of both sides of a condition."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT_DECIMALS = 1
-"""Decimals of the numbers in a counterexample."""
+"""Decimals of the numbers drawn for a counterexample."""
 
 
 def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
@@ -34,14 +34,14 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     paper : str
         Slug of its paper.
     lost : str
-        Characters that the paper's extraction lost, see `derive.papers.equation.faithful`.
+        Characters lost by the paper's text extraction; see `derive.papers.equation.faithful`.
     orders : sequence of int
-        The orders n at which statements about n are executed.
+        Orders n at which statements about n are evaluated.
 
     Raises
     ------
     UndecidedError
-        If the entry's condition, correction or claim contradicts the computation.
+        If the computation contradicts the entry's condition, correction or claimed domain.
     """
     lost += entry.lost
     if entry.argument and entry.because is None:
@@ -76,14 +76,14 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
 
 
 def _is_ambiguous(entry: Equation, listed: Sequence[Verdict]) -> bool:
-    """Return whether a legible place supports a false reading, or a claim in words has a true and a false one."""
+    """Return whether the text supports a false reading, or a claim in words has a true and a false reading."""
     truths = {verdict.true for verdict in listed}
     supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
     return supported or (not entry.extract and len(truths) > 1)
 
 
 def _support(entry: Equation, identity: Term) -> None:
-    """Require that the supporting identity is proved; points where it has no value do not count."""
+    """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
     refuted = next((o for o in explore(entry, identity, ORDERS) if o.truth is False), None)
@@ -93,7 +93,7 @@ def _support(entry: Equation, identity: Term) -> None:
 
 
 def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
-    """Execute one reading: first at points, which refute, then exactly."""
+    """Return the verdict on one reading: evaluate it at points to refute it, then prove it exactly."""
     verdict = partial(Verdict, reading.statement, reading.note)
     outcomes = list(explore(entry, reading.statement, orders))
     inside = [outcome for outcome in outcomes if outcome.inside]
@@ -109,13 +109,13 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 
 
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """Return a point outside the condition where a statement is true because two symbols are special.
+    """Return a point outside the condition where the statement is true and two symbols are special, if any.
 
     Raises
     ------
     UndecidedError
-        If one special symbol is enough, for then the condition is too strict; or if the statement has a value where
-        its form says that it has none.
+        If the statement is true outside its condition with fewer than two special symbols: the condition is too
+        strict. Also if the statement has a value outside a condition that its denominators show to be sharp.
     """
     for outcome in outside:
         if outcome.truth is True and not outcome.pair:
@@ -126,14 +126,14 @@ def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Out
 
 
 def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
-    """Return a point where a statement fails, with short numbers if it fails at those too."""
+    """Return a counterexample, with short decimals if the statement also fails at such a point."""
     short = explore(entry, statement, orders, SHORT_DECIMALS)
     shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
     return counterexample(shown.point, shown.env, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
-    """Return how a true statement was decided. A delicate one can still fail at special values of symbols."""
+    """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
     if exact is None and entry.argument:
@@ -146,17 +146,17 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
 
 
 def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
-    """Decide a statement exactly; return how, or None where no exact field has all its operations.
+    """Prove a statement exactly. Return the method, or None if no exact field has all its operations.
 
     Raises
     ------
     UndecidedError
-        If it is true at all points and false exactly: then one of the two is wrong.
+        If the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
     order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
     branch = next((symbol for symbol in free if symbol.quantity is BRANCH), None)
-    # the first vector's magnitude is no root
+    # vectors with a magnitude first: the magnitude of the first vector is rational
     lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
     signs = [symbol for symbol in free if symbol.quantity is SIGN]
     generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
@@ -185,13 +185,13 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 
 def _steps(statement: Term) -> int:
-    """Return the integer M such that only multiples of angle/M occur."""
+    """Return an integer M such that all angles in the statement are multiples of angle/M."""
     divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
 def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
-    """Check a statement at generic values; return False if they lie outside its domain."""
+    """Return False if generic values lie outside the domain; else check the statement there and return True."""
     if not _within(entry, values):
         return False
     if not _env(entry, values).value(statement):
@@ -204,7 +204,7 @@ def _env(entry: Equation, values: Generic) -> Env:
 
 
 def _within(entry: Equation, values: Generic) -> bool:
-    """Return whether generic values (of one order and branch) lie in the claimed domain and fulfil the condition."""
+    """Return whether generic values (at one order and branch) satisfy the claimed domain and the condition."""
     domain = [part for part in (entry.claimed, entry.condition) if part is not None]
     try:
         return all(_env(entry, values).value(part) for part in domain)

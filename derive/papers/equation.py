@@ -1,16 +1,16 @@
-"""Entry for an equation or claim of a paper, and the rules by which it is decided.
+"""Entry for an equation or claim of a paper, and the rules for deciding it.
 
-An `Equation` is an entry: the printed formula and the definitions of its symbols. Its status is computed.
-`decide` executes it and returns a `Result`:
+An `Equation` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
+`Result` with the computed status:
 
 * every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
-* a reading without failure is then proved at generic values of an exact field, for symbolic n if it has an n. Without
-  such a field the method says that the points are evidence;
-* every reading must be faithful: its characters, without those that the extraction loses, are the extracted text;
+* a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
+  field is suitable, the points are only evidence, and the method says so;
+* every reading must be faithful: apart from characters lost by the extraction, it equals the extracted text;
 * readings are listed by hand, the most charitable first;
-* ``holds``: a listed reading is true at all points. ``holds-if``: it is true where the entry's condition is fulfilled,
-  and not everywhere else; both sides are tested. ``erratum``: no listed reading is true; then the correction must be.
-  ``ambiguous``: a true and a false reading that the text cannot tell apart.
+* ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
+  and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
+  ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
 
 An entry that fits none of these raises `UndecidedError`.
 """
@@ -30,21 +30,21 @@ Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 
 
 class UndecidedError(Exception):
-    """Error of an entry without a status: it lacks a condition, a correction or a faithful reading."""
+    """Error for an entry without a status: its condition, correction or reading is missing or wrong."""
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read a display.
+    """Reading of a display: one way to interpret its characters.
 
     Attributes
     ----------
     statement : Term
         The formula.
     note : str
-        How it differs from the other readings ("the bracket closes before I").
+        Difference from the other readings ("the bracket closes before I").
     supported_by : str
-        A legible place of the paper that speaks for it, quoted with its line; a false reading that has one makes the
+        Quotation, with its line, of a legible passage that supports this reading. A supported false reading makes the
         entry ambiguous.
     """
 
@@ -55,7 +55,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Equation:
-    """Entry of the report. Use `equation` to make one.
+    """Entry for a printed equation or claim; create one with `equation`.
 
     Attributes
     ----------
@@ -63,45 +63,45 @@ class Equation:
         The paper's number, or a slug.
     title : str
     line : int
-        Line of the extraction where it stands.
+        Line of the extracted text that contains the equation.
     extract : str
-        Characters of the text there, empty for a claim in words.
+        Characters of the text on that line; empty for a claim in words.
     readings : tuple of Reading
         Readings listed by hand, the most charitable first.
     where : tuple of Definition
-        Definitions of symbols; all others are free and take values of their quantity.
+        Definitions of symbols; all other symbols are free and take values of their quantity.
     claimed : Term, optional
-        The domain that the paper states; points outside it are not tested.
+        Domain stated by the paper; points outside it are not tested.
     stated : tuple of int and str, optional
-        Line and words that state it, without which none is claimed.
+        Line and words that state the claimed domain; required with `claimed`.
     condition : Term, optional
-        The domain that was found.
+        Condition under which the equation was found to hold.
     corrected : Term, optional
         Correction of an erratum.
     because : Term, optional
-        Identity that supports a statement which points alone cannot prove.
+        Identity that supports a statement for which points are only evidence.
     argument : str
-        Place of the argument that leads from this identity to the statement, which is then proved.
+        Name of the module whose argument proves the statement from this identity.
     also : callable, optional
-        Further points: from a `numbers.draw.Draw` to values of free symbols, by name.
+        Function from a `numbers.draw.Draw` to further points by name: values of free symbols.
     moving : bool
         Whether the symbols are functions of time.
     orders : tuple of int, optional
-        Orders that it is about, if not all.
+        Orders that the entry is about; all by default.
     branches : int, optional
-        Number of values of a branch symbol, where that is not n.
+        Number of values of a branch symbol; n by default.
     components : bool
-        Whether single components occur, so that no frame may be chosen along the vectors.
+        Whether single components occur; then no frame is chosen along the vectors.
     lost : str
-        Further characters that the extraction lost in this display.
+        Further characters lost by the extraction in this display.
     fixed_by : str
-        The legible place that decides between readings, where one does.
+        Legible passage that decides between the readings; empty if there is none.
     said : str
-        The words of the paper, for a claim that no display makes.
+        Words of the paper, for a claim without a display.
     remark : str
         One sentence for the report.
     source : str
-        The module that holds the entry, as a path; its paper knows it.
+        Path of the module that defines the entry; filled in by `Paper.entries`.
     """
 
     number: str
@@ -133,7 +133,7 @@ class Equation:
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
-        """Return the symbols that vary in a statement: its own and those that its definitions use."""
+        """Return the free symbols of a statement, of its domain and of the definitions that they use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
         seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
         queue = list(seen)
@@ -148,25 +148,25 @@ class Equation:
         return f"<Equation ({self.number}): {self.title}>"
 
     def reading(self, statement: Term) -> Equation:
-        """Return the entry with one reading in place of the printed ones: a correction or a mutant."""
+        """Return a copy of the entry with one reading in place of the printed ones: a correction or a mutant."""
         return replace(self, readings=(Reading(statement),), extract="")
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
-    """Return an entry; `printed` is the statement, or its readings."""
+    """Return an entry; `printed` is a statement or a tuple of readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
     rest["where"] = tuple(rest.get("where", ()))
     return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:
-    """Return whether a reading has exactly the characters that survive in the extract, in order.
+    """Return whether a reading has the same characters as the extract, in order, apart from lost ones.
 
     Parameters
     ----------
     lost : str
-        The characters the extraction of this paper lost or scattered; spaces are always ignored. A tilde and the
-        index of its symbol come in either order.
+        Characters lost or scattered by the paper's extraction; spaces are always ignored. A tilde may precede or
+        follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
 

@@ -1,4 +1,4 @@
-"""Values of a statement at seeded points: generic, real, with one or two special symbols, and at poles."""
+"""Truth of a statement at seeded points: generic, real, with one or two special symbols, and at poles."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ GENERIC_POINTS = 2
 
 @dataclass(frozen=True)
 class Outcome:
-    """Truth of a statement at one point; None without a value."""
+    """Truth of a statement at one point; None where it is undefined."""
 
     point: str
     inside: bool
     truth: bool | None
     env: Env
     pair: bool = False
-    """True if two symbols have special values at once."""
+    """True if two symbols have special values."""
 
     @property
     def place(self) -> str:
@@ -40,7 +40,7 @@ class Outcome:
 
 
 def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Outcome]:
-    """Execute a statement at all points of the entry's claimed domain."""
+    """Yield the truth of a statement at each point inside the entry's claimed domain."""
     with mpmath.workdps(DIGITS):
         for point in points(entry, statement, orders, digits):
             if entry.claimed is not None and not _truth(point.env, entry.claimed):
@@ -51,7 +51,7 @@ def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int
 
 @dataclass(frozen=True)
 class Point:
-    """Values of all symbols, with a label that says what is special."""
+    """Values of all symbols, with a label for the special value."""
 
     label: str
     env: Env
@@ -59,7 +59,7 @@ class Point:
 
 
 def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Point]:
-    """Yield seeded points: generic, special, chosen by the entry, all real, at poles, and with two special symbols."""
+    """Yield seeded points: generic, special, from the entry, all real, at poles, and with two special symbols."""
     free = entry.free(statement)
     order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
     others = [symbol for symbol in free if symbol.quantity not in (ORDER, BRANCH)]
@@ -97,7 +97,7 @@ def _variations(draw: Draw, free: Sequence[Symbol], entry: Equation) -> Iterator
 
 
 def _all_real(draw: Draw, free: Sequence[Symbol]) -> Iterator[dict[Symbol, object]]:
-    """Yield values without dual parts, if any symbol has one."""
+    """Yield one point with all dual parts removed, unless all values are plain numbers."""
     values = {symbol: symbol.quantity.generic(draw) for symbol in free}
     if any(isinstance(value, Dual | Structure) for value in values.values()):
         yield {symbol: _real(value) for symbol, value in values.items()}
@@ -119,12 +119,12 @@ def _pairs(draw: Draw, free: Sequence[Symbol]) -> Iterator[tuple[str, dict[Symbo
 
 
 def _special(free: Sequence[Symbol]) -> list[tuple[Symbol, str, Make]]:
-    """Return every special value of every symbol."""
+    """Return all special values of all symbols: symbol, label and function that draws the value."""
     return [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
 
 
 def _truth(env: Env, statement: Term) -> bool | None:
     try:
         return bool(env.value(statement))
-    except ArithmeticError:  # a pole, a zero divisor, a root of a negative number
+    except ArithmeticError:  # pole, zero divisor or root of a negative number
         return None

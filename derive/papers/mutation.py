@@ -1,4 +1,4 @@
-"""Mutants of a statement or of its domain: one operator, integer or claim changed. Execution must refute them."""
+"""Mutants of a statement or domain: one operator, integer or claim is changed. Evaluation must refute them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .numbers.quantities import PROPOSITION
 from .result import Result
 
 UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
-"""Exceptions of operands that have no such operation."""
+"""Exceptions raised by operands that lack an operation."""
 
 REPLACED = {
     "plus": "minus", "minus": "plus", "Re": "Du", "Du": "Re", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan",
@@ -24,16 +24,16 @@ REPLACED = {
     "K10 Tan2": "K10 Tan3", "K10 Tan3": "K10 Tan2", "K10 sum over i and j": "K10 sum over i ≤ j",
     "K10 sum over i ≤ j": "K10 sum over i < j", "K10 sum over i < j": "K10 sum over i and j",
 }
-"""Operator to the one that takes its place."""
+"""Replacement for each operator, by name."""
 SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2", "commutator", "K10 parts", "K10 column")
-"""Operators whose arguments change places."""
+"""Operators whose arguments are swapped."""
 DROPPED = (*REPLACED, "times", "negative", "root", "negated", "transpose", "conjugate", "arctan", "K10 power 1/2")
-"""Operators that leave only their first argument."""
+"""Operators that are dropped; only their first argument remains."""
 
 
 @dataclass
 class Score:
-    """Counts of refuted and of meaningless mutants, and the survivors in words."""
+    """Numbers of refuted and meaningless mutants, and descriptions of the survivors."""
 
     killed: int = 0
     meaningless: int = 0
@@ -41,7 +41,7 @@ class Score:
 
 
 def true_statements(result: Result) -> tuple[Term, ...]:
-    """Return the true readings, else the correction."""
+    """Return the true readings; without one, return the correction."""
     true = tuple(verdict.statement for verdict in result.verdicts if verdict.true)
     return true or (() if result.equation.corrected is None else (result.equation.corrected,))
 
@@ -49,7 +49,7 @@ def true_statements(result: Result) -> tuple[Term, ...]:
 def trials(
     entry: Equation, statement: Term, orders: Sequence[int] = ORDERS
 ) -> Iterator[tuple[str, Callable[[], Score]]]:
-    """Yield every change of a statement and of its domain, with a function that executes it."""
+    """Yield every change of a statement or its domain, with a function that evaluates the mutant."""
     for change, mutant in mutants(statement):
         yield change, partial(try_mutant, entry, mutant, orders)
     for change, changed in domains(entry):
@@ -57,7 +57,7 @@ def trials(
 
 
 def try_mutant(entry: Equation, mutant: Term, orders: Sequence[int] = ORDERS) -> Score:
-    """Execute a mutant of a statement."""
+    """Evaluate a mutant of a statement; return its score."""
     try:
         alive = all(outcome.truth is True for outcome in explore(entry, mutant, orders) if outcome.inside)
     except UNCOMBINABLE:
@@ -66,7 +66,7 @@ def try_mutant(entry: Equation, mutant: Term, orders: Sequence[int] = ORDERS) ->
 
 
 def try_domain(changed: Equation, change: str, statement: Term, orders: Sequence[int] = ORDERS) -> Score:
-    """Execute a statement on a changed domain: it must be true inside and nowhere outside a condition."""
+    """Evaluate a statement on a changed domain; the mutant survives if the statement is true exactly inside it."""
     inside = outside = 0
     try:
         for outcome in explore(changed, statement, orders):
@@ -83,7 +83,7 @@ def try_domain(changed: Equation, change: str, statement: Term, orders: Sequence
 
 
 def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
-    """Yield the entry with its condition or its claimed domain changed or dropped."""
+    """Yield copies of the entry whose condition or claimed domain is changed or dropped."""
     for name, title in (("condition", "condition"), ("claimed", "claimed domain")):
         domain = getattr(entry, name)
         if domain is not None:
@@ -94,7 +94,7 @@ def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
 
 
 def mutants(statement: Term) -> Iterator[tuple[str, Term]]:
-    """Yield all mutants with a description, each once."""
+    """Yield each mutant once, after a description of its change."""
     seen = {statement}
     for change, mutant in _mutants(statement):
         if mutant not in seen:
@@ -117,7 +117,7 @@ def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
 
 
 def _changed(node: Apply) -> Iterator[tuple[str, Term]]:
-    """Yield what one change of the outermost operator makes of a term."""
+    """Yield the mutants in which only the outermost operator is changed."""
     operator, arguments = node.operator, node.arguments
     name = operator.name
     if name in REPLACED:

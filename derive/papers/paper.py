@@ -1,4 +1,4 @@
-"""Paper: its entries by section, and an inventory of its text."""
+"""Paper with its entries by section and an inventory of its text."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ class Paper:
     ----------
     slug, short, citation : str
     lost : str
-        Characters that the extraction of its text lost.
+        Characters lost by the extraction of its text.
     package : str
-        Its package, with an ``inventory`` and the modules of ``sections``.
+        Name of its package, which contains ``inventory`` and ``sections``.
     sections : tuple of str
-        Those modules, in the paper's order; each has ``ENTRIES``.
+        Names of the modules in ``sections``, in the paper's order; each defines ``ENTRIES``.
     doi : str
-        Empty for a paper without one.
+        Empty for a paper without a DOI.
     """
 
     slug: str
@@ -35,12 +35,12 @@ class Paper:
     doi: str = ""
 
     def entries(self) -> tuple[Equation, ...]:
-        """Return all entries in the paper's order, each with the module that holds it."""
+        """Return all entries in the paper's order, each with the path of its module."""
         modules = [importlib.import_module(f"{self.package}.sections.{section}") for section in self.sections]
         return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
-        """Return by line of the text: the entries that decide what it says, or why it claims nothing."""
+        """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
         module = importlib.import_module(f"{self.package}.inventory")
         lines: dict[int, tuple[str, ...] | str] = {}
         for entry in self.entries():

@@ -15,12 +15,12 @@ from .language.terms import Apply, Symbol, Term, symbols, text, walk
 from .numbers.fields import innermost
 
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
-"""Multiples of a symbol between which a change of sign is searched."""
+"""Scale factors for a symbol; sign changes are searched between neighbouring factors."""
 SCALED = ("dual vector", "dual number", "argument")
 
 
 def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
-    """Yield for each denominator and symbol the first multiple at which its real part is 0, all other symbols fixed."""
+    """Yield, per denominator and symbol, the first multiple of the symbol that makes the denominator's real part 0."""
     for below in dict.fromkeys(denominators(statement)):
         for symbol in symbols(below):
             if symbol.quantity.name in SCALED and symbol not in env.definitions:
@@ -30,7 +30,7 @@ def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]
 
 
 def denominators(statement: Term) -> Iterator[Term]:
-    """Yield the denominators of fractions that contain symbols."""
+    """Yield the denominators that contain symbols."""
     for node in walk(statement):
         if isinstance(node, Apply) and node.operator.name == "over" and symbols(node.arguments[1]):
             yield node.arguments[1]

@@ -1,4 +1,4 @@
-"""Result for an entry: a verdict for each reading, and the status."""
+"""Result of an entry: its status and a verdict for each reading."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class Counterexample:
     point : str
         Description of the point.
     symbols : dict of str to list of str
-        LaTeX of each free symbol to the numbers it consists of: real parts, then dual parts.
+        Numbers of each free symbol by its LaTeX: real parts, then dual parts.
     sides : tuple of list of str
-        The numbers that the two sides of the equation that fails consist of; none for a claim in words.
+        Numbers of both sides of the equation that fails; empty for a claim in words.
     """
 
     point: str
@@ -40,7 +40,7 @@ class Counterexample:
     sides: tuple[list[str], ...]
 
     def as_json(self) -> dict[str, Any]:
-        """Return plain data."""
+        """Return the counterexample as JSON-compatible data."""
         return {"point": self.point, "letters": dict(self.symbols), "sides": list(self.sides)}
 
 
@@ -51,13 +51,13 @@ class Verdict:
     Attributes
     ----------
     statement, note
-        The reading.
+        Formula and note of the reading.
     true : bool
-        Whether it is true wherever it should be.
+        Whether the statement is true at every tested point inside its domain.
     method : str
-        Method by which it was decided.
+        Method of decision in words.
     counterexample : Counterexample, optional
-        Of a false one.
+        Point at which a false reading fails.
     """
 
     statement: Term
@@ -84,10 +84,11 @@ class Result:
         The entry.
     status : Status
     method : str
+        Method of decision in words.
     verdicts : tuple of Verdict
-        One for each listed reading; a true one comes first if there is one.
+        One verdict for each listed reading, true ones first.
     exact : bool
-        Whether the condition is sharp, as the form of the statement shows; if not, it is true at least there.
+        Whether the denominators show that the condition is sharp; otherwise it is only sufficient.
     """
 
     paper: str
@@ -110,12 +111,12 @@ class Result:
 
     @property
     def condition(self) -> str | None:
-        """LaTeX of the domain that was found."""
+        """LaTeX of the condition under which the equation was found to hold."""
         return None if self.equation.condition is None else latex(self.equation.condition)
 
     @property
     def claimed(self) -> str | None:
-        """LaTeX of the domain that the paper states."""
+        """LaTeX of the domain stated by the paper."""
         return None if self.equation.claimed is None else latex(self.equation.claimed)
 
     @property
@@ -125,17 +126,17 @@ class Result:
 
     @property
     def section(self) -> str:
-        """Number of the section of the paper, from the module of the entry."""
+        """Section number in the paper, read from the file name of the entry's module."""
         found = re.search(r"/s0?(\d+)(?:_(\d))?", self.equation.source)
         return ".".join(part for part in found.groups() if part) if found else ""
 
     @property
     def anchor(self) -> str:
-        """Permanent name of the entry in pages."""
+        """Permanent anchor of the entry in the report pages."""
         return f"{self.paper}-{self.equation.number}"
 
     def as_json(self) -> dict[str, Any]:
-        """Return plain data for ``--format json``."""
+        """Return the fields printed by ``--format json``."""
         example = self.counterexample
         return {
             "paper": self.paper,
@@ -164,7 +165,7 @@ class Result:
         }
 
     def cells(self) -> dict[str, str]:
-        """Return its row in a table."""
+        """Return the cells of this result's table row."""
         corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
         return {
             "paper": self.paper,

@@ -1,4 +1,4 @@
-"""Sharpness of a condition: outside it a denominator of the formula has the real part 0."""
+"""Sharpness of a condition: outside a sharp condition, a denominator of the formula has real part 0."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from .language.terms import Apply, Number, Term, Trait
 
 
 def is_sharp(condition: Term, statement: Term) -> bool:
-    """Return whether the form of a statement shows that it has no value outside a condition.
+    """Return whether the denominators of a statement show that it is undefined outside a condition.
 
-    Each part of the condition has to say that the real part of something is not 0, and that has to stand where the
-    statement divides by it, in a part that is always evaluated. A no means that the form does not show it.
+    Each part of the condition must require a nonzero real part of a term, and the statement must always divide by that
+    term. The test is sufficient only: False means that the denominators do not show sharpness.
     """
     needed = set(_needed(statement))
     return all(_subject(part) in needed for part in _parts(condition))
@@ -37,7 +37,7 @@ def _subject(part: Term) -> Term | None:
 
 
 def _needed(node: Term) -> Iterator[Term]:
-    """Yield the terms whose real part must not be 0 for a statement to have a value."""
+    """Yield the terms whose real part must be nonzero for a statement to have a value."""
     if not isinstance(node, Apply) or (node.operator.lazy and node.operator.name != "power"):
         return
     if node.operator is over:
@@ -54,7 +54,7 @@ def _needed(node: Term) -> Iterator[Term]:
 
 
 def _factors(below: Term) -> Iterator[Term]:
-    """Yield a denominator and its factors, also in powers and magnitudes: its real part is 0 if theirs is."""
+    """Yield a denominator and its factors, including factors inside powers and magnitudes."""
     yield below
     if not isinstance(below, Apply):
         return

@@ -4,9 +4,9 @@
 # Version 0.1.0.
 """dualcay: kernels for rigid motion by Rodrigues dual vectors v = tan(α/2n) u, on NumPy arrays.
 
-Each module holds the maps of one chart (``cayley3`` is the Cayley map of order 3); all have one interface. Dual
-quantities store the real part first. Quaternions are scalar first in each half. Twists are [ω, v] in the space frame
-unless a name says ``body``. Leading axes broadcast.
+Each module holds the maps of one chart (``cayley3`` is the Cayley map of order 3). All modules share one interface.
+Dual quantities store the real part first. Quaternions are scalar first in each half. Twists are [ω, v] in the space
+frame unless a function name begins with ``body``. Leading axes broadcast.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __version__ = "0.1.0"
 
 
 PACKAGES = ("rotation",)
-"""Packages within: modules of the same names for rotations alone."""
+"""Subpackages with modules of the same names, for rotations alone."""
 
 
 def _modules() -> list[str]:
@@ -32,7 +32,7 @@ def _modules() -> list[str]:
     return sorted(name for name in found if not name.startswith("_"))
 
 
-if not TYPE_CHECKING:  # which finds the modules in the folder, and no other name
+if not TYPE_CHECKING:  # type checkers find the modules in the folder and must see no other name
 
     def __getattr__(name: str) -> Any:
         if name in (*_modules(), *PACKAGES):
@@ -47,13 +47,13 @@ if not TYPE_CHECKING:  # which finds the modules in the folder, and no other nam
 
 
 def backend() -> dict[str, str]:
-    """Return what runs each function of a kernel module, by its name.
+    """Return the backend of each function of a kernel module, by function name.
 
     Returns
     -------
     dict
-        ``"numpy"``, or ``"native"`` where the compiled functions of ``dualcay-native`` run in every module.
-        ``"native in cayley2, cayley3"`` where they run in some. Complex numbers and objects always run on NumPy.
+        ``"numpy"``, or ``"native"`` if the compiled functions of ``dualcay-native`` run in every module.
+        ``"native in cayley2, cayley3"`` if they run in these modules only. Complex numbers and objects run on NumPy.
         ``DUALCAY_NATIVE=0`` in the environment switches the compiled functions off.
 
     Examples

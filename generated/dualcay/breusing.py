@@ -20,7 +20,7 @@ r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where x^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -419,12 +419,12 @@ CHART = Chart(
     __name__,
     branches=2,
     singular_angles=(2 * pi,),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.0", "1.0"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.7071067811865475244008443621048490392848",
         "0.0",

@@ -24,7 +24,7 @@ r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid d
 ``tangent_inv`` is defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = pi.
 A pose has one vector.
 Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -200,11 +200,11 @@ CHART = Chart(
     __name__,
     branches=1,
     singular_angles=(pi,),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
     ),
     functions=by_name(

@@ -24,7 +24,7 @@ r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid d
 ``tangent_inv`` is defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where (1 + x)^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -265,12 +265,12 @@ CHART = Chart(
     __name__,
     branches=2,
     singular_angles=(2 * pi,),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.0", "1.0"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "1.0",
         "0.0",

@@ -24,7 +24,7 @@ r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid d
 ``tangent_inv`` is defined for every dual vector v with Re q_3 != 0; pole at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 A pose has 3 vectors.
 Forward maps are NaN where (1 + x)^3 overflows: beyond Re|v| = 2e+51 in float64, 3e+06 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -334,13 +334,13 @@ CHART = Chart(
     __name__,
     branches=3,
     singular_angles=(2 * pi, 3 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.5", "0.8660254037844386467637231707529361834714"),
         ("-0.5", "0.8660254037844386467637231707529361834714"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.3333333333333333333333333333333333333333",
         "0.5",

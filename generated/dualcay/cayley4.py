@@ -24,7 +24,7 @@ r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid d
 ``tangent_inv`` is defined for every dual vector v with Re q_4 != 0; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A pose has 4 vectors.
 Forward maps are NaN where (1 + x)^4 overflows: beyond Re|v| = 3e+38 in float64, 7e+04 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -353,14 +353,14 @@ CHART = Chart(
     __name__,
     branches=4,
     singular_angles=(2 * pi, 4 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
         ("0.0", "1.0"),
         ("-0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.1715728752538099023966225515806038428607",
         "0.7071067811865475244008443621048490392848",

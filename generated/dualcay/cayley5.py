@@ -24,7 +24,7 @@ r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid 
 ``tangent_inv`` is defined for every dual vector v with Re q_5 != 0; pole at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
 A pose has 5 vectors.
 Forward maps are NaN where (1 + x)^5 overflows: beyond Re|v| = 7e+30 in float64, 7e+03 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -361,7 +361,7 @@ CHART = Chart(
     __name__,
     branches=5,
     singular_angles=(2 * pi, 4 * pi, 5 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),
@@ -369,7 +369,7 @@ CHART = Chart(
         ("-0.3090169943749474241022934171828190588602", "0.9510565162951535721164393333793821434057"),
         ("-0.8090169943749474241022934171828190588602", "0.5877852522924731291687059546390727685977"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.1055728090000841214363305325074895058238",
         "0.8090169943749474241022934171828190588602",

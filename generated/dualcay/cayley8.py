@@ -24,7 +24,7 @@ r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid 
 ``tangent_inv`` is defined for every dual vector v with Re q_8 != 0; pole at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
 A pose has 8 vectors.
 Forward maps are NaN where (1 + x)^8 overflows: beyond Re|v| = 2e+19 in float64, 3e+02 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -375,7 +375,7 @@ CHART = Chart(
     __name__,
     branches=8,
     singular_angles=(2 * pi, 4 * pi, 6 * pi, 8 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.9238795325112867561281831893967882868224", "0.3826834323650897717284599840303988667613"),
@@ -386,7 +386,7 @@ CHART = Chart(
         ("-0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
         ("-0.9238795325112867561281831893967882868224", "0.3826834323650897717284599840303988667613"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.03956612989658003475471668795573740536431",
         "0.9238795325112867561281831893967882868224",

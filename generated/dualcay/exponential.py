@@ -20,7 +20,7 @@ r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 ``tangent_inv`` is defined for every dual vector v; pole at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
 A pose has the vectors φ(α + 2kπ) u, for every k.
 Forward maps are NaN where x overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -614,11 +614,11 @@ CHART = Chart(
     __name__,
     branches=0,
     singular_angles=(2 * pi, 4 * pi),
-    # the two numbers of the turn by one branch
+    # pair of numbers for the turn by one branch
     turns=(
         ("1.0", "6.283185307179586476925286766559005768394"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "9.869604401089358618834490999876151135314",
         "1.0",

@@ -19,8 +19,8 @@ r"""Lambert's equal-area projection: Rodrigues dual vectors ``v = sin(α/4) u`` 
 ``tangent`` v ends, and with it the domain, at Re alpha = 2*pi.
 ``tangent_inv`` is defined for |Re v| < 1; v ends, and with it the domain, at Re alpha = 2*pi.
 A pose has 2 vectors.
-Forward maps hold NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -347,12 +347,12 @@ CHART = Chart(
     __name__,
     branches=2,
     singular_angles=(2 * pi,),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.0", "1.0"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.5",
         "0.0",

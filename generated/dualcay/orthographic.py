@@ -19,8 +19,8 @@ r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid
 ``tangent`` v ends, and with it the domain, at Re alpha = pi.
 ``tangent_inv`` is defined for |Re v| < 1; v ends, and with it the domain, at Re alpha = pi.
 A pose has one vector.
-Forward maps hold NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -242,11 +242,11 @@ CHART = Chart(
     __name__,
     branches=1,
     singular_angles=(pi,),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
     ),
     functions=by_name(

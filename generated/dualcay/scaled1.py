@@ -20,7 +20,7 @@ r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2)
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = pi.
 A pose has one vector.
 Forward maps are NaN where (1 + x/4)^1 overflows: beyond Re|v| = 3e+154 in float64, 4e+19 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations

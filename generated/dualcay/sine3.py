@@ -19,8 +19,8 @@ r"""Sine chart of order 3: Rodrigues dual vectors ``v = sin(α/6) u`` of rigid d
 ``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 ``tangent_inv`` is defined for |Re v| < 1; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 A pose has 3 vectors.
-Forward maps hold NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -372,13 +372,13 @@ CHART = Chart(
     __name__,
     branches=3,
     singular_angles=(2 * pi, 3 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.5", "0.8660254037844386467637231707529361834714"),
         ("-0.5", "0.8660254037844386467637231707529361834714"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.25",
         "0.5",

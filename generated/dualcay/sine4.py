@@ -19,8 +19,8 @@ r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid d
 ``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv`` is defined for |Re v| < 1; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 A pose has 4 vectors.
-Forward maps hold NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -373,14 +373,14 @@ CHART = Chart(
     __name__,
     branches=4,
     singular_angles=(2 * pi, 4 * pi),
-    # the two numbers of the turn by k branches
+    # pair of numbers for the turn by k branches
     turns=(
         ("1.0", "0.0"),
         ("0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
         ("0.0", "1.0"),
         ("-0.7071067811865475244008443621048490392848", "0.7071067811865475244008443621048490392848"),
     ),
-    # the v·v halfway between branches, then the turn back from beyond it
+    # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "0.1464466094067262377995778189475754803576",
         "0.7071067811865475244008443621048490392848",

@@ -20,7 +20,7 @@ r"""Wiener-Milenkovic vector: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of ri
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where (1 + x/16)^2 overflows: beyond Re|v| = 5e+77 in float64, 2e+10 in float32.
-The functions are the methods of one `PoseKernels`, which explains shapes and conventions.
+The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations

@@ -114,7 +114,7 @@ def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
 def test_fast_path_takes_plain_float64_arrays_and_agrees_to_the_digit(native, name):
-    """Check that the fast path takes aligned float64 arrays of one batch shape, and silently refuses all else."""
+    """Check that the fast path takes aligned float64 arrays of any batch shape, and silently refuses bad arguments."""
     function, directly = native(3).CHART.native[name]
     values = inputs(load(3), name, 3, (12,))
     parts = [array.shape for array in PUBLIC[name].arguments]

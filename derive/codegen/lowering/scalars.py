@@ -30,7 +30,9 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
         ("tensor", "tangent"),
     ),
     "tangent_scalars": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy", "", ("tangent",)),
-    "tangent_dot_scalars": ("f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy", "", ()),
+    "tangent_dot_scalars": (
+        "f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy", "", (),
+    ),
     "rate_scalars": ("T v = rate v: rate = 1/phi' = f + x h, with its slope", "rate = 2n/(1 + x)", ()),
     "inverse_scalars": (
         "T^-1 = (fi I - skew(v) + hi v(x)v)/2", "fi = p/q, hi = d/(n q), x d = (1 + x) q - n p", ("tangent_inv",)

@@ -225,7 +225,7 @@ def _call_scalar(call: Call, arguments: str) -> Iterator[str]:
         if places:
             yield f"{_INDENT}{kind} {', '.join(places)};"
     passed = ", ".join([arguments, *(f"&{name}" for name in names)])
-    yield f"{_INDENT}DUALCAY_CHART({call.function}_scalars)({passed});"
+    yield f"{_INDENT}DUALCAY_CHART({call.function})({passed});"
 
 
 def _wrap(target: str, text: str) -> Iterator[str]:

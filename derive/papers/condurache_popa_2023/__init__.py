@@ -1,11 +1,11 @@
 """Condurache and Popa, Symmetry 15(11) 2011 (2023): every equation and claim, section by section.
 
 ===========  ================================================================================
-symbols      symbols used throughout the paper, and the characters its text extraction lost
-operators    operators of its own
-definitions  definitions of symbols, which the printed formulas are checked against
-sections     entries in printed order; a section uses symbols of those before it
-inventory    further lines of the text: the entries that decide them, or why they claim nothing
+symbols      symbols used throughout the paper, and characters lost by its text extraction
+operators    operators of this paper only
+definitions  definitions of symbols, against which printed formulas are checked
+sections     entries in printed order; a section may use symbols of earlier sections
+inventory    further lines of the text, with deciding entries or the reason for no claim
 ===========  ================================================================================
 """
 

@@ -1,6 +1,6 @@
-"""Inventory of further lines of the text: the entries that decide them, or why they claim nothing.
+"""Inventory of further lines of the text, with the entries that decide them or the reason for no claim.
 
-Blank lines, the journal's own lines and the reference list are left out.
+Blank lines, lines added by the journal and the reference list are omitted.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ CLAIMS: dict[int, str] = {
     355: "69", 361: "theorem-19-unique", 368: "73", 408: "90 91", 452: "121", 457: " ".join(map(str, range(92, 126))),
     458: "126 127 128 129 130 131", 469: "six-real-equations", 503: "10",
 }
-"""Line of the text to the entries of other lines that decide it."""
+"""Entries, listed at other lines, that decide each line of the text."""
 
 REASONS: dict[str, str] = {
     "title":
@@ -39,4 +39,4 @@ REASONS: dict[str, str] = {
     "joins two displays": "377",
     "names earlier equations only": "407",
 }
-"""Reason to the lines that claim nothing."""
+"""Lines that claim nothing, by reason."""

@@ -1,4 +1,4 @@
-"""Operators of sections 7 and 8: limits, signs, numbers of preimages and of equations."""
+"""Operators of sections 7 and 8: limits, inequalities, numbers of preimages and of real equations."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, T
 from ..numbers.fields import UndefinedError, innermost
 
 FAR_ORDERS = (40, 80)
-"""Orders at which a sequence must have the same value to count as constant."""
+"""Orders at which a sequence must agree to count as constant."""
 
 
 def _positive(env: Env, a: Any) -> bool:
-    """Return whether a number is positive; generic symbols are."""
+    """Return whether a number has a positive real part; True for generic symbols."""
     return not env.field.ordered or bool(innermost(a) > 0)
 
 
 positive = define("positive", "{0} > 0", "{0}>0", RELATION, (SUM,), _positive)
 no_less = define("no less", r"{0} \geq {1}", "{0}≥{1}", RELATION, (SUM, SUM),
                  lambda env, a, b: isinstance(a, Element) or a >= b)
-"""``no_less(n, 3)`` for orders; a symbolic order is as large as needed."""
+"""Claim ``no_less(n, 3)`` about orders; True for a symbolic order."""
 
 
 def _limit(env: Env, index: Term, body: Term) -> Any:
-    """Return the limit of a sequence that is constant from some order on; raise for any other."""
+    """Return the limit of a sequence that is constant from some order on; raise for other sequences."""
     if not isinstance(index, Symbol):
         raise TypeError("only a symbol can tend to infinity")
     if not isinstance(env.value(index), int):
@@ -57,7 +57,7 @@ def _components(a: Any) -> int:
 
 equations_in = define("real equations", r"\#_{{\mathbb{{R}}}}\, {0}", "#{0}", PRODUCT, (ATOM,),
                       lambda env, a: _components(a))
-"""Number of real components of a dual quantity, hence of real equations for its rate."""
+"""Number of real components of a dual quantity, which is the number of real equations for its rate."""
 
 
 def is_algebraic(*statements: Term) -> bool:

@@ -1,4 +1,4 @@
-"""Symbols of the paper, and the characters that its text extraction lost."""
+"""Symbols of the paper, and characters lost by its text extraction."""
 
 from __future__ import annotations
 
@@ -7,41 +7,41 @@ from ..language.terms import Symbol
 PAPER = "condurache-popa-2023"
 
 LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
-"""Characters that the extraction lost or scattered. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
+"""Characters lost or scattered by the extraction. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
 
 
 def real(name: str) -> Symbol:
-    """Return a real number."""
+    """Return the symbol of a real number."""
     return Symbol(name, "real", name, name)
 
 
 def dual(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return a dual number, underlined."""
+    """Return the symbol of a dual number, underlined."""
     return Symbol(f"{name}_", "dual number", rf"\underline{{{latex or name}}}", text or name)
 
 
 def real_vector(name: str, text: str | None = None) -> Symbol:
-    """Return a vector of the Euclidean space."""
+    """Return the symbol of a real vector."""
     return Symbol(f"{name} real", "real vector", rf"\mathbf{{{name}}}", text or name)
 
 
 def vector(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return a dual vector, underlined."""
+    """Return the symbol of a dual vector, underlined."""
     return Symbol(name, "dual vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
 
 
 def unit(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return a unit dual vector."""
+    """Return the symbol of a unit dual vector."""
     return Symbol(name, "unit vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
 
 
 def quaternion(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return a unit dual quaternion."""
+    """Return the symbol of a unit dual quaternion."""
     return Symbol(name, "unit quaternion", rf"\underline{{\hat{{\mathbf{{{latex or name}}}}}}}", text or f"{name}^")
 
 
 def tensor(name: str, quantity: str = "tensor") -> Symbol:
-    """Return a dual tensor."""
+    """Return the symbol of a dual tensor."""
     return Symbol(name, quantity, rf"\underline{{\mathbf{{{name}}}}}", name)
 
 

@@ -1,14 +1,14 @@
 """Karakılıç, The dual Rodrigues parameters (2010): every equation and claim, section by section.
 
-The LaTeX of its text is legible but for arrows over letters and a few stars. `symbols.shown` gives the characters that
-are compared.
+The LaTeX of its text is legible, except for arrows over letters and a few stars. `symbols.shown` returns the characters
+to compare.
 
 ===========  ================================================================================
-symbols      symbols used throughout the paper, and the characters its text extraction lost
-operators    operators of its own
-definitions  definitions of symbols, which the printed formulas are checked against
-sections     entries in printed order; a section uses symbols of those before it
-inventory    further lines of the text: the entries that decide them, or why they claim nothing
+symbols      symbols used throughout the paper, and characters lost by its text extraction
+operators    operators of this paper only
+definitions  definitions of symbols, against which printed formulas are checked
+sections     entries in printed order; a section may use symbols of earlier sections
+inventory    further lines of the text, with deciding entries or the reason for no claim
 ===========  ================================================================================
 """
 

@@ -1,6 +1,6 @@
-"""Definitions of the paper's symbols, which its printed formulas are checked against.
+"""Definitions of the paper's symbols, against which its printed formulas are checked.
 
-Every function has the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
+Each function takes the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
 """
 
 from __future__ import annotations
@@ -32,23 +32,23 @@ def dual_vector(env: Env, *components: Any) -> Vector:
 
 
 def turned(env: Env, x: Vector, angle: Any, axis: Vector) -> Vector:
-    """Return x after the displacement of an angle about an axis."""
+    """Return x displaced by a dual angle about an axis."""
     return screw_tensor(env, angle, axis) @ x
 
 
 def skew_rodrigues(env: Env, A: Tensor) -> Tensor:
-    """Return ``(A − I)(A + I)⁻¹`` from the invariants of A."""
+    """Return ``(A − I)(A + I)⁻¹``, computed from the invariants of A."""
     return Tensor.skew(rodrigues.rodrigues_vector(A))
 
 
 def cross_matrix(env: Env, b: Vector) -> Tensor:
-    """Return the operator ``y -> b × y``, column by column."""
+    """Return the matrix of ``y -> b × y``."""
     columns = (b.cross(Vector(*row)) for row in Tensor.identity().rows)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 def cayley_map(env: Env) -> values.Map:
-    """Return the map from skew-symmetric to orthogonal matrices; the preimage of A is ``(A − I)(A + I)⁻¹``."""
+    """Return the Cayley map from skew-symmetric to orthogonal matrices; the preimage of A is ``(A − I)(A + I)⁻¹``."""
 
     def preimages(A: Tensor) -> list[Tensor]:
         try:
@@ -63,7 +63,7 @@ def cayley_map(env: Env) -> values.Map:
 
 
 def screw_rodrigues(env: Env, angle: Any, axis: Vector) -> Vector:
-    """Return b̂ of the displacement with this angle and axis."""
+    """Return the Rodrigues vector b̂ of the displacement with this angle and axis."""
     return rodrigues.rodrigues_vector(screw_tensor(env, angle, axis))
 
 
@@ -72,7 +72,7 @@ def direction(env: Env, b: Vector) -> Vector:
     return rodrigues.direction(b, env.field)
 
 
-# ---- the rhombus of figure 1, in a frame Q with the axis third --------------------------------------------------
+# ---- the rhombus of figure 1, in a frame Q whose third axis is the rotation axis --------------------------------
 
 
 def axis_of(env: Env, Q: Tensor) -> Vector:
@@ -81,19 +81,19 @@ def axis_of(env: Env, Q: Tensor) -> Vector:
 
 
 def across(env: Env, size: Any, Q: Tensor) -> Vector:
-    """Return a vector along the first axis, across the third."""
+    """Return a vector along the first axis of a frame, orthogonal to the third."""
     side: Vector = Vector(*Q.transpose.rows[0]) * size
     return side
 
 
 def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
-    """Return a vector with components along the first and third axes, which is any vector in a suitable frame."""
+    """Return a vector with components along the first and third axes: any vector in a suitable frame."""
     point: Vector = across(env, size, Q) + axis_of(env, Q) * height
     return point
 
 
 def projected(env: Env, x: Vector, axis: Vector) -> Vector:
-    """Return the part of a vector across an axis."""
+    """Return the part of a vector orthogonal to an axis."""
     rest: Vector = x - axis * x.dot(axis)
     return rest
 
@@ -110,7 +110,7 @@ def distance(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def angle_between(env: Env, a: Vector, b: Vector) -> Any:
-    """Return the angle of two directions, in [0, π], by the tangent of its half: ``|a − b| / |a + b|``."""
+    """Return the angle of two directions in [0, π]; the tangent of half the angle is ``|a − b| / |a + b|``."""
     apart, together = a.re - b.re, a.re + b.re
     size = together.dot(together)
     if env.field.same(size, 0):
@@ -122,7 +122,7 @@ def angle_between(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Return unit dual vectors with one and with two real components zero, for ``also``."""
+    """Return further points for ``also``: unit dual vectors with one or two real components zero."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         found = {}
@@ -138,7 +138,7 @@ def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]
 
 
 def crossing_lines(line: Symbol, axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Return lines at right angles, one through the other and one that passes it."""
+    """Return further points: a line at right angles to the axis that crosses it, and one that misses it."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         u, v = draw.unit(), draw.unit()

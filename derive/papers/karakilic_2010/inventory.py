@@ -1,6 +1,6 @@
-"""Inventory of further lines of the text: the entries that decide them, or why they claim nothing.
+"""Inventory of further lines of the text, with the entries that decide them or the reason for no claim.
 
-Blank lines, the journal's own lines and the reference list are left out.
+Blank lines, lines added by the journal and the reference list are omitted.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ CLAIMS: dict[int, str] = {
     221: "6-expanded", 225: "18", 254: "conclusion-22 conclusion-20 conclusion-21",
     265: "real-parameters conclusion-20 conclusion-21 conclusion-22", 269: "positions",
 }
-"""Line of the text to the entries of other lines that decide it."""
+"""Entries, listed at other lines, that decide each line of the text."""
 
 REASONS: dict[str, str] = {
     "title": "1 3 5 7 9 15 17 51 107 252",
@@ -25,4 +25,4 @@ REASONS: dict[str, str] = {
     "equation number": "134 139 144 149 162 167 170 175 180 183 186 203 208 217 228 233 238 243 248 257 260 263",
     "page number": "172 250",
 }
-"""Reason to the lines that claim nothing."""
+"""Lines that claim nothing, by reason."""

@@ -1,4 +1,4 @@
-"""Operators of the paper: functions with capitals, norms, roots, components, their sums, inequalities."""
+"""Operators of the paper: capitalized functions, norms, roots, components and their sums, inequalities."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .symbols import i, j
 
 
 def _function(name: str, function: Operator, exponent: int = 1) -> Operator:
-    """Return a function with a capital, or a power of it."""
+    """Return a capitalized function such as Sin, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
                   (POWER,), lambda env, a: env.power(function.value(env, a), exponent), traits=function.traits)
@@ -63,7 +63,7 @@ coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), 
 
 
 def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> bool:
-    """Compare dual numbers by real parts, then by dual parts; generic symbols have no order."""
+    """Compare dual numbers by real parts, then by dual parts; raise for generic symbols."""
     if not env.field.ordered:
         raise NotExactError("an inequality")
     return all(relation((real_part(a), dual_part(a)), (real_part(b), dual_part(b))) for a, b in pairwise(sides))
@@ -74,7 +74,7 @@ ordered = define("K10 ordered", " < ", "<", RELATION, (SUM,), lambda env, *a: _c
 
 
 def _provided(env: Env, statement: Term, condition: Term) -> bool:
-    """Return whether a statement holds under a condition; without it if the condition cannot be decided."""
+    """Return whether the condition implies the statement; an undecidable condition counts as true."""
     try:
         needed = bool(env.value(condition))
     except NotExactError:
@@ -84,7 +84,7 @@ def _provided(env: Env, statement: Term, condition: Term) -> bool:
 
 provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True,
                   traits=Trait.JOINS)
-"""Formula with the domain printed beside it."""
+"""Formula with its printed domain."""
 
 
 

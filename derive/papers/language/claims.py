@@ -1,6 +1,6 @@
-"""Operators of claims in words: has a value, avoids a value, is a rotation, is a unit quaternion.
+"""Operators for claims in words: has a value, avoids a value, is a rotation, is a unit quaternion.
 
-A claim that no formula states is a symbol whose definition computes its truth (`proposition`).
+A claim without a formula is a symbol (`proposition`) whose definition computes its truth.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def proposition(name: str, latex: str) -> Symbol:
-    """Return a symbol for a statement in words; its definition computes its truth."""
+    """Return a symbol for a statement in words; a definition computes its truth value."""
     return Symbol(name, "proposition", rf"\text{{{latex}}}", name)
 
 
@@ -35,7 +35,7 @@ defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,
 
 
 def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
-    """Return whether `a` differs from a multiple for every integer index; generic symbols do."""
+    """Return whether `a` differs from `multiple` at every integer index; True for generic symbols."""
     if not env.field.ordered:
         return True
     first, second = (innermost(env.bound(index, k).value(multiple)) for k in (0, 1))
@@ -45,7 +45,7 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
 
 unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
                  lazy=True, traits=Trait.DELICATE)
-"""``unequal(Re(alpha), 2 * k * pi, k)``: equal for no integer k."""
+"""Claim ``unequal(Re(alpha), 2 * k * pi, k)``: Re α ≠ 2kπ for every integer k."""
 
 
 def is_orthogonal(env: Env, a: Any) -> bool:
@@ -74,7 +74,7 @@ pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "
 
 
 def fixes_a_point(env: Env, motion: Pose) -> bool:
-    """Return whether a displacement is a pure rotation: ρ is then across the axis, the kernel of ``Q − I``."""
+    """Return whether a displacement is a pure rotation: ρ is orthogonal to the axis, the kernel of ``Q − I``."""
     Q, rho = motion.rotation, motion.displacement
     if fixes_directions(env, motion):
         return values.equal(env.field, rho, 0 * rho)

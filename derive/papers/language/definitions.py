@@ -1,4 +1,4 @@
-"""Definitions that both papers share: functions of the environment and of values, for `evaluation.let`."""
+"""Definitions shared by both papers: functions of the environment and of values, for `evaluation.let`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .evaluation import Env
 
 
 def plain(f: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a definition from a function of values alone."""
+    """Return the definition given by a function that needs only values."""
     return lambda env, *arguments: f(*arguments)
 
 
@@ -28,7 +28,7 @@ image = plain(lambda T, a: T @ a)
 
 
 def component_of(index: int, part: Callable[[Any], Any] = lambda a: a) -> Callable[..., Any]:
-    """Return the definition of a component of a vector, counted from 1, or of a part of it."""
+    """Return the definition of a vector component, counted from 1; `part` maps it to its real or dual part."""
     return plain(lambda a: part(tuple(a)[index - 1]))
 
 
@@ -39,5 +39,5 @@ def screw_quaternion(env: Env, alpha: Any, u: Vector) -> Quaternion:
 
 
 def screw_tensor(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """Return the orthogonal dual tensor of an angle and an axis, by the action of its quaternion."""
+    """Return the orthogonal dual tensor of an angle and an axis, computed from its quaternion."""
     return first_principles.tensor_by_sandwich(screw_quaternion(env, alpha, u))

@@ -1,4 +1,4 @@
-"""Execution of a term: symbols have values, operators compute with them."""
+"""Evaluation of a term from the values of its symbols."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Function = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Definition:
-    """Value of a symbol that is not free: ``function(env, *values of the arguments)``.
+    """Definition of a symbol that is not free; its value is ``function(env, *values of the arguments)``.
 
     Printed formulas are checked against these definitions; their functions come from :mod:`derive.maps`.
     """
@@ -40,10 +40,10 @@ class Env:
     ----------
     field : Field
     values : dict
-        The free symbols' values; defined symbols join them as they are needed.
+        Values of free symbols; values of defined symbols are added on first use.
     definitions : mapping of Symbol to Definition
     dual, moving : bool
-        Whether coefficients are dual numbers, and whether (inside that) they carry a time derivative.
+        Whether coefficients are dual numbers, and whether their parts carry a time derivative.
     """
 
     field: Field
@@ -53,7 +53,7 @@ class Env:
     moving: bool = False
 
     def value(self, statement: Term) -> Any:
-        """Return the value of a term: a number, vector, tensor, quaternion, function or truth."""
+        """Return the value of a term: a number, vector, tensor, quaternion, function or truth value."""
         if isinstance(statement, Number):
             return statement.value
         if isinstance(statement, Symbol):
@@ -66,13 +66,13 @@ class Env:
         return operator.value(self, *(self.value(argument) for argument in statement.arguments))
 
     def bound(self, index: Symbol | Term, value: Any) -> Env:
-        """Return the environment with one more symbol bound, as the index of a sum."""
+        """Return a copy of the environment in which one more symbol, such as a summation index, has a value."""
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
         return Env(self.field, {**self.values, index: value}, self.definitions, self.dual, self.moving)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """Return a power, as the field computes it."""
+        """Return a power computed by the field."""
         return self.field.power(base, exponent)
 
     def rate(self, a: Any) -> Any:
@@ -84,7 +84,7 @@ class Env:
         return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
 
     def now(self, a: Any) -> Any:
-        """Return a value without its time derivative."""
+        """Return the current value, without its time derivative."""
         if not self.moving or callable(a):
             return a
         if hasattr(a, "map"):

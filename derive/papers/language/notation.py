@@ -1,6 +1,6 @@
-"""Table of operators: how each is typeset, what the text extraction shows of it, and its value.
+"""Table of operators with their LaTeX, their characters in the extracted text, and their values.
 
-Operators are called to build terms: ``equal(R, I + 2 * q * skew(q))``. A paper adds operators of its own with `define`.
+A call of an operator builds a term: ``equal(R, I + 2 * q * skew(q))``. Papers add their own operators with `define`.
 """
 
 from __future__ import annotations
@@ -47,14 +47,14 @@ def define(
     lazy: bool = False,
     traits: Trait = Trait.NONE,
 ) -> Operator:
-    """Add an operator to the table and return it; a call builds a term."""
+    """Add an operator to the table and return it; calling the operator builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
     OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits)
     return OPERATORS[name]
 
 
-# ---- numbers and structures: what Python's operators build ----------------------------------------------------
+# ---- arithmetic: terms built by Python's operators -------------------------------------------------------------
 
 define("plus", "{0} + {1}", "{0}+{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, b))
 define("minus", "{0} - {1}", "{0}-{1}", SUM, (SUM, PRODUCT), lambda env, a, b: values.add(a, values.negative(b)))
@@ -73,7 +73,7 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
     if isinstance(base, Apply) and Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
-        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² is v·v: no root
+        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
     value = env.value(base)
     return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
 
@@ -117,7 +117,7 @@ remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambd
 
 
 def words(latex: str, text: str) -> Symbol:
-    """Return printed words without a value, such as "a ∈ R": the second argument of `remark`."""
+    """Return a symbol for printed words without a value, such as "a ∈ R", for use in `remark`."""
     return Symbol(f"words:{text}", "words", latex, text)
 
 
@@ -129,7 +129,7 @@ def _cases(env: Env, *arms: Term) -> Any:
 
 
 def cases(*arms: tuple[Any, Term]) -> Apply:
-    """Return a value by cases: ``cases((value, condition), ...)``."""
+    """Return a term defined by cases: ``cases((value, condition), ...)``."""
     name = f"cases{len(arms)}"
     if name not in OPERATORS:
         rows = range(0, 2 * len(arms), 2)
@@ -203,7 +203,7 @@ cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), la
 
 
 def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
-    """Yield the products of a determinant with their signs."""
+    """Yield each sign of a 3×3 determinant with the factors of its product."""
     for i in range(3):
         for sign, step in ((1, 1), (-1, 2)):
             indices = (i, (i + step) % 3, (i + 2 * step) % 3)
@@ -266,7 +266,7 @@ sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)
 
 
 def _exponential(env: Env, a: Any) -> Any:
-    """Return the exponential of a number, or of a skew tensor, vector or pure quaternion by angle and axis."""
+    """Return the exponential of a number, skew tensor or vector; a vector counts as a pure quaternion."""
     if isinstance(a, Tensor):
         return tensor_exponential(a.vect(), env.field)
     return quaternion_exponential(a, env.field) if isinstance(a, Vector) else env.field.exp(a)
@@ -284,7 +284,7 @@ branches = define(
     "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
     lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
 )
-"""Claims about a `values.Map`: "onto" is ``reaches(f, q)`` for every q."""
+"""Claims about a `values.Map`; "onto" means ``reaches(f, q)`` for every q."""
 
 
 def zero(a: Term | int) -> Apply:

@@ -1,14 +1,14 @@
-"""Printed formulas as trees: one object is typeset, executed and mutated.
+"""Printed formulas as trees that are typeset, evaluated and mutated.
 
-A `Term` is a SymPy node that keeps the printed order: it is not sorted, combined or evaluated when it is built.
-Python's operators build it, so that an entry reads like the formula. From a term come
+A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
+build terms, so an entry reads like the formula. A term yields
 
-* ``latex(term)``, how the formula is typeset,
-* ``text(term)``, its characters in printed order, which a reading is compared with the extracted text by,
+* ``latex(term)``, the formula in LaTeX,
+* ``text(term)``, its characters in printed order, for comparison with the extracted text,
 * its value, in :mod:`derive.papers.language.evaluation`.
 
-Operators are rows of the table in :mod:`derive.papers.language.notation`, quantities that a symbol may stand for of
-that in :mod:`derive.papers.numbers.quantities`.
+Operators are rows of the table in :mod:`derive.papers.language.notation`. Quantities of symbols are rows of the table
+in :mod:`derive.papers.numbers.quantities`.
 """
 
 from __future__ import annotations
@@ -23,29 +23,29 @@ from sympy.core.symbol import Str
 
 from ..numbers.quantities import QUANTITIES, Quantity
 
-ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # how tightly a term holds together
+ATOM, POWER, PRODUCT, SUM, RELATION, LIST = 5, 4, 3, 2, 1, 0  # binding strength of a term
 
 
 class Trait(Flag):
-    """Properties of an operator besides its value."""
+    """Properties of an operator in addition to its value."""
 
     NONE = 0
     DELICATE = auto()
-    """Value can change at special values of symbols."""
+    """Operator whose value can change at special values of symbols."""
     APART = auto()
-    """Takes the real or the dual part."""
+    """Operator that takes the real or the dual part."""
     RATE = auto()
     """Derivative in time."""
     TRANSCENDENTAL = auto()
-    """Transcendental function: not made of powers, roots and quotients."""
+    """Transcendental function: not composed of powers, roots and quotients."""
     LENGTH = auto()
-    """Root of a square: its own square needs no root."""
+    """Magnitude: the root of a square; its square needs no root."""
     JOINS = auto()
-    """Joins statements: each part is stated."""
+    """Operator that joins statements, each of which is asserted."""
     OVER_COSINE = auto()
-    """Divides by the cosine of its argument."""
+    """Operator that divides by the cosine of its argument."""
     OVER_SINE = auto()
-    """Divides by the sine of its argument."""
+    """Operator that divides by the sine of its argument."""
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,13 @@ class Operator:
     ----------
     name : str
     latex, text : str
-        Templates with ``{0}``, ``{1}`` …; for a list of any length, the separator alone.
+        Templates with ``{0}``, ``{1}`` …; for a list of any length, only the separator.
     level : int
-        How tightly the result holds together.
+        Binding strength of the result.
     slots : tuple of int
-        For each argument the level it needs to stand without brackets (the last counts for all further ones).
+        Minimum level at which each argument needs no brackets; the last slot serves all further arguments.
     value : callable
-        ``value(env, *arguments)`` with the arguments' values; with the arguments as terms if `lazy`.
+        Function ``value(env, *arguments)``; the arguments are values, or terms if `lazy`.
     traits : Trait
     """
 
@@ -86,12 +86,12 @@ Build = Callable[["Term", Any], "Term"]
 
 
 def _infix(name: str) -> tuple[Build, Build]:
-    """Return the methods of an infix operator, with the term on the left and on the right."""
+    """Return two methods of an infix operator: one for the term on the left, one for the term on the right."""
     return (lambda self, other: Apply(name, self, other)), (lambda self, other: Apply(name, other, self))
 
 
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
-    """Formula or part of one. Python's operators build larger ones and accept integers."""
+    """Formula or part of a formula. Python's operators build larger terms and accept integers."""
 
     def __call__(self, argument: Any) -> Term:
         return Apply("at", self, argument)
@@ -127,9 +127,9 @@ class Symbol(Term):
     name : str
         Unique within a statement.
     quantity : str
-        Quantity it stands for: a row of the table in :mod:`derive.papers.numbers.quantities`.
+        Quantity of the symbol: a row of the table in :mod:`derive.papers.numbers.quantities`.
     latex, text : str
-        How it is typeset, and its characters as the extraction shows them.
+        Its LaTeX, and its characters in the extracted text.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
@@ -168,7 +168,7 @@ class Apply(Term):
 
 
 def term(value: Any) -> Term:
-    """Return a term as it is, or an integer as a term."""
+    """Return a term unchanged, or an integer as a term."""
     if isinstance(value, Term):
         return value
     if isinstance(value, int):
@@ -177,7 +177,7 @@ def term(value: Any) -> Term:
 
 
 def symbols(statement: Term) -> tuple[Symbol, ...]:
-    """Return the symbols of a statement, each once, in printed order."""
+    """Return the distinct symbols of a statement in printed order."""
     return tuple(dict.fromkeys(node for node in walk(statement) if isinstance(node, Symbol)))
 
 
@@ -190,13 +190,13 @@ def walk(statement: Term) -> Iterator[Term]:
 
 
 def with_trait(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
-    """Return the parts of statements whose operator has a trait."""
+    """Return the parts of the statements whose operator has a trait."""
     nodes = (node for statement in statements for node in walk(statement))
     return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.operator.traits)
 
 
 def takes_apart(*statements: Term) -> bool:
-    """Return whether real and dual parts occur separately: ε, Re, Du, a real symbol, a claim in words."""
+    """Return whether statements separate real and dual parts by ε, Re, Du, a real symbol or a claim in words."""
     return bool(with_trait(Trait.APART, *statements)) or any(
         symbol.quantity.apart for statement in statements for symbol in symbols(statement)
     )
@@ -227,7 +227,7 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
         parts.append(brackets.format(part) if _level(argument) < needed else part)
     template: str = getattr(row, style)
     if style == "latex" and template.startswith("{0}^") and "^" in parts[0]:
-        parts[0] = f"{{{parts[0]}}}"  # one superscript on another
+        parts[0] = f"{{{parts[0]}}}"  # avoid a double superscript
     return template.format(*parts) if "{0}" in template else template.join(parts)
 
 

@@ -1,7 +1,7 @@
 """Sums, products and equality of numbers, vectors, quaternions and tensors.
 
-A sum of a number and a vector is a quaternion, and two vectors side by side are multiplied as quaternions, as both
-papers write them. A tensor beside a vector or tensor acts on it.
+A sum of a number and a vector is a quaternion. Two vectors side by side are multiplied as quaternions, as in both
+papers. A tensor to the left of a vector or tensor acts on it.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from ..numbers.fields import Field
 
 @dataclass(frozen=True)
 class Either:
-    """Pair of values of which ± means either."""
+    """Pair of values denoted by ±."""
 
     first: Any
     second: Any
 
     def map(self, f: Callable[[Any], Any]) -> Either:
-        """Apply `f` to both."""
+        """Apply `f` to both values."""
         return Either(f(self.first), f(self.second))
 
 
 @dataclass(frozen=True)
 class Solution:
-    """Condition in place of a value: a symbol defined as a preimage equals every value that fulfils it."""
+    """Condition in place of a value; a value equals it if it satisfies the condition."""
 
     test: Callable[[Any], bool]
 
@@ -41,7 +41,7 @@ class Solution:
 
 
 class MissedError(ArithmeticError):
-    """Error of an element without a preimage."""
+    """Error for an element without a preimage."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +51,16 @@ class Map:
     Attributes
     ----------
     image : callable
-        The value at a point.
+        Function from a point to its value.
     preimages : callable
-        All points with a given value, as a list; empty, or a `MissedError`, where there is none.
+        Function from a value to the list of its preimages; without one, the list is empty or `MissedError` is raised.
     """
 
     image: Callable[[Any], Any]
     preimages: Callable[[Any], list[Any]]
 
     def reaches(self, field: Field, target: Any) -> int:
-        """Return the number of different points with that value, or with either sign of it."""
+        """Return the number of distinct preimages of a target; for ±, use the first sign that has any."""
         if isinstance(target, Either):
             return self.reaches(field, target.first) or self.reaches(field, target.second)
         try:
@@ -75,7 +75,7 @@ class Map:
 
 
 def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    """Apply a function to both values of an operand that is `Either`."""
+    """Lift a binary function: apply it to both values of an operand of type `Either`."""
 
     def lifted(a: Any, b: Any) -> Any:
         if isinstance(a, Either):
@@ -92,7 +92,7 @@ def add(a: Any, b: Any) -> Any:
 
 
 def negative(a: Any) -> Any:
-    """Return the opposite."""
+    """Return the negative of a value."""
     return a.map(negative) if isinstance(a, Either) else -a
 
 
@@ -106,7 +106,7 @@ def multiply(a: Any, b: Any) -> Any:
 
 @_of_either
 def divide(a: Any, b: Any) -> Any:
-    """Return the quotient; a quaternion below a fraction bar is its inverse on the right."""
+    """Return the quotient; division by a quaternion multiplies by its inverse on the right."""
     if isinstance(b, int):
         b = Fraction(b)
     if not isinstance(b, Structure):
@@ -116,26 +116,26 @@ def divide(a: Any, b: Any) -> Any:
 
 
 def dot(a: Any, b: Any) -> Any:
-    """Return the scalar product of vectors, the product of anything else."""
+    """Return the scalar product of two vectors, or the product of other values."""
     return a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else multiply(a, b)
 
 
 def scalar(a: Any) -> Any:
-    """Return the number that a quaternion without vector part is."""
+    """Return the scalar part of a quaternion with vector part 0; return other values unchanged."""
     if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
         return a.scalar
     return a
 
 
 def square(a: Any) -> Any:
-    """Return the square of a magnitude: of a vector, a quaternion or a number."""
+    """Return the squared magnitude of a vector, quaternion or number."""
     if isinstance(a, Vector):
         return a.dot(a)
     return a.norm2() if isinstance(a, Quaternion) else a * a
 
 
 def norm(field: Field, a: Any) -> Any:
-    """Return the magnitude."""
+    """Return the magnitude of a vector, quaternion or number."""
     if isinstance(a, Vector):
         return field.magnitude(a)
     return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
@@ -157,7 +157,7 @@ def dualise(re: Any, du: Any) -> Any:
 
 
 def equal(field: Field, a: Any, b: Any) -> bool:
-    """Return whether two values are equal, component by component; ± may be either sign."""
+    """Return whether two values are equal, component by component; ± matches with either sign."""
     if isinstance(a, Solution) and isinstance(b, Either):
         return a.test(b.first) or a.test(b.second)
     if isinstance(a, Solution):

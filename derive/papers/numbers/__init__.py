@@ -1,9 +1,9 @@
-"""Numbers that formulas are executed on, and values of symbols.
+"""Fields in which formulas are evaluated, and values of symbols.
 
 ===========  ==================================================================================
-fields       60 digits, and exact rational functions
-every_order  the exact field for symbolic n
-quantities   table of quantities, with special values
-generic      symbols at generic values of an exact field
+fields       60-digit numbers and exact rational functions
+every_order  exact field for symbolic n
+quantities   table of quantities with special values
+generic      generic values of symbols in an exact field
 ===========  ==================================================================================
 """

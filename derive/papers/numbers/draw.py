@@ -20,11 +20,11 @@ class Draw:
     Parameters
     ----------
     seed : str
-        Every draw with the same seed is the same.
+        Seed that determines all numbers.
     moving : bool
-        Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
+        Whether coefficients carry time derivatives, as in `derive.papers.language.evaluation.Env`.
     digits : int
-        How many decimals the numbers have that are drawn.
+        Number of decimals of the drawn numbers.
     """
 
     def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:
@@ -42,24 +42,24 @@ class Draw:
         return self.real() * self.random.choice((-1, 1))
 
     def plain(self, value: Any, slope: Any = 0) -> Any:
-        """Return a coefficient, with a time derivative if symbols move."""
+        """Return a coefficient, with the time derivative `slope` if symbols move."""
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
 
     def number(self, re: Any, du: Any | None = None) -> Any:
-        """Return a dual number; if symbols move, its parts have random time derivatives."""
+        """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
         du = self.signed() if du is None else du
         if self.moving:
             return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
         return Dual(mpmath.mpf(re), mpmath.mpf(du))
 
     def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
-        """Return a dual vector."""
+        """Return a dual vector; parts that are not given are random."""
         a = re or tuple(self.signed() for _ in range(3))
         b = du or tuple(self.signed() for _ in range(3))
         return Vector(*(self.number(s, t) for s, t in zip(a, b, strict=True)))
 
     def still(self, re: tuple[Any, ...], du: tuple[Any, ...]) -> Vector:
-        """Return a dual vector at rest."""
+        """Return a dual vector with zero time derivatives."""
         return Vector(*(Dual(self.plain(s), self.plain(t)) for s, t in zip(re, du, strict=True)))
 
     def unit(self) -> Vector:
@@ -68,7 +68,7 @@ class Draw:
         return sphere(s, t)
 
     def quaternion(self, half_angle: Any) -> Quaternion:
-        """Return a unit dual quaternion with this half angle (real part) about a random screw axis."""
+        """Return a unit dual quaternion about a random screw axis; `half_angle` is the real part of its half angle."""
         angle = Dual(mpmath.mpf(half_angle), self.signed())
         s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
         s, c = (a.apply(chopped, lambda _: 1) for a in (s, c))
@@ -77,20 +77,20 @@ class Draw:
 
 
 def sphere(s: Any, t: Any) -> Vector:
-    """Return ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector but (0, 0, −1)."""
+    """Return ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector except (0, 0, −1)."""
     square = s * s + t * t
     return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
 
 
 def rotation(q: Quaternion) -> Tensor:
-    """Return the tensor of ``v -> q v q*``, column by column."""
+    """Return the tensor of the map ``v -> q v q*``."""
     columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 @dataclass(frozen=True)
 class Smooth:
-    """Differentiable function of plain and dual numbers, with its derivative on plain ones."""
+    """Differentiable function of plain or dual numbers, with its derivative at plain numbers."""
 
     value: Callable[[Any], Any]
     derivative: Callable[[Any], Any]
@@ -100,7 +100,7 @@ class Smooth:
 
 
 def polynomial(coefficients: Sequence[Any]) -> Smooth:
-    """Return the polynomial with these coefficients."""
+    """Return the polynomial with coefficients in ascending order."""
 
     def value(a: Any) -> Any:
         total = 0
@@ -118,7 +118,7 @@ def polynomial(coefficients: Sequence[Any]) -> Smooth:
 
 
 def exponential_series() -> Smooth:
-    """Return the exponential by its power series, to 60 digits for arguments below 2."""
+    """Return the exponential as a power series, accurate to 60 digits for arguments below 2."""
     terms = [mpmath.mpf(1)]
     for k in range(1, 70):
         terms.append(terms[-1] / k)

@@ -1,12 +1,12 @@
-r"""Execution of a formula for every order n at once.
+r"""Exact evaluation of a formula for every order n at once.
 
-n is a symbol. With :math:`X = \tan\theta` and :math:`\psi = n\theta`, the powers of :math:`1 + iX = \sec\theta\,
-e^{i\theta}` are
+The order n is a symbol. With :math:`X = \tan\theta` and :math:`\psi = n\theta`, the powers of
+:math:`1 + iX = \sec\theta\, e^{i\theta}` are
 
 .. math:: (1 + iX)^{an+b} = r^{2a} \sec^b\theta \; e^{i(a\psi + b\theta)}, \qquad r = (1 + X^2)^{n/4}
 
-and n, :math:`\theta`, :math:`\psi` (with the tangents of :math:`\theta/2` and :math:`\psi/4`) and r are algebraically
-independent, so that an identity in them is an identity for every n. Derivatives in time follow by the chain rule.
+The quantities n, :math:`\theta`, :math:`\psi`, r and the tangents of :math:`\theta/2` and :math:`\psi/4` are
+algebraically independent. An identity in them therefore holds for every n. Time derivatives follow by the chain rule.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from .fields import Exact, one_over
 
 
 class EveryOrder(Exact):
-    """Rational functions that include the powers with exponent ``a n + b`` of 1 + X², 1 + v and their multiples.
+    """Rational functions with powers of exponent ``a n + b`` of 1 + X², 1 + v and their multiples.
 
-    X is the magnitude of the one vector v = X u, and α = 2nθ the one angle. The multiples are by a symbol, the scale,
-    and by 2n: their powers are further independent symbols.
+    There is one vector v = X u of magnitude X, and one angle α = 2nθ. Multiples are products with 2n or with the symbol
+    `scale`; their powers are further independent symbols.
     """
 
     name = "exact, all n"
@@ -66,12 +66,12 @@ class EveryOrder(Exact):
 
     @property
     def secant(self) -> Element:
-        """Return the root of 1 + X²."""
+        """Return the square root of 1 + X²."""
         secant: Element = 1 / super()._cos(self.theta)
         return secant
 
     def _quaternion(self, base: Quaternion, exponent: Element) -> Quaternion:
-        """Return a power of c + v = c (1 + X u), or the n-th root of a unit quaternion cos ψ + u sin ψ."""
+        """Return a power of c + v = c (1 + X u), or the power c/n of a unit quaternion cos ψ + u sin ψ."""
         if not self._is_linear(exponent):  # c/n
             turn = self._integer((exponent * self.n).combination((self.functions.constant(1),))[0]) * self.theta
             cosine, sine = self._cos(self.psi), self._sin(self.psi)
@@ -89,7 +89,7 @@ class EveryOrder(Exact):
         return Quaternion(size * cosine, size * sine / X * base.vector)
 
     def turn(self, exponent: Element, X: Any) -> tuple[Any, Any]:
-        """Return cosine and sine of ``exponent · arctan X``."""
+        """Return the cosine and sine of ``exponent · arctan X``."""
         if isinstance(X, Dual):
             slope = X.du / (1 + X.re * X.re)
             cosine, sine = self.turn(exponent, X.re)
@@ -108,7 +108,7 @@ class EveryOrder(Exact):
         return s * d + c * t
 
     def _parts(self, angle: Any) -> list[tuple[Any, Any]]:
-        """Return (cos, sin) of the two parts of an angle ``a ψ + b θ``, where ψ may be written nθ."""
+        """Return (cos, sin) of both terms of an angle ``a ψ + b θ``, in which ψ may be written nθ."""
         a, also, b = self._element(angle).combination((self.psi, self.theta * self.n, self.theta))
         parts = ((a + also) * self.psi, b * self.theta)
         return [(super(EveryOrder, self)._cos(part), super(EveryOrder, self)._sin(part)) for part in parts]

@@ -1,8 +1,8 @@
-"""Two kinds of numbers on which printed formulas are executed, and their elementary functions.
+"""Two fields in which printed formulas are evaluated, with their elementary functions.
 
-`Decimal60` has 60-digit floating-point numbers, which refute a formula or are evidence for it. `Exact` has rational
-functions of independent symbols, which decide it for all values at once. Dual numbers over either, also nested ones,
-take every function by ``f(a) + ε a° f'(a)``.
+`Decimal60` consists of 60-digit floating-point numbers, which refute a formula or give evidence for it. `Exact`
+consists of rational functions of independent symbols, which decide a formula for all values at once. Functions of dual
+numbers, also nested ones, follow from ``f(a) + ε a° f'(a)``.
 """
 
 from __future__ import annotations
@@ -21,23 +21,23 @@ from derive.algebra.element import Element, NotExactError
 from derive.maps.polynomials import pair
 
 DIGITS = 60
-TOLERANCE = mpmath.mpf(10) ** -45  # far above the rounding of 60 digits, far below any difference that matters
-_NOTHING = mpmath.mpf(10) ** -55  # bound on the rounding error of a sine at a multiple of π
+TOLERANCE = mpmath.mpf(10) ** -45  # far above rounding errors, far below relevant differences
+_NOTHING = mpmath.mpf(10) ** -55  # bound on the rounding error of the sine at a multiple of π
 
 
 class UndefinedError(ArithmeticError):
-    """Error: the formula has no value at this point."""
+    """Error for a formula without a value at this point."""
 
 
 class Field(ABC):
-    """Numbers with elementary functions; subclasses define them on plain numbers, or refuse.
+    """Numbers with elementary functions; subclasses define each on plain numbers or raise `NotExactError`.
 
     Attributes
     ----------
     name : str
         Name in descriptions of methods.
     ordered : bool
-        Whether every number has a sign; where not, a symbol is taken on the side at hand.
+        Whether every number has a sign, so that numbers can be compared.
     """
 
     name: str
@@ -71,7 +71,7 @@ class Field(ABC):
         return Dual(self.atan2(b, a), (a * db - b * da) / (a * a + b * b))
 
     def sqrt(self, a: Any) -> Any:
-        """Return the square root; that of a zero divisor other than 0 is undefined."""
+        """Return the square root; raise for a zero divisor other than 0."""
         if not isinstance(a, Dual):
             return self._sqrt(a)
         if a == 0:
@@ -91,7 +91,7 @@ class Field(ABC):
         return bool(a == 0) if isinstance(a, Dual) else self.vanishes(a)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """Return an integer power of a value with a product, or half a power of a number; subclasses have more."""
+        """Return a power: integer for any value, rational for a quaternion, half-integer for a number."""
         if isinstance(exponent, Fraction) and exponent.denominator == 1:
             exponent = int(exponent)
         if isinstance(exponent, int):
@@ -109,7 +109,7 @@ class Field(ABC):
         """Return the principal value ``|q|^r (cos rθ + u sin rθ)``, ``0 ≤ θ < π``."""
         size = self.power(q.norm2(), r / 2)
         w = q.vector
-        if real_part(w.dot(w)) == 0:  # then w² = 0
+        if real_part(w.dot(w)) == 0:  # then w · w = 0
             if innermost(q.scalar) < 0:
                 raise UndefinedError("a power of a negative number")
             return Quaternion(size, r.numerator * size / (r.denominator * q.scalar) * w)
@@ -126,14 +126,14 @@ class Field(ABC):
         """Return whether two plain numbers are equal."""
 
     def vanishes(self, a: Any) -> bool:
-        """Return whether a plain number is zero, or what rounding makes of it."""
+        """Return whether a plain number is zero up to rounding."""
         return bool(a == 0)
 
     def negligible(self, parts: Iterable[Any]) -> bool:
-        """Return whether the rest of a power series can be left off after a term with these parts."""
+        """Return whether a power series can be truncated after a term with these parts."""
         raise NotExactError("an infinite sum")
 
-    # functions that a field lacks raise NotExactError
+    # functions missing in a field raise NotExactError
 
     def _sin(self, a: Any) -> Any:
         raise NotExactError("sine")
@@ -163,7 +163,7 @@ class Field(ABC):
 
 
 class Decimal60(Field):
-    """Real numbers of 60 digits, for use inside ``mpmath.workdps(DIGITS)``."""
+    """Real numbers with 60 digits, for use inside ``mpmath.workdps(DIGITS)``."""
 
     name = "60 digits"
     ordered = True
@@ -213,7 +213,7 @@ class Decimal60(Field):
 
 
 class Exact(Field):
-    """Rational functions over Q in independent symbols, roots of squares and half-angle tangents included."""
+    """Rational functions over Q of independent symbols, with roots of squares and half-angle tangents."""
 
     name = "exact"
 
@@ -221,7 +221,7 @@ class Exact(Field):
         self.functions = AngleField(names, angles)
 
     def symbol(self, name: str) -> Element:
-        """Return a generator."""
+        """Return the generator of this name."""
         return self.functions.symbol(name)
 
     def same(self, a: Any, b: Any) -> bool:
@@ -248,19 +248,19 @@ class Exact(Field):
 
 
 def innermost(a: Any) -> Any:
-    """Return the real part of a nested dual number."""
+    """Return the innermost real part of a nested dual number."""
     while isinstance(a, Dual):
         a = a.re
     return a
 
 
 def _size(a: Any) -> Any:
-    """Return a number with real part 0 exactly if the value has no inverse."""
+    """Return a number whose real part is 0 if and only if the value has no inverse."""
     return a.det() if isinstance(a, Tensor) else a.norm2() if isinstance(a, Quaternion) else a
 
 
 def integer_power(base: Any, exponent: int) -> Any:
-    """Return an integer power with the product of the base's type; negative exponents invert."""
+    """Return an integer power by the product of the base's type; a negative exponent inverts the base."""
     if exponent < 0:
         inverse = base.inverse() if isinstance(base, Quaternion | Tensor) else one_over(base)
         return integer_power(inverse, -exponent)
@@ -282,5 +282,5 @@ def one_over(a: Any) -> Any:
 
 
 def chopped(a: Any) -> Any:
-    """Return a plain number of 60 digits, or 0 if it is rounding error."""
+    """Return a plain number, or 0 if its size is within the rounding error."""
     return mpmath.mpf(0) if abs(a) < _NOTHING else a

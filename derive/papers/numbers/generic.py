@@ -1,11 +1,11 @@
-"""Generic values of symbols over an exact field: one evaluation decides a statement for all values.
+"""Generic values of symbols in an exact field: one evaluation decides a statement for all values.
 
-The frame is chosen along the vectors: the first lies on the first axis, the second in the plane of the first two. The
-papers' operations do not depend on the frame, so this loses no generality. The magnitude X of the first vector is then
-rational. It is the tangent of an angle of the field, so that ``sqrt(1 + X²)`` is rational too.
+The frame is chosen along the vectors: the first lies on the first axis, the second in the plane of the first two axes.
+The papers' operations do not depend on the frame, so no generality is lost. The magnitude X of the first vector is then
+rational. X is the tangent of an angle of the field, so ``sqrt(1 + X²)`` is rational too.
 
-Statements that separate real and dual parts (ε, Re, Du, real symbols) get dual coefficients, with the frame along the
-real parts. For all others an identity of rational functions over Q is also one of dual numbers.
+Statements that separate real and dual parts (ε, Re, Du, real symbols) get dual coefficients, and the frame is chosen
+along the real parts. For other statements, an identity of rational functions over Q also holds for dual numbers.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from .every_order import EveryOrder
 from .fields import Exact
 from .quantities import Quantity, Role
 
-STEPS = 4  # sine and cosine of α/4 and its multiples are exact
+STEPS = 4  # sine and cosine of multiples of α/4 are exact
 
 
 class Variable(Protocol):
-    """Symbol that is given a value."""
+    """Symbol that receives a generic value."""
 
     @property
     def name(self) -> str:
@@ -33,7 +33,7 @@ class Variable(Protocol):
 
     @property
     def quantity(self) -> Quantity:
-        """Quantity that it stands for."""
+        """Quantity of the symbol: its row in the table."""
 
 
 class Generic:
@@ -42,10 +42,11 @@ class Generic:
     Parameters
     ----------
     free : iterable of Variable
+        Symbols that receive values.
     dual, moving : bool
-        Layout of the coefficients, as in `derive.papers.language.evaluation.Env`.
+        Whether coefficients are dual and whether they carry rates, as in `derive.papers.language.evaluation.Env`.
     steps : int
-        Sine and cosine of multiples of ``angle/steps`` are exact.
+        Divisor of angles: multiples of ``angle/steps`` have exact sine and cosine.
     framed : bool
         Whether a frame may be chosen along the vectors.
     """
@@ -58,26 +59,26 @@ class Generic:
         self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
         self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
         self.field = self._field(steps)
-        self._vectors = 0  # how many vectors the frame is already fixed by
+        self._vectors = 0  # number of vectors along which the frame is already chosen
         self.values: dict[Any, Any] = {symbol: self._value(symbol) for symbol in self.symbols}
 
     def fix(self, symbol: Variable | None, value: Any) -> None:
-        """Give one more symbol a value."""
+        """Set the value of one more symbol, unless it is None."""
         if symbol is not None:
             self.values[symbol] = value
 
     def fix_branch(self, branch: Variable | None, k: int) -> None:
-        """Let α + 2kπ be the generic angle, so that α is that less k turns."""
+        """Set the branch to k and subtract 2kπ from each angle, so that α + 2kπ is the generic angle."""
         self.fix(branch, k)
         if branch is not None:
             turned = {symbol: value - 2 * k * self.field.pi for symbol, value in self.values.items()
                       if symbol.quantity.role is Role.ANGLE}
             self.values.update(turned)
 
-    # ---- values that the table of quantities asks for, by the name of a symbol --------------------------------------
+    # ---- values for the table of quantities, by the name of a symbol ------------------------------------------------
 
     def number(self, name: str, i: int = 0, at: Any = None) -> Any:
-        """Return the i-th number of a symbol, dual or with a time derivative by the layout; `at` fixes its value."""
+        """Return the i-th number of a symbol, with dual part and rate if required; `at` fixes its real value."""
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
@@ -86,17 +87,17 @@ class Generic:
         return Dual(plain(""), plain("°")) if self.dual else plain("")
 
     def real(self, number: Any) -> Any:
-        """Return a number that is not dual."""
+        """Return the real part of a number; raise if symbols move."""
         if self.moving:
             raise NotExactError("real symbols in motion")
         return number.re if self.dual else number
 
     def angle(self, name: str) -> Any:
-        """Return an angle of the field."""
+        """Return an angle with exact sine and cosine."""
         return self.number(name, at=self._angle(name))
 
     def scale(self, name: str) -> Any:
-        """Return a number with powers of exponent n."""
+        """Return a number that has powers with exponent n."""
         return self.number(name)
 
     def argument(self, name: str) -> Any:
@@ -104,7 +105,7 @@ class Generic:
         return self.number(name)
 
     def vector(self, name: str) -> Vector:
-        """Return a vector, with a frame chosen along it while one is still free."""
+        """Return a vector; the frame is chosen along it while axes are still free."""
         if not self.framed:
             return self._free_vector(name)
         self._vectors += 1
@@ -114,7 +115,7 @@ class Generic:
         return Vector(*(self.number(name, i, value) for i, value in enumerate(at)))
 
     def unit(self, name: str) -> Vector:
-        """Return a unit vector, with a frame chosen along it while one is still free."""
+        """Return a unit vector; the frame is chosen along it while axes are still free."""
         zero = self.field.functions.constant(0)
         if self.framed:
             self._vectors += 1
@@ -126,7 +127,7 @@ class Generic:
         return sphere(self.number(name, 0), self.number(name, 1))
 
     def turn(self, name: str) -> Quaternion:
-        """Return a unit quaternion by half angle and axis, or as a square where the field has no such angle."""
+        """Return a unit quaternion from half angle and axis, or a normalized square if the field lacks the angle."""
         if self.moving:
             raise NotExactError("a moving displacement: give it by a definition")
         if name in self.field.functions.angles:
@@ -136,7 +137,7 @@ class Generic:
         square: Quaternion = whole * whole / whole.norm2()
         return square
 
-    # ---- inside ---------------------------------------------------------------------------------------------------
+    # ---- helpers --------------------------------------------------------------------------------------------------
 
     def _value(self, symbol: Variable) -> Any:
         if symbol.quantity.exact is None:
@@ -166,13 +167,13 @@ class Generic:
         return self.field.symbol(name)
 
     def _first(self) -> Any:
-        """Return the magnitude of the first vector: the tangent of an angle."""
+        """Return the magnitude of the first vector as the tangent of an angle."""
         angle = self.field.symbol(f"arctan {self.first}")
         return self.field.sin(angle) / self.field.cos(angle)
 
 
 class GenericOrder(Generic):
-    """Generic values for a symbolic order n, with one vector or one angle."""
+    """Generic values for a symbolic order n, with one vector and one angle."""
 
     field: EveryOrder
 

@@ -1,7 +1,7 @@
-"""Table of quantities that a symbol may stand for, with special values.
+"""Table of the quantities of symbols, with special values.
 
-A statement holds only if it is true at generic values and at every special value of every symbol: real part zero, a
-half turn, a full turn, the identity.
+A statement holds only if it is true at generic values and at every special value of every symbol. Examples of special
+values are a real part of zero, a half turn, a full turn and the identity.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ class Role(Enum):
     """Role of a quantity in the choice of exact coordinates."""
 
     ANGLE = auto()
-    """Angle with exact sine and cosine of its parts; on branch k the generic angle is α + 2kπ."""
+    """Angle whose fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ."""
     TURN = auto()
-    """Displacement, made of an angle and an axis."""
+    """Displacement, given by an angle and an axis."""
     VECTOR = auto()
-    """Vector along which a frame may be chosen; the magnitude of the first is the tangent of an angle."""
+    """Vector along which a frame may be chosen; the first vector's magnitude is the tangent of an angle."""
     TENSOR = auto()
     """Tensor with generic entries, for which no frame is chosen."""
 
@@ -45,18 +45,18 @@ class Quantity:
     ----------
     name : str
     draw : callable, optional
-        Draws a 60-digit value that is not special; symbols of a quantity without it must be defined.
+        Function that draws a 60-digit value that is not special; without it, symbols need a definition.
     special : dict of str to callable
-        Values at which formulas tend to fail, by name.
+        Functions that draw values at which formulas tend to fail, by name.
     size : int
-        Number of independent numbers that it has.
+        Number of independent numbers in a value.
     exact : callable, optional
-        ``exact(generic, name)``, the value of a symbol at generic values of an exact field.
+        Function ``exact(generic, name)`` that returns a symbol's generic value in an exact field.
     role : Role, optional
     value : callable, optional
-        The value over a field, of a constant.
+        Function from a field to the value of a constant.
     apart : bool
-        Whether it is a real or dual part, or separates them: then exact coefficients are dual too.
+        Whether the quantity separates real and dual parts; then exact coefficients are dual too.
     varies : bool
         Whether a symbol without a definition is free.
     """
@@ -99,13 +99,13 @@ def _translation(sign: int) -> Make:
 
 
 ORDER = Quantity("order")
-"""Order n: those asked for, or all at once."""
+"""Order n, at the requested orders or at all orders at once."""
 BRANCH = Quantity("branch")
-"""k = 0, 1 … n − 1."""
+"""Branch k = 0, 1 … n − 1."""
 PROPOSITION = Quantity("proposition", apart=True)
 """Claim in words."""
 SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
-"""Sign ±, the same on both sides of an equation."""
+"""Sign ±, equal on both sides of an equation."""
 
 _REAL = (
     Quantity("real", lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}, 1,
@@ -171,7 +171,7 @@ _STRUCTURES = (
 )
 
 _DEFINED = (Quantity("number"), Quantity("function"), Quantity("map"), PROPOSITION)
-"""Quantities whose value only a definition gives; a number may be dual or not."""
+"""Quantities that need a definition; a number may be real or dual."""
 
 _CONSTANT = (
     Quantity("dual unit", value=lambda field: Dual(0, 1), apart=True, varies=False),

@@ -1,13 +1,13 @@
 """Errata report in five formats.
 
 ======== ======================================================================
-content  papers, counts and texts of a report, without a format
+content  papers, counts and texts of a report, independent of format
 plain    LaTeX formulas as lines of Unicode
 text     tables for a terminal
-pages    json, markdown, html and latex
+pages    JSON, Markdown, HTML and LaTeX
 ======== ======================================================================
 
-Layouts are the templates in ``templates/report``.
+The layouts are templates in ``templates/report``.
 """
 
 from __future__ import annotations

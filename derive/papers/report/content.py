@@ -1,4 +1,4 @@
-"""Content of a report, without a format."""
+"""Content of a report, independent of format."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MEANING = {
     Status.HOLDS_IF: "true under the condition shown",
     Status.HOLDS: "true as printed",
 }
-"""Statuses in the order of the report."""
+"""Meaning of each status, in the order of the report."""
 
 
 @dataclass(frozen=True)
@@ -39,15 +39,15 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Report:
-    """Results and proofs.
+    """Results and proofs of a report.
 
     Attributes
     ----------
     chapters : tuple of Chapter
-        One for each paper that has results.
+        One chapter for each paper with results.
     proofs : tuple of Proof
     root : str
-        Relative path from the report to the project, for links to sources; empty for none.
+        Relative path from the report to the project, for links to sources; empty for no links.
     """
 
     chapters: tuple[Chapter, ...]
@@ -56,7 +56,7 @@ class Report:
 
     @classmethod
     def of(cls, papers: Iterable[Paper], results: Sequence[Result], proofs: Iterable[Proof], root: str = "") -> Report:
-        """Return a report with results sorted by paper."""
+        """Return a report with results grouped by paper."""
         chapters = (Chapter(paper, tuple(r for r in results if r.paper == paper.slug)) for paper in papers)
         return cls(tuple(chapter for chapter in chapters if chapter.results), tuple(proofs), root)
 
@@ -71,44 +71,44 @@ class Report:
         return tuple(proof for proof in self.proofs if not proof.proved)
 
     def link(self, result: Result) -> str:
-        """Return a link to the module that holds the entry of a result."""
+        """Return a link to the module that defines the entry of a result."""
         return f"{self.root}/{result.equation.source}" if self.root else ""
 
 
 def label(result: Result) -> str:
-    """Return the name by which an equation is cited: ``(111)``, or its slug."""
+    """Return the label for citing an equation: ``(111)``, or its slug."""
     number = result.equation.number
     return f"({number})" if number.isdecimal() else number
 
 
 def place(result: Result) -> str:
-    """Return section and equation number of an entry."""
+    """Return the section and the equation number of an entry in words."""
     number = result.equation.number
     return f"section {result.section}" + (f", equation ({number})" if number.isdecimal() else "")
 
 
 def readings(result: Result) -> str:
-    """Return how many readings are listed and how many are true; empty for a single reading."""
+    """Return the numbers of listed and of true readings in words; empty for a single reading."""
     count, true = len(result.verdicts), sum(verdict.true for verdict in result.verdicts)
     return f"{count} readings, {true or 'none'} true" if count > 1 else ""
 
 
 def extent(result: Result) -> str:
-    """Return "if" for a sharp condition, "at least where" for another one, "where" for a tested domain."""
+    """Return "if" for a sharp condition, "at least where" for a sufficient one, "where" for other statuses."""
     if result.status is not Status.HOLDS_IF:
         return "where"
     return "if" if result.exact else "at least where"
 
 
 def domain(result: Result) -> tuple[str, ...]:
-    """Return the condition that was found and the domain that the paper states, a line each."""
+    """Return one line for the condition found and one for the domain stated by the paper."""
     found = f"{extent(result)} {plain(result.condition)}" if result.condition else ""
     stated = f"for {plain(result.claimed)}, as stated" if result.claimed else ""
     return tuple(line for line in (found, stated) if line)
 
 
 def why(result: Result) -> str:
-    """Return one line on what an erratum contradicts."""
+    """Return a one-sentence explanation of an erratum: its remark or title."""
     entry = result.equation
     return (entry.remark or entry.title).split(". ")[0].rstrip(".") + "."
 
@@ -122,7 +122,7 @@ DIGITS = 10
 
 
 def example(found: Counterexample) -> tuple[str, ...]:
-    """Return a counterexample in lines: the symbols, then the first number in which the sides differ."""
+    """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
     lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
     if len(found.sides) == 2 and all(found.sides):
         left, right = found.sides
@@ -136,7 +136,7 @@ def example(found: Counterexample) -> tuple[str, ...]:
 
 
 def _numbers(parts: list[str]) -> str:
-    """Return real parts, then dual parts after ε."""
+    """Return the real parts, then the dual parts after ε, as one string."""
     short = [part[: DIGITS + 2] for part in parts]
     half = len(short) // 2
     if len(short) in (2, 6, 8):

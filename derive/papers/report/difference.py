@@ -1,4 +1,4 @@
-"""Differences of two formulas: the smallest differing parts in colour."""
+"""Comparison of two formulas: their smallest differing parts are coloured."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ CHANGED = {
     level: define(f"changed {level}", rf"\color{{{{{COLOUR}}}}}{{{{{{0}}}}}}", "{0}", level, (level,), lambda env, a: a)
     for level in (LIST, RELATION, SUM, PRODUCT, POWER, ATOM)
 }
-"""Operator that colours a term, for each level of brackets."""
+"""Operators that colour a term, by binding strength."""
 
 
 def differing(printed: Term, right: Term) -> tuple[str, str]:
-    """Return LaTeX of both formulas with the differing parts in colour."""
+    """Return both formulas as LaTeX, with the differing parts in colour."""
     first, second = _marked(printed, right)
     return latex(first), latex(second)
 

@@ -1,4 +1,4 @@
-"""Report as JSON, Markdown, HTML and LaTeX, by templates."""
+"""Report as JSON, Markdown, HTML and LaTeX, mostly by templates."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SCHEMA = 2
 
 
 def as_json(report: Report) -> str:
-    """Return the results as JSON; for the fields see `Result.as_json` and `derive.proof.Proof`."""
+    """Return the report as JSON; `Result.as_json` and `derive.proof.Proof` describe the fields."""
     data = {
         "schema": SCHEMA,
         "equations": [result.as_json() for result in report.results],
@@ -28,39 +28,39 @@ def as_json(report: Report) -> str:
 
 
 def as_markdown(report: Report) -> str:
-    """Return a page for a repository: formulas in ``math`` spans."""
+    """Return a Markdown page with formulas in ``math`` spans."""
     return render("report/errata.md.j2", **_common(report), **PAGE)
 
 
 def as_html(report: Report) -> str:
-    """Return one self-contained page: formulas in MathML, a filter that needs no network."""
+    """Return a self-contained HTML page with MathML formulas and a filter that needs no network."""
     return render("report/errata.html.j2", mathml=mathml, **_common(report), **PAGE)
 
 
 def as_latex(report: Report) -> str:
-    """Return a sheet of the errata for pdflatex."""
+    """Return a LaTeX sheet of the errata for pdflatex."""
     return render("report/errata.tex.j2", escape=escape, HOLDS_IF=Status.HOLDS_IF, **_common(report))
 
 
 def _common(report: Report) -> dict[str, Any]:
-    """Return the data that all three templates use."""
+    """Return the data used by all three templates."""
     statuses = {"statuses": MEANING, "ERRATUM": Status.ERRATUM, "AMBIGUOUS": Status.AMBIGUOUS}
     return {"report": report, "label": label, "notes": notes, **statuses}
 
 
 def differing_sides(result: Result) -> tuple[str, str]:
-    """Return the printed and the right formula with the differing parts in colour."""
+    """Return the printed and the corrected formula as LaTeX, with differing parts in colour."""
     assert result.equation.corrected is not None
     return differing(result.verdicts[0].statement, result.equation.corrected)
 
 
 PAGE = {"extent": extent, "place": place, "readings": readings, "why": why, "command": command, "example": example,
         "differing": differing_sides}
-"""Further functions of the pages in Markdown and HTML."""
+"""Further template functions for Markdown and HTML."""
 
 
 def notes(result: Result) -> tuple[str, ...]:
-    """Return the words of the paper, the remark and the source of the reading."""
+    """Return the notes on a result: words of the paper, remark, and passage that decides the reading."""
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
@@ -77,20 +77,20 @@ def _proof(proof: Proof) -> dict[str, Any]:
     }
 
 
-# ---- formulas and text in other hands -------------------------------------------------------------------------
+# ---- formulas as MathML, text for LaTeX -----------------------------------------------------------------------
 
 _TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
 
 
 def mathml(latex: str) -> str:
     """Return the formula as displayed MathML."""
-    from latex2mathml.converter import convert  # slow to import, for one of five formats
+    from latex2mathml.converter import convert  # slow import, needed by one format only
 
     return str(convert(_TEXT.sub(_apart, latex), display="block"))
 
 
 def _apart(found: re.Match[str]) -> str:
-    r"""Return formulas inside ``\text`` moved beside it."""
+    r"""Move the formulas out of a ``\text`` command."""
     pieces = found.group(1).split("$")
     return "".join(piece if i % 2 else rf"\text{{{piece}}}" for i, piece in enumerate(pieces) if piece)
 
@@ -111,7 +111,7 @@ _SPECIAL = {
         "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
         "pi")), strict=True)),
 }
-LAST_LETTER = "\u017f"  # what the T1 fonts of LaTeX have
+LAST_LETTER = "\u017f"  # last letter of LaTeX's T1 fonts
 _ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
 _ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
 
@@ -133,6 +133,6 @@ def _escaped(character: str) -> str:
 
 
 def _decomposed(text: str) -> str:
-    """Split letters with a hat, a tilde or a dot into two characters."""
+    """Split each letter with a hat, tilde or dot into letter and combining accent."""
     pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
     return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

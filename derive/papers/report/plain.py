@@ -1,6 +1,6 @@
 r"""LaTeX formulas as one line of Unicode: ``\frac{f^{*}}{2}`` becomes ``f*/2``.
 
-Only the LaTeX that the notations of this package make is understood; an unknown command stands for its own name.
+Only LaTeX produced by this package's notation is supported; an unknown command is replaced by its own name.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
 
 
 def plain(latex: str) -> str:
-    """Return the formula in one line."""
+    """Return a LaTeX formula as one line of Unicode."""
     line = _sequence(iter(_TOKENS.findall(latex)))
     return unicodedata.normalize("NFC", re.sub(r"\s+", " ", line).strip())
 

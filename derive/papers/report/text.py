@@ -1,4 +1,4 @@
-"""Report as tables of text: counts, errata with printed and corrected side by side, then the rest."""
+"""Report as text tables: counts, then errata with printed and corrected form side by side, then other statuses."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from .content import MEANING, Chapter, Report, command, domain, example, label, 
 from .plain import plain
 
 MIN_WIDTH = 72
-"""Width that two formulas side by side need."""
+"""Minimum width for two formulas side by side."""
 
 KNOWN, DIFFERENT = "how it is known", "where they differ"
 """Headings of the rows below an erratum."""
 
 
 def as_text(report: Report, width: int = WIDTH) -> str:
-    """Return plain text within a width."""
+    """Return the report as plain text of at most this width."""
     return "\n".join(grid.text(width) for grid in _grids(report))
 
 
@@ -40,13 +40,13 @@ def counts(report: Report) -> Grid:
 
 
 def errata(chapter: Chapter) -> Grid:
-    """Return the table of errata, printed and corrected side by side."""
+    """Return the table of errata, with printed and corrected form side by side."""
     rows = (row for result in chapter.of(Status.ERRATUM) for row in _erratum(result))
     return _grid(chapter, Status.ERRATUM, ("equation", "printed", "corrected"), rows)
 
 
 def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
-    """Yield rows of an erratum: both forms, the method, and numbers for which they differ."""
+    """Yield the rows of an erratum: both forms, the method, and a numerical counterexample."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
     yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
@@ -69,13 +69,13 @@ def ambiguous(chapter: Chapter) -> Grid:
 
 
 def conditional(chapter: Chapter) -> Grid:
-    """Return the table of equations with their condition and method."""
+    """Return the table of equations that hold under a condition, with condition and method."""
     rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS_IF))
     return _grid(chapter, Status.HOLDS_IF, ("equation", "printed", "condition"), rows)
 
 
 def true(chapter: Chapter) -> Grid:
-    """Return the table of equations that hold, with stated domain and method."""
+    """Return the table of equations that hold, with the stated domain and the method."""
     rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS))
     return _grid(chapter, Status.HOLDS, ("equation", "printed", "method"), rows)
 

@@ -7,7 +7,7 @@ The formulas of `scaled4` hold with real v.
 ``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A rotation has 4 vectors.
-The functions are the methods of one `RotationKernels`, which explains shapes and conventions.
+The functions are methods of `RotationKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 4
 
-# branches and scalar programs are those of poses, the geometry is that of rotations
+# branches and scalar programs are shared with poses; the geometry programs are for rotations
 CHART = Chart(
     __name__,
     POSES.branches,

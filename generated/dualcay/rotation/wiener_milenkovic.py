@@ -7,7 +7,7 @@ The formulas of `wiener_milenkovic` hold with real v.
 ``tangent`` v is infinite at Re alpha = 2*pi.
 ``tangent_inv``: v is infinite at Re alpha = 2*pi.
 A rotation has 2 vectors.
-The functions are the methods of one `RotationKernels`, which explains shapes and conventions.
+The functions are methods of `RotationKernels`, which explains shapes and conventions.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ._interface import RotationKernels
 
 ORDER = 2
 
-# branches and scalar programs are those of poses, the geometry is that of rotations
+# branches and scalar programs are shared with poses; the geometry programs are for rotations
 CHART = Chart(
     __name__,
     POSES.branches,

@@ -85,7 +85,7 @@ def off(x: Fraction, f: float, g: float) -> float:
 
 def test_exponential_corrects_for_the_rounded_sum_of_squares():
     """Errors stay within 2 eps, equal to the bound for an exact x; the rounded sum alone would exceed it."""
-    of, generator, worst, lost = compiled(scalar_program("pose", Exponential())), random.Random(7), 0.0, 0.0
+    of, generator, worst, lost = compiled(scalar_program("pose_scalars", Exponential())), random.Random(7), 0.0, 0.0
     for _ in range(500):
         squares = [generator.uniform(0, 13) for _ in SQUARES]
         if 17 < (x := sum(map(Fraction, squares))) < 39:

@@ -1,4 +1,4 @@
-"""CP23: expected errata, and statuses and single entries of sections 2 to 6 and 9."""
+"""Tests of CP23: all errata, and statuses and single entries of sections 2 to 6 and 9."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ HOLDS_IF = {
 }
 EVIDENCE = {"arc-tangent", "quaternion-norm", "25", "42", "43"}
 SAMPLE = 6
-"""One in so many of the entries that hold is decided here; `make check` decides all."""
+"""Stride of the sample: every sixth entry that holds is decided here; `make check` decides all."""
 
 
 @pytest.fixture(scope="module")
@@ -65,13 +65,13 @@ def test_all_but_a_few_are_decided_exactly(results) -> None:
     assert {number for number, result in results.items() if "evidence" in result.method} == EVIDENCE
 
 
-def test_evidence_has_a_proved_identity_beside_it(results) -> None:
+def test_evidence_has_a_proved_supporting_identity(results) -> None:
     for number in EVIDENCE - {"quaternion-norm"}:
         assert "supporting identity proved exactly" in results[number].method
 
 
 @pytest.mark.parametrize("number", ["cayley-onto", "cayley-quaternion-onto", "cayley-half-onto"])
-def test_missed_elements_are_proved_to_be_missed(results, number: str) -> None:
+def test_elements_without_a_preimage_are_proved(results, number: str) -> None:
     result = results[number]
     assert "refuted at" in result.method
     assert "supporting identity proved exactly" in result.method
@@ -90,4 +90,4 @@ def test_corrections(results, number: str, fragment: str) -> None:
 
 def test_second_inverse_reading_closes_the_bracket_before_the_identity(results) -> None:
     first, second = results["30"].verdicts
-    assert (first.true, second.true) == (True, False)  # what is true comes first
+    assert (first.true, second.true) == (True, False)  # true readings come first

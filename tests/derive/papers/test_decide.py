@@ -1,4 +1,4 @@
-"""Computed statuses, and entries that are refused because they contradict the computation."""
+"""Computed statuses, and refusal of entries that contradict the computation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inventories: every line that displays or claims something names the entries that decide it."""
+"""Inventories: each line with a display or claim names the entries that decide it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
 LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
 WITHOUT_NUMBERS = {"7"}
-"""Numbered equations that stand in the text without a formula that an extract could be taken from."""
+"""Numbered equations whose formula is missing in the extracted text."""
 
 
 @pytest.fixture(params=PAPERS, ids=lambda paper: paper.short)
@@ -53,12 +53,12 @@ def test_text_is_covered_to_its_end(paper) -> None:
     assert gaps == []
 
 
-def test_numbered_equations_are_held_against_the_extracted_text(paper) -> None:
+def test_numbered_equations_are_compared_with_the_extracted_text(paper) -> None:
     without = {entry.number for entry in paper.entries() if entry.number.isdecimal() and not entry.extract}
     assert without <= WITHOUT_NUMBERS
 
 
-def test_entries_are_found_where_they_say(paper) -> None:
+def test_source_of_an_entry_is_its_module(paper) -> None:
     for entry in paper.entries():
         holder = importlib.import_module(entry.source.removesuffix(".py").replace("/", "."))
         assert entry.source.startswith(f"{paper.package.replace('.', '/')}/sections/")
@@ -66,7 +66,7 @@ def test_entries_are_found_where_they_say(paper) -> None:
         assert (ROOT / entry.source).is_file()
 
 
-def test_equations_are_named_by_one_text_or_several():
+def test_equations_are_chosen_by_string_or_list():
     for equations, expected in (("22", ["22"]), ("23, 22", ["22", "23"]), (["22"], ["22"])):
         assert [result.equation.number for result in verify("condurache-popa-2023", equations)] == expected
     with pytest.raises(ValueError, match="no equation 999"):

@@ -1,10 +1,14 @@
-"""K10: expected statuses, single entries, entries that take components apart."""
+"""Tests of K10: statuses, single entries, and entries that use single components."""
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+from typing import Any
+
 import pytest
 
-from derive.papers import Result, Status, verify
+from derive.papers import Status
 from derive.papers.karakilic_2010 import PAPER, symbols
 from derive.papers.language.terms import Apply, Symbol, walk
 from derive.papers.numbers.quantities import QUANTITIES
@@ -20,8 +24,9 @@ HOLDS = {
 
 
 @pytest.fixture(scope="module")
-def results() -> dict[str, Result]:
-    return {result.equation.number: result for result in verify(PAPER.slug)}
+def results(karakilic: Path) -> dict[str, dict[str, Any]]:
+    found = json.loads((karakilic / "errata.json").read_text(encoding="utf-8"))
+    return {entry["equation"]: entry for entry in found["equations"]}
 
 
 def test_every_numbered_equation_has_an_entry(results) -> None:
@@ -30,27 +35,26 @@ def test_every_numbered_equation_has_an_entry(results) -> None:
 
 
 def test_statuses(results) -> None:
-    found = {status: {n for n, r in results.items() if r.status is status} for status in Status}
+    found = {status: {n for n, r in results.items() if r["status"] == str(status)} for status in Status}
     assert found[Status.ERRATUM] == ERRATA
     assert found[Status.AMBIGUOUS] == AMBIGUOUS
     assert found[Status.HOLDS] == HOLDS
 
 
 def test_all_but_three_are_decided_exactly(results) -> None:
-    evidence = {number for number, result in results.items() if result.method.startswith("evidence")}
+    evidence = {number for number, result in results.items() if result["method"].startswith("evidence")}
     assert evidence <= {"exponential", "positions", "every-orthogonal"}
 
 
 @pytest.mark.parametrize("number", ["20", "21", "22", "conclusion-20", "conclusion-21", "conclusion-22"])
 def test_dual_parameters_hold_below_a_half_turn(results, number: str) -> None:
-    assert results[number].condition == r"0 < \operatorname{Tan} \frac{f}{2}"
+    assert results[number]["condition"] == r"0 < \operatorname{Tan} \frac{f}{2}"
 
 
 def test_domain_of_14_ends_at_a_half_turn(results) -> None:
     result = results["14"]
-    assert result.printed.endswith(r"0 < f < 2\, \pi")
-    assert result.corrected is not None
-    assert result.corrected.endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
+    assert result["printed"].endswith(r"0 < f < 2\, \pi")
+    assert result["corrected"].endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
 
 
 def test_no_frame_is_chosen_where_components_are_taken() -> None:

@@ -1,4 +1,4 @@
-"""Mutants of statements and domains: their list, and their refutation by execution."""
+"""Mutants of statements and domains: enumeration, and refutation by evaluation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 u, v, p = Symbol("u", "dual vector"), Symbol("v", "dual vector"), Symbol("p", "proposition")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 EVERY = 97
-"""One in so many mutants of the papers' true statements is executed here; `make mutants` draws from all."""
+"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` samples from all."""
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Equation:
@@ -60,7 +60,7 @@ def test_true_statement_is_a_reading_or_the_correction() -> None:
     assert true_statements(decide("paper", entry(wrong, corrected=SQUARE), "")) == (SQUARE,)
 
 
-def test_fates_of_mutants() -> None:
+def test_mutant_is_refuted_or_meaningless_or_survives() -> None:
     assert try_mutant(entry(), equal(a + b, a)) == Score(killed=1)
     assert try_mutant(entry(), equal(a + b, cross(a, b))) == Score(meaningless=1)
     assert try_mutant(entry(), equal(a, a)) == Score(survivors=["a=a"])

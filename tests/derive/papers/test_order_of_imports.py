@@ -1,4 +1,4 @@
-"""Order of imports inside derive/papers: numbers, language, entries, then their decision."""
+"""Import order inside derive/papers: numbers, language, entries, decision."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ ENTRIES = ("equation", "result", "paper")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "",
 )  # fmt: skip
-"""Each room or module may import itself and those before it; the empty name is the package itself."""
+"""Import order: each subpackage or module may import itself and earlier ones; the empty name is the package itself."""
 
 IN_A_PAPER = ("symbols", "operators", "definitions", "sections", "inventory")
-"""Order inside the package of a paper; the package itself imports only its symbols."""
+"""Import order inside the package of a paper; its ``__init__`` imports only its symbols."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Return importer and imported module, by the parts of their names below derive.papers."""
+    """Return pairs of importing and imported module; each is a tuple of name parts below derive.papers."""
     pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
     return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
 
@@ -42,7 +42,7 @@ def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool
     if not name:
         return False
     if importer[0] == name[0] == "sections":
-        return name < importer  # named so that they sort as they are printed
+        return name < importer  # alphabetical order is printed order
     return IN_A_PAPER.index(name[0]) <= IN_A_PAPER.index(importer[0])
 
 

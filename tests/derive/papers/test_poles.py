@@ -1,4 +1,4 @@
-"""Denominators of a formula, and the multiples of their symbols at which they vanish."""
+"""Denominators of a formula, and multiples of their symbols at which they vanish."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_denominator_without_a_value_has_no_pole() -> None:
         assert list(poles(equal(1 / (1 / (a - a)), b), environment())) == []
 
 
-def test_mere_numerals_are_no_denominators() -> None:
+def test_denominators_contain_symbols() -> None:
     found = denominators(equal(a / 2, over(1, 1 - a / (b + 1)) + over(a, Number(3))))
     assert [text(below) for below in found] == ["1-a/b+1", "b+1"]
     assert list(denominators(equal(a * b, 2))) == []

@@ -1,4 +1,4 @@
-"""Number of preimages of the map of order n, by the roots of a polynomial."""
+"""Number of preimages of the Cayley map of order n, by the roots of a polynomial."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_argument_needs_an_identity() -> None:
 
 @pytest.mark.parametrize(("c", "s"), QUATERNIONS)
 def test_number_of_real_roots_by_sturm_sequences(c: Fraction, s: Fraction) -> None:
-    """Count the roots by SymPy's Sturm sequences, and compare the signs of G there."""
+    """Count the roots with SymPy's Sturm sequences; compare the signs of G at the roots."""
     t = sympy.Symbol("t")
     F, G = sympy.Integer(0) - sympy.Rational(s), sympy.Integer(0) + sympy.Rational(c)
     for n in range(1, 9):

@@ -1,4 +1,4 @@
-"""Sharpness of conditions, by the denominators of a statement that are always evaluated."""
+"""Sharpness of conditions, shown by denominators that are always evaluated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equation numbers of theorems are those of the paper's entries that say the same."""
+"""Equation numbers of theorems: they match the paper's entries with the same formulas."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SYMBOLS = {
     "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
     "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
 }  # fmt: skip
-"""Symbol of a paper to that of the theorems."""
+"""Symbols of the theorems, by the name of the paper's symbol."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,
@@ -43,11 +43,11 @@ FUNCTIONS = {
 
 
 class OtherWordsError(Exception):
-    """Error of an entry with symbols that the theorems do not have."""
+    """Error for a formula with symbols or operators unknown to the theorems."""
 
 
 def converted(term: Term) -> Any:
-    """Return a printed formula in the theorems' symbols."""
+    """Return a printed formula in the symbols of the theorems."""
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
@@ -76,7 +76,7 @@ def sandwich(_: Term, quaternion: Term) -> Any:
 
 
 def _is_bound(term: Apply, argument: Term) -> bool:
-    """Return whether an argument is the upper bound of a sum, beyond which its terms vanish."""
+    """Return whether an argument is the upper bound of a sum; later terms vanish."""
     return term.operator.name == "sum" and argument is term.arguments[2]
 
 
@@ -124,18 +124,18 @@ CHAINS = {
     for entry in PAPERS[0].entries() if entry.number.isdecimal()
 }  # fmt: skip
 RENAMED = {m.R_dual: m.R}
-"""Tensor at a dual vector, which is the paper's R."""
+"""Tensor at a dual vector; the paper calls it R."""
 
 
 def says(number: int, equation: Equation) -> bool:
-    """Return whether the entry of that number says what the equation says."""
+    """Return whether the entry of that number contains the equation."""
     sides = {sympy.expand(side.xreplace(RENAMED)) for side in (equation.left, equation.right)}
     return any(sides <= members for members in CHAINS[number])
 
 
 @cache
 def equations() -> list[Equation]:
-    """Return every equation of a claim or a definition."""
+    """Return the equations of all claims and definitions of the theorems."""
     found = [e for t in (*stated(Formulas()), *COMPOSITION_AT.values()) for e in (*t.claim, *_definitions(t))]
     return list({(e.left, e.right, e.numbers): e for e in found}.values())
 
@@ -152,7 +152,7 @@ def test_numbers_of_theorems_match_entries(equation: Equation) -> None:
 
 @cache
 def further() -> list[Equation]:
-    """Return the numbered equations about one order, about every φ and about growing n."""
+    """Return the numbered equations about single orders, about every φ and about growing n."""
     found = [e for _, claim, premises in STATEMENTS for e in (*claim, *(premise.equation for premise in premises))]
     found += [e for t in (*ANY_PHI, *GROWING_ORDER) for e in (*t.claim, *_definitions(t))]
     return [equation for equation in found if equation.numbers]
@@ -183,7 +183,7 @@ QUANTITIES = {
 @pytest.mark.parametrize("n", range(1, 8))
 @pytest.mark.parametrize("name", QUANTITIES)
 def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
-    """Compare the general equation, and that of this order where it is printed."""
+    """Compare the number of the general equation, and of the equation at order n if printed."""
     printed = {entry.title: int(entry.number) for entry in PAPERS[0].entries() if entry.number.isdecimal()}
     at_order = printed.get(f"{QUANTITIES[name]}, n = {n}")
     assert getattr(Cayley(n), name).equations == (*EQUATIONS[name], *([] if at_order is None else [at_order]))

@@ -1,4 +1,4 @@
-"""Definitions of section 7: maps with their preimages, families v = φ(α) u, their factors a(v)."""
+"""Definitions of section 7: Cayley maps with preimages, families v = φ(α) u, factors a(v)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .quaternion_maps import half_angle
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:
-    """Return whether theorems for every order say the same as these equations and are proved, by induction."""
+    """Return the definition of a claim: theorems for every order state these equations and are proved."""
     return lambda env: set(numbers) <= _proved_among(numbers)
 
 
@@ -33,12 +33,12 @@ def _proved_among(numbers: tuple[int, ...]) -> frozenset[int]:
 
 
 def cayley_function(env: Env, n: Any) -> values.Map:
-    """Return the map (46) with its preimages: v of every branch k at which it is finite."""
+    """Return the map (46) with its preimages: the finite vectors v_k of all branches k."""
     return _map(env, n, lambda v: v, lambda t, u: [t * u])
 
 
 def cayley_function_of_growing_scale(env: Env, n: Any) -> values.Map:
-    """Return the map (59) with ``a(v) = 1 + v·v``: ``|v|/a(v) = tan`` has two, one or no solutions on a branch."""
+    """Return the map (59) with ``a(v) = 1 + v·v``; ``|v|/a(v) = t`` has two, one or no solutions on a branch."""
 
     def solve(t: Any, u: Vector) -> list[Vector]:
         if env.field.same(real_part(t), 0):
@@ -53,7 +53,7 @@ def cayley_function_of_growing_scale(env: Env, n: Any) -> values.Map:
 
 
 def counted_cayley_function(env: Env, n: Any) -> values.Map:
-    """Return the map (46) without a list of preimages where they are infinitely many: translations for n > 1."""
+    """Return the map (46); `preimages` raises for translations at n > 1, which have infinitely many."""
     f = cayley_function(env, n)
 
     def preimages(q: Quaternion) -> list[Vector]:
@@ -81,13 +81,13 @@ def _map(
 
 
 def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
-    """Return the signed coefficient of v_k along u, from the sine and cosine of (α + 2kπ)/2n."""
+    """Return the signed coefficient of v_k along u: the tangent of (α + 2kπ)/2n."""
     angle = values.divide(alpha + 2 * k * env.field.pi if k else alpha, 2 * n)
     return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
 
 
 def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
-    """Return ``v_k``."""
+    """Return the preimage ``v_k`` of branch k."""
     v: Vector = branch_coefficient(env, n, k, alpha) * u
     return v
 
@@ -96,44 +96,44 @@ def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
 
 
 def constant(env: Env, value: Any) -> Callable[[Any], Any]:
-    """Return a function of v by its value there."""
+    """Return a constant function of v with this value."""
     return lambda argument: value
 
 
 def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the definition of a symbol written as a function of v, by its value there."""
+    """Return the definition of a symbol printed as a function of v; the function is constant with the defined value."""
     return lambda env, *arguments: constant(env, definition(env, *arguments))
 
 
 def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
-    """Return the map (59): that of order n at v/a."""
+    """Return the map (59): the Cayley map of order n at v/a."""
     return cayley(env, n, v / a)
 
 
 def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
-    """Return the map (59); at odd order the root leaves the sign open."""
+    """Return the map (59); the sign is ± unless n is an even integer."""
     q = modified(env, n, a, v)
     return q if isinstance(n, int) and n % 2 == 0 else values.Either(q, -q)
 
 
 def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
-    """Return the orthogonal dual tensor of (59), by the action of the quaternion."""
+    """Return the orthogonal dual tensor of (59), computed from its quaternion."""
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 
 def direction(env: Env, v: Vector) -> Vector:
-    """Return ``v/|v|``."""
+    """Return the direction ``v/|v|``."""
     u: Vector = v / _pole(env.field.magnitude(v))
     return u
 
 
 def scales(env: Env, n: Any, q: Quaternion, v: Vector) -> values.Solution:
-    """Return the condition on a that (59) takes v to ±q."""
+    """Return the condition on a: the map (59) takes v to ±q."""
     return values.Solution(lambda a: values.equal(env.field, values.Either(q, -q), modified(env, n, a, v)))
 
 
 def solutions(env: Env, n: Any, a: Any, q: Quaternion) -> values.Solution:
-    """Return the condition on v that (59) takes it to ±q with this a."""
+    """Return the condition on v: the map (59) with this a takes v to ±q."""
     either = values.Either(q, -q)
     return values.Solution(lambda v: values.equal(env.field, either, modified(env, n, a, as_vector(env, v))))
 
@@ -147,7 +147,7 @@ def member(family: Family) -> Callable[..., Vector]:
 
 
 def rodrigues_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """Return ``tan(α/2n) u`` for any order: that of order 1 at α/n."""
+    """Return ``tan(α/2n) u``: the vector of order 1 at α/n."""
     return rodrigues(1).vector(values.divide(alpha, n), u, env.field)
 
 
@@ -163,7 +163,7 @@ def sine_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
 
 
 def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
-    """Return the definition of P_n (0) or Q_n (1) at |v|, from ``(√(1 − v²) + v)ⁿ = P_n + Q_n v`` multiplied out."""
+    """Return the definition of P_n (0) or Q_n (1) as a function of |v|, from ``(√(1 − v²) + v)ⁿ = P_n + Q_n v``."""
 
     def at(env: Env, n: Any, length: Any) -> tuple[Any, Any]:
         c, x = env.field.sqrt(1 - length * length), length * length
@@ -179,7 +179,7 @@ def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
 
 
 def composed(env: Env, n: int, v2: Vector, v1: Vector) -> values.Solution:
-    """Return the condition on v of order n to give the displacement v₁ followed by v₂."""
+    """Return the condition on v: at order n, it represents the displacement v₁ followed by v₂."""
     return solution(env, n, cayley(env, n, v2) * cayley(env, n, v1))
 
 
@@ -189,13 +189,13 @@ def translation(env: Env, q: Quaternion) -> bool:
 
 
 def rotation(env: Env, q: Quaternion) -> bool:
-    """Return whether it is a pure rotation or the identity: α is real, so ``cos α/2`` and ``|sin α/2|`` are."""
+    """Return whether a displacement is a pure rotation or the identity: ``cos α/2`` and ``|sin α/2|`` are real."""
     parts = (q.scalar, env.field.magnitude(q.vector))
     return all(values.equal(env.field, dual_part(part), 0) for part in parts)
 
 
 def screw(env: Env, q: Quaternion) -> bool:
-    """Return whether it is neither."""
+    """Return whether a displacement is neither a translation nor a rotation."""
     return not translation(env, q) and not rotation(env, q)
 
 

@@ -1,4 +1,4 @@
-"""Definitions of section 2: dual numbers, dual vectors and dual tensors by their parts."""
+"""Definitions of section 2: dual numbers, dual vectors and dual tensors."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...language.evaluation import Env
 from ...language.values import dualise
 
 Frame = Callable[[int], Vector]
-"""Vectors of a basis by their number, 1 to 3."""
+"""Function from the numbers 1 to 3 to the vectors of a basis."""
 
 # ---- dual numbers ---------------------------------------------------------------------------------------------------
 
@@ -24,12 +24,12 @@ def sign(env: Env) -> Callable[[Any], Any]:
 
 
 def multiplies_singularly(env: Env, a: Any) -> bool:
-    """Return whether ``b -> a b``, the matrix [[a, 0], [a°, a]] on the parts of b, has a kernel."""
+    """Return whether the map ``b -> a b``, with matrix [[a, 0], [a°, a]] on the parts of b, has a nonzero kernel."""
     return bool(env.field.same(real_part(a) ** 2, 0))
 
 
 def multiplies_onto(env: Env, a: Any) -> bool:
-    """Return whether 1 is among the products with a."""
+    """Return whether some multiple of a is 1."""
     try:
         return bool(values.equal(env.field, a * (1 / a), 1))
     except ZeroDivisionError:
@@ -40,7 +40,7 @@ def multiplies_onto(env: Env, a: Any) -> bool:
 
 
 def magnitudes(env: Env, a: Vector) -> values.Solution:
-    """Return the condition ``m m = a · a`` on a magnitude m; at Re a = 0 its dual part has the size of that of a."""
+    """Return the condition on a magnitude m: ``m m = a · a``, and ``|m°| = |a°|`` if Re m = 0."""
 
     def is_magnitude(m: Any) -> bool:
         if not values.equal(env.field, m * m, a.dot(a)):
@@ -51,7 +51,7 @@ def magnitudes(env: Env, a: Vector) -> values.Solution:
 
 
 def coordinates(env: Env, a: Vector) -> values.Solution:
-    """Return the condition on α that ``a = α u`` for some unit vector u."""
+    """Return the condition on α: ``a = α u`` for some unit vector u."""
 
     def divides(number: Any) -> bool:
         if real_part(number) != 0:
@@ -62,7 +62,7 @@ def coordinates(env: Env, a: Vector) -> values.Solution:
 
 
 def axes(env: Env, a: Vector) -> values.Solution:
-    """Return the condition on a unit vector u that ``a = (a · u) u``."""
+    """Return the condition on u: it is a unit vector and ``a = (a · u) u``."""
 
     def carries(axis: Vector) -> bool:
         unit = values.equal(env.field, axis.dot(axis), 1)
@@ -83,13 +83,13 @@ def one_axis(env: Env, a: Vector) -> Vector:
 
 
 def on_line(env: Env, a: Vector) -> values.Solution:
-    """Return the condition on a point r of the line of a: ``r × u`` is the dual part of the unit vector."""
+    """Return the condition on a point r of the line of a: ``r × u`` is the dual part of the unit vector of a."""
     axis = one_axis(env, a)
     return values.Solution(lambda point: values.equal(env.field, point.cross(axis.re), axis.du))
 
 
 def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
-    """Return the condition on a point of the line through `through` along a⁰."""
+    """Return the condition on a point: it lies on the line through `through` along a⁰."""
     return values.Solution(lambda point: values.equal(env.field, (point - through).cross(a0), 0 * a0))
 
 
@@ -97,7 +97,7 @@ def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
 
 
 def frame(env: Env, q: Quaternion) -> Callable[[int], Vector]:
-    """Return a right-handed orthonormal basis of dual vectors: the standard basis, turned."""
+    """Return a right-handed orthonormal basis of dual vectors: the standard basis displaced by q."""
     turned = first_principles.tensor_by_sandwich(q)
     return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
 
@@ -113,7 +113,7 @@ def matrix_of_cross(env: Env, a: Vector, frame: Frame) -> Tensor:
 
 
 def axial(env: Env, a: Tensor) -> Vector:
-    """Return the a with ``A b = a × b``: ``½ Σ e × A e`` over the standard basis."""
+    """Return the vector a with ``A b = a × b``: ``½ Σ e × A e`` over the standard basis."""
     total: Any = Vector(0, 0, 0)
     for row in Tensor.identity().rows:
         total = total + Vector(*row).cross(a @ Vector(*row))

@@ -1,4 +1,4 @@
-"""Definitions of sections 5, 6 and 9: Cayley maps of the orders 1 and 2 by their rotations."""
+"""Definitions of sections 5, 6 and 9: Cayley maps of orders 1 and 2."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from ...numbers.draw import Draw
 from . import dual_algebra, motions, orders, quaternion_maps
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
-"""Further points of an entry, by name."""
+"""Function that draws further points of an entry, by name."""
 
 
 def cayley_map(env: Env) -> values.Map:
-    """Return the map from vectors to orthogonal dual tensors, with its one preimage."""
+    """Return the Cayley map of order 1 from vectors to orthogonal dual tensors, with its only preimage."""
     return values.Map(lambda v: orders.rotation(env, 1, v), lambda R: [rodrigues(env, *motions.invariants(env, R))])
 
 
 def rodrigues(env: Env, alpha: Any, u: Vector) -> Vector:
-    """Return ``tan(α/2) u``; raise `values.MissedError` where it is infinite."""
+    """Return ``tan(α/2) u``; raise `values.MissedError` if the tangent is infinite."""
     half = values.divide(alpha, 2)
     cosine = env.field.cos(half)
     if env.field.same(real_part(cosine), 0):
@@ -39,7 +39,7 @@ def rodrigues(env: Env, alpha: Any, u: Vector) -> Vector:
 
 
 def exponential_map(env: Env) -> values.Map:
-    """Return the map from dual vectors to orthogonal dual tensors."""
+    """Return the exponential map from dual vectors to orthogonal dual tensors."""
     return values.Map(lambda a: tensor_exponential(a, env.field), lambda R: [logarithm(env, R)])
 
 
@@ -55,20 +55,20 @@ def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
 
 
 def logarithm(env: Env, R: Tensor) -> Vector:
-    """Return the Euler vector by angle and axis."""
+    """Return the Euler vector of a tensor: its angle times its axis."""
     angle, axis = motions.invariants(env, R)
     vector: Vector = angle * axis
     return vector
 
 
 def is_below_half_turn(env: Env, alpha: Any) -> bool:
-    """Return whether ``|Re α| < π``, which generic symbols fulfil."""
+    """Return whether ``|Re α| < π``; True for generic symbols."""
     angle = real_part(alpha)
     return not isinstance(angle, mpmath.mpf) or bool(abs(angle) < mpmath.pi)
 
 
 def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
-    """Return the condition on α that v makes the rotation by α about its axis."""
+    """Return the condition on α: v represents the rotation by α about its axis at order 1."""
     R, axis = orders.rotation(env, 1, v), dual_algebra.one_axis(env, v)
     return values.Solution(lambda alpha: values.equal(env.field, screw_tensor(env, alpha, axis), R))
 
@@ -76,7 +76,7 @@ def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
 def displacement_types(
     rotates: Symbol, translates: Symbol, general: Symbol
 ) -> tuple[tuple[Symbol, Callable[..., bool]], ...]:
-    """Return the three statements about a displacement, with their definitions by its tensor."""
+    """Return three statements about a displacement, each with its definition in terms of the tensor."""
     table = ((rotates, claims.fixes_a_point), (translates, claims.fixes_directions), (general, claims.is_general))
 
     def of_tensor(check: Callable[..., bool]) -> Callable[..., bool]:
@@ -86,7 +86,7 @@ def displacement_types(
 
 
 def map_of_order(order: int) -> Callable[[Env], values.Map]:
-    """Return the same as a map; a preimage is the tangent of the half angle over the order."""
+    """Return the definition of the quaternion Cayley map of an order, with one preimage ``tan(α/2n) u``."""
 
     def make(env: Env) -> values.Map:
         def preimages(q: Quaternion) -> list[Vector]:
@@ -99,7 +99,7 @@ def map_of_order(order: int) -> Callable[[Env], values.Map]:
 
 
 def preimage(order: int) -> Callable[[Env, Quaternion], values.Solution]:
-    """Return the condition on v to have a quaternion as its transform; at order 1 as ``q₀ (1 + v)``, without a root."""
+    """Return the condition on v: its Cayley transform is q. Order 1 is tested without a root, by ``q₀ (1 + v) = q``."""
 
     def make(env: Env, q: Quaternion) -> values.Solution:
         def has_image(value: Any) -> bool:
@@ -115,7 +115,7 @@ def preimage(order: int) -> Callable[[Env, Quaternion], values.Solution]:
 
 
 def composed(order: int) -> Callable[[Env, Vector, Vector], Quaternion]:
-    """Return the quaternion of two displacements, the second argument first; at order 1 not of unit norm."""
+    """Return the quaternion product of two displacements, later one first; at order 1 its norm is not 1."""
 
     def one(env: Env, v: Vector) -> Quaternion:
         return orders.cayley(env, 2, v) if order == 2 else Quaternion(1, v)
@@ -124,7 +124,7 @@ def composed(order: int) -> Callable[[Env, Vector, Vector], Quaternion]:
 
 
 def rodrigues_by_quotient(env: Env, alpha: Any, u: Vector) -> Vector:
-    """Return the v of order 1 with this angle and axis: vector part over scalar part of its quaternion."""
+    """Return the vector of order 1 for this angle and axis: vector part over scalar part of the quaternion."""
     q = screw_quaternion(env, alpha, u)
     b: Vector = q.vector / q.scalar
     return b
@@ -149,17 +149,17 @@ def unit_magnitude(v: Symbol) -> Points:
 
 
 def three_turns(alpha: Symbol) -> Points:
-    """Return a point where Re α is the second angle, after 2π, with an infinite tangent of α/4."""
+    """Return a point where Re α = 6π, the second positive angle at which tan α/4 is infinite."""
     return lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.mpf(mpmath.pi))}}
 
 
 def back_to_back(second: Symbol, first: Symbol) -> Points:
-    """Return two equal half turns at order 2: their product is −1."""
+    """Return a point with two equal half turns at order 2, whose product is −1."""
     return lambda draw: {"two half turns about one axis": dict.fromkeys((first, second), draw.unit())}
 
 
 def to_a_half_turn(first: Symbol, second: Symbol) -> Points:
-    """Return two vectors of order 1 whose product has the real part 1."""
+    """Return a point where the scalar product of two vectors of order 1 has real part 1."""
 
     def point(draw: Draw) -> Mapping[str, Mapping[Symbol, Any]]:
         v = draw.vector()

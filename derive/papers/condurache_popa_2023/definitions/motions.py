@@ -1,4 +1,4 @@
-"""Definitions of sections 3 to 5: poses, the tensors that move lines as poses move points, screws."""
+"""Definitions of sections 3 to 5: poses, orthogonal dual tensors that act on lines, screws."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ displacement_of = plain(lambda R: pose_from_tensor(R).displacement)
 
 
 def moved_lines(g: Pose) -> Tensor:
-    """Return the tensor that takes the three lines along the axes to where the pose moves them."""
+    """Return the tensor of a pose's action on lines; its columns are the moved coordinate axes."""
     columns = (line_through(g.displacement, g.rotation @ e) for e in AXES)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 def poses_of(env: Env) -> Callable[[Tensor], values.Solution]:
-    """Return the condition on a pose to move lines as a tensor does."""
+    """Return a function from a tensor to the condition on a pose: both act equally on lines."""
     return lambda R: values.Solution(lambda g: values.equal(env.field, moved_lines(g), R))
 
 
 def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
-    """Return an angle, from 0 to π, and an axis of an orthogonal dual tensor."""
+    """Return an angle in [0, π] and an axis of an orthogonal dual tensor."""
     w, cosine, field = R.vect(), (R.trace() - 1) / 2, env.field
     if not field.same(real_part(w.dot(w)), 0):
         length = field.magnitude(w)
@@ -55,19 +55,19 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
 
 
 def screw_map(env: Env) -> values.Map:
-    """Return the map from (angle, axis) to the tensor."""
+    """Return the map from (angle, axis) to the orthogonal dual tensor."""
     return values.Map(lambda screw: screw_tensor(env, *screw), lambda R: [invariants(env, R)])
 
 
 def angles_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Return the condition on a rotation angle about the axis of R, taken with this sign."""
+    """Return the condition on the rotation angle of R about its axis times `sign`."""
     Q = R.map(real_part)
     _, axis = invariants(env, Q)
     return values.Solution(lambda angle: values.equal(env.field, screw_tensor(env, angle, sign * axis), Q))
 
 
 def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Return the condition on a direction about which R turns, by an angle of this sign, and along which it shifts."""
+    """Return the condition on a unit vector: R turns about it by `sign` times its angle, or translates along it."""
     pose = pose_from_tensor(R)
     Q, rho = pose.rotation, pose.displacement
     angle, _ = invariants(env, Q)
@@ -82,7 +82,7 @@ def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
 
 
 def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on the moment of an axis along Re u to make the same displacement."""
+    """Return the condition on the moment of an axis along Re u: the displacement by α is unchanged."""
     R = screw_tensor(env, alpha, u)
 
     def is_moment(m: Vector) -> bool:
@@ -93,13 +93,13 @@ def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
 
 
 def is_principal(env: Env, alpha: Any) -> bool:
-    """Return whether the rotation angle is in the range of atan2."""
+    """Return whether Re α is in (−π, π]; True for generic symbols."""
     angle = real_part(alpha)
     return not isinstance(angle, mpmath.mpf) or bool(-mpmath.pi < angle <= mpmath.pi)
 
 
 def half_turn_across(draw: Draw, R: Symbol, v: Symbol) -> Mapping[Symbol, Any]:
-    """Return a half turn, and a vector across its axis."""
+    """Return a half turn and a vector orthogonal to its axis."""
     q = draw.quaternion(mpmath.mpf(mpmath.pi) / 2)
     return {R: sandwich(q), v: q.vector.re.cross(Vector(1, 0, 0))}
 

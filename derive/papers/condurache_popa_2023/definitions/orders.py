@@ -1,4 +1,4 @@
-"""Definitions of the polynomials, the Cayley map of order n, its rotation and its tangent operator."""
+"""Definitions of p_n and q_n, of the Cayley map of order n, and of its rotation and tangent operator."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Function = Callable[[Any], Any]
 
 
 def polynomial(which: int, step: int = 0) -> Callable[[Env, Any], Function]:
-    """Return the definition of p (0) or q (1) of order n + step, as a function of X or of |v|."""
+    """Return the definition of p (0) or q (1) of order n + step, as a function of X = |v| or of v."""
     return lambda env, n: lambda a: env.field.pair(n + step, _square(a))[which]
 
 
@@ -25,34 +25,34 @@ p, q, next_p, next_q = polynomial(0), polynomial(1), polynomial(0, 1), polynomia
 
 
 def cayley(env: Env, n: Any, v: Vector) -> Quaternion:
-    """Return ``(1 + v)^(n/2) (1 − v)^(−n/2)``: the n-th power of 1 + v over its norm."""
+    """Return ``(1 + v)^(n/2) (1 − v)^(−n/2)``: the n-th power of 1 + v divided by its norm."""
     unit: Quaternion = env.power(Quaternion(1, v), n) / env.power(1 + v.dot(v), values.divide(n, 2))
     return unit
 
 
 def rotation(env: Env, n: Any, v: Vector) -> Tensor:
-    """Return the orthogonal dual tensor of v, by its action ``q r q*``."""
+    """Return the orthogonal dual tensor of v at order n, from the action ``q r q*``."""
     return first_principles.tensor_by_sandwich(cayley(env, n, v))
 
 
 def tangent(env: Env, n: Any, v: Vector) -> Tensor:
-    """Return the operator T of ω = T v̇ at the moment, with ω = vect(Ṙ Rᵀ) differentiated."""
+    """Return the operator T of ω = T v̇ at the current v, from ω = vect(Ṙ Rᵀ) by differentiation."""
     return first_principles.tangent(lambda w: rotation(env, n, w), env.now(v))
 
 
 def preimage(env: Env, n: Any, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on v of order n to give the displacement of α and u."""
+    """Return the condition on v: at order n, it represents the displacement with angle α and axis u."""
     return solution(env, n, screw_quaternion(env, alpha, u))
 
 
 def solution(env: Env, n: Any, target: Quaternion) -> values.Solution:
-    """Return the condition on v of order n to give a quaternion or its opposite."""
+    """Return the condition on v: the Cayley map of order n takes it to the target or its negative."""
     either_sign = values.Either(target, -target)
     return values.Solution(lambda v: values.equal(env.field, either_sign, cayley(env, n, as_vector(env, v))))
 
 
 def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
-    """Return the vector that a formula gives as a quaternion."""
+    """Return a vector or the vector part of a quaternion; raise if its scalar part is not 0."""
     if isinstance(a, Vector):
         return a
     if not values.equal(env.field, a.scalar, 0):
@@ -61,7 +61,7 @@ def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
 
 
 def at_order(order: int, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the definition at one order."""
+    """Return a definition with its order fixed."""
     return lambda env, *arguments: function(env, order, *arguments)
 
 

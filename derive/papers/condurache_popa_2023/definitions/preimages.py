@@ -1,27 +1,27 @@
-r"""Number of vectors that the map of order n takes to q or −q, for every n, without the formula (49).
+r"""Number of preimages of q and −q under the Cayley map of order n, for every n, without formula (49).
 
-For a unit quaternion q = c + s u, s ≠ 0 (for dual ones, the real part of s), a preimage of ±q is a multiple v = t u,
-for the vector part of :math:`(1 + v)^n` is one of v. With
+Let q = c + s u be a unit quaternion with s ≠ 0 (Re s ≠ 0 if q is dual). Each preimage of ±q is a multiple v = t u,
+since the vector part of :math:`(1 + v)^n` is a multiple of v. With
 
 .. math:: H_n(t) = (1 + it)^n (c - is) = G_n + i F_n
 
-t u is a preimage of q or −q where :math:`F_n(t) = 0`: then :math:`H_n` is real, and of q where it is positive. So the
-preimages are the real roots of a polynomial, and there are as many as its degree if all are real and simple:
+t u is a preimage of q or −q if :math:`F_n(t) = 0`. Then :math:`H_n` is real; it is positive for q, negative for −q.
+So the preimages are the real roots of a polynomial. Their number is its degree, since all roots are real and simple:
 
-* real: :math:`F_n(t) = 0` says :math:`(1 + it)^n (c - is) = (1 - it)^n (c + is)`, so that |1 + it| = |1 − it|, and the
-  difference of their squares is −4 Im t;
-* simple: :math:`F_n' = n G_{n-1}` and :math:`F_n = F_{n-1} + t G_{n-1}`, so at a double root
-  :math:`F_{n-1}^2 + G_{n-1}^2 = (1 + t^2)^{n-1} (c^2 + s^2)` is 0, which it is for no real t. A simple root of the real
-  parts is that of one dual number, by Taylor's formula;
-* the degree is n unless the coefficient of :math:`t^n`, one of ±s and ±c in turn, is 0: where Re q² = (−1)ⁿ, and then
-  it is n − 1;
-* signs: :math:`G_n F_n' - F_n G_n' = n (F_{n-1}^2 + G_{n-1}^2) > 0`. At successive simple roots :math:`F_n'` changes
-  its sign, hence so does :math:`G_n`: of two roots one gives q and one −q.
+* real: :math:`F_n(t) = 0` means :math:`(1 + it)^n (c - is) = (1 - it)^n (c + is)`, so |1 + it| = |1 − it|. The
+  difference of the squares is −4 Im t, so Im t = 0;
+* simple: :math:`F_n' = n G_{n-1}` and :math:`F_n = F_{n-1} + t G_{n-1}`. So at a double root
+  :math:`F_{n-1}^2 + G_{n-1}^2 = (1 + t^2)^{n-1} (c^2 + s^2)` is 0, which is impossible for real t. A simple root of
+  the real parts extends to exactly one dual root, by Taylor's formula;
+* degree: the coefficient of :math:`t^n` is ±s for even n and ±c for odd n. It is 0 if and only if Re q² = (−1)ⁿ; then
+  the degree is n − 1, otherwise n;
+* signs: :math:`G_n F_n' - F_n G_n' = n (F_{n-1}^2 + G_{n-1}^2) > 0`. Between successive simple roots
+  :math:`F_n'` changes its sign, and so does :math:`G_n`: one root gives q, the next −q.
 
-For Re s = 0, the translations, v may be taken along the displacement, and :math:`F_n` has more roots than 0 from order
-3 on. At order 1 the one root has the sign of c; at order 2 the two give q and −q where s ≠ 0.
+For Re s = 0 (translations), v may be taken along the displacement, and :math:`F_n` has nonzero roots from order 3 on.
+At order 1 the only root has the sign of c; at order 2 the two roots give q and −q if s ≠ 0.
 
-What is computed are the polynomial identities that these steps, and induction on n, rest on.
+The module checks the polynomial identities on which these steps and the induction on n depend.
 """
 
 from __future__ import annotations
@@ -35,26 +35,26 @@ from derive.algebra.exact import RationalFunctions
 from ...language.evaluation import Env
 
 Step = Callable[..., tuple[Element, Element]]
-"""Function from ``F``, ``G`` and t to the next of both."""
+"""Function from ``F``, ``G`` and t to both polynomials of the next order."""
 
 
 def next_parts(F: Element, G: Element, t: Element) -> tuple[Element, Element]:
-    """Return imaginary and real part of ``(G + iF)(1 + it)``."""
+    """Return the imaginary and the real part of ``(G + iF)(1 + it)``."""
     return F + t * G, G - t * F
 
 
 def counted_by_roots(env: Env) -> bool:
-    """Return whether every identity holds that the number of preimages rests on."""
+    """Return whether all identities behind the number of preimages hold."""
     return all(_identities(next_parts).values())
 
 
 @cache
 def _identities(step: Step) -> Mapping[str, bool]:
-    """Return the truth of the identities by name, with symbols for n and for the polynomials of order n − 1."""
+    """Return the truth of each identity by name; n and the polynomials of order n − 1 are symbols."""
     field = RationalFunctions(["n", "t", "F", "G", "c", "s", "x", "y"])
     n, t, F, G, c, s, x, y = (field.symbol(name) for name in ("n", "t", "F", "G", "c", "s", "x", "y"))
     F_1, G_1 = step(F, G, t)  # of order n, from those of order n − 1
-    slope_F, slope_G = n * G, -n * F  # what is assumed of order n
+    slope_F, slope_G = n * G, -n * F  # induction hypothesis at order n
     size = F * F + G * G
     return {
         "roots are real": (1 - y) ** 2 + x * x - ((1 + y) ** 2 + x * x) == -4 * y,
@@ -69,7 +69,7 @@ def _identities(step: Step) -> Mapping[str, bool]:
 
 
 def _degrees_rise(c: Element, s: Element, t: Element, step: Step) -> bool:
-    """Return whether the coefficients of tⁿ repeat after four orders: in F ±s at even orders and ±c at odd ones."""
+    """Return whether the coefficients of tⁿ repeat after four orders; F has ±s at even and ±c at odd orders."""
     a, b = -s, c
     for last in (s, c, s, c):
         if a not in (last, -last):

@@ -20,12 +20,12 @@ from . import motions
 
 
 def displacement(env: Env, q: Quaternion) -> Vector:
-    """Return the displacement of the pose whose line action is ``l -> q l q*``."""
+    """Return the displacement vector of the pose whose action on lines is ``l -> q l q*``."""
     return pose_from_tensor(first_principles.tensor_by_sandwich(q)).displacement
 
 
 def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on a unit quaternion to act as the rotation by α about u."""
+    """Return the condition on a unit quaternion: it acts on lines as the displacement by α about u."""
     R = tensor_exponential(alpha * u, env.field)
 
     def acts_so(q: Quaternion) -> bool:
@@ -37,7 +37,7 @@ def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
 
 
 def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
-    """Return the angle between 0 and π, and the axis, of a unit quaternion."""
+    """Return the half angle in [0, π] and the axis of a unit quaternion."""
     field, w = env.field, q.vector
     if env.dual and values.equal(field, w.re, 0 * w.re):
         length = field.magnitude(w.du)
@@ -48,7 +48,7 @@ def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
 
 
 def exponential_map(env: Env) -> values.Map:
-    """Return the map from dual vectors a to ``exp(a/2)``."""
+    """Return the map from dual vectors a to quaternions ``exp(a/2)``."""
 
     def preimage(q: Quaternion) -> list[Vector]:
         angle, axis = half_angle(env, q)
@@ -58,7 +58,7 @@ def exponential_map(env: Env) -> values.Map:
 
 
 def covering(env: Env) -> values.Map:
-    """Return the map from unit quaternions to tensors."""
+    """Return the map from unit quaternions to orthogonal dual tensors, with both preimages ±q."""
 
     def preimages(R: Tensor) -> list[Quaternion]:
         q = screw_quaternion(env, *motions.invariants(env, R))
@@ -68,6 +68,6 @@ def covering(env: Env) -> values.Map:
 
 
 def opposite(draw: Draw, first: Symbol, second: Symbol) -> Mapping[Symbol, Any]:
-    """Return a quaternion and its opposite."""
+    """Return a unit quaternion and its negative as values of two symbols."""
     q = draw.quaternion(draw.real())
     return {first: q, second: -q}

@@ -1,4 +1,4 @@
-"""Definition of "equation (n) displays this part"."""
+"""Definition of the claim "equation (n) displays this term"."""
 
 from __future__ import annotations
 
@@ -10,6 +10,6 @@ from ...language.terms import Term, walk
 
 
 def displays(entries: Sequence[Equation], number: str, part: Term) -> Callable[[Env], bool]:
-    """Return whether the printed form of the equation with that number has a part."""
+    """Return the definition of a claim: the printed equation with this number contains a term."""
     (entry,) = (entry for entry in entries if entry.number == number)
     return lambda env: part in walk(entry.readings[0].statement)

@@ -1,6 +1,6 @@
-"""Definitions of section 8: twists and tangent operators, differentiated from first principles.
+"""Definitions of section 8: twists and tangent operators, by differentiation from first principles.
 
-Symbols here may change in time: `Env.now` is their value alone, `Env.rate` their rate.
+Symbols may depend on time: `Env.now` returns their current value, `Env.rate` their time derivative.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .motions import AXES
 
 
 def at_rest(env: Env, a: Any) -> Any:
-    """Return the same value at a rate of 0."""
+    """Return a value with its time derivatives set to 0."""
 
     def still(c: Any) -> Any:
         if not isinstance(c, Dual):
@@ -35,58 +35,58 @@ def at_rest(env: Env, a: Any) -> Any:
 
 
 def twist(env: Env, R: Tensor) -> Vector:
-    """Return ``vect(Ṙ Rᵀ)``."""
+    """Return the twist ``vect(Ṙ Rᵀ)``."""
     return first_principles.twist(R, env.rate(R))
 
 
 def body_twist(env: Env, R: Tensor) -> Vector:
-    """Return ``vect(Rᵀ Ṙ)``."""
+    """Return the twist in the body frame, ``vect(Rᵀ Ṙ)``."""
     return first_principles.body_twist(R, env.rate(R))
 
 
 def _moves_lines(env: Env, R: Tensor, operator: Callable[[Vector], Vector]) -> bool:
-    """Return whether an operator gives the rates of three lines that the body carries along."""
+    """Return whether an operator gives the rates of three body-fixed lines."""
     lines = [R @ axis for axis in AXES]
     return all(values.equal(env.field, env.now(operator(line)), env.now(env.rate(line))) for line in lines)
 
 
 def velocity_operator(env: Env, R: Tensor) -> values.Solution:
-    """Return the condition on a tensor Φ that ``l̇ = Φ l`` for all lines of the body."""
+    """Return the condition on a tensor Φ: ``l̇ = Φ l`` for all body-fixed lines."""
     return values.Solution(lambda T: _moves_lines(env, R, lambda line: T @ line))
 
 
 def angular_velocity(env: Env, R: Tensor) -> values.Solution:
-    """Return the condition on ω that ``l̇ = ω × l`` for all lines of the body."""
+    """Return the condition on ω: ``l̇ = ω × l`` for all body-fixed lines."""
     return values.Solution(lambda w: _moves_lines(env, R, lambda line: w.cross(line)))
 
 
 def moved_line(env: Env, R: Tensor, point: Vector, along: Vector) -> Vector:
-    """Return the line through a point, moved as the pose of R moves points."""
+    """Return the line through a point along a direction, displaced by the pose of R."""
     pose = pose_from_tensor(R)
     return line_through(pose.apply(point), pose.rotation @ along)
 
 
 def rotation_part(env: Env, R: Tensor) -> Tensor:
-    """Return Q of ``R = (I + ε ρ̃) Q``: real parts as dual numbers, which keep their rates."""
+    """Return the rotation Q in ``R = (I + ε ρ̃) Q``: the real parts as dual numbers, with their rates."""
     return R.map(lambda c: Dual(c.re, 0 * c.re))
 
 
 def displacement_part(env: Env, R: Tensor) -> Vector:
-    """Return ρ of ``R = (I + ε ρ̃) Q``."""
+    """Return the displacement ρ in ``R = (I + ε ρ̃) Q``."""
     du = R.map(lambda c: Dual(c.du, 0 * c.du))
     rho: Vector = (du @ rotation_part(env, R).transpose).vect()
     return rho
 
 
 def velocity_at_origin(env: Env, Q: Tensor, rho: Vector) -> Vector:
-    """Return the velocity of the body point at the origin, which is ``−Qᵀρ`` in the body."""
+    """Return the velocity of the body point at the origin; its body coordinates are ``−Qᵀρ``."""
     body_point = at_rest(env, -(Q.transpose @ rho))
     velocity: Vector = env.rate(Q @ body_point + rho)
     return velocity
 
 
 def not_orthogonal(R: Symbol, omega: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Return a point with ``Ṙ = skew(ω) R`` where R is not orthogonal."""
+    """Return a point where ``Ṙ = skew(ω) R`` although R is not orthogonal."""
 
     def moving(value: Any, rate: Any) -> Dual:
         return Dual(Dual(value, rate), Dual(0 * value, 0 * value))
@@ -101,27 +101,27 @@ def not_orthogonal(R: Symbol, omega: Symbol) -> Callable[[Draw], dict[str, dict[
 
 
 def axis_operator(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """Return Θ, the operator that takes the twist to u̇."""
+    """Return the operator Θ that maps the twist to u̇."""
     return first_principles.axis_rates(lambda a, w: screw_tensor(env, a, w), env.now(alpha), env.now(u))
 
 
 def half_sine(env: Env, alpha: Any) -> Any:
-    """Return ``sin(α/2)`` at the moment."""
+    """Return the current value of ``sin(α/2)``."""
     return env.field.sin(values.divide(env.now(alpha), 2))
 
 
 def sinc(env: Env) -> Callable[[Any], Any]:
-    """Return ``sin α/α``, continued by 1; its slope at 0 is 0."""
+    """Return the function ``(sin α)/α``, with value 1 and slope 0 at α = 0."""
     return lambda a: 1 + 0 * a if innermost(a) == 0 else values.divide(env.field.sin(a), a)
 
 
 def half_sinc(env: Env, alpha: Any) -> Any:
-    """Return ``sinc(α/2)`` at the moment; it is even, so that of |α|."""
+    """Return the current value of ``sinc(α/2)``; sinc is even, so |α| gives the same value."""
     return sinc(env)(values.divide(env.now(alpha), 2))
 
 
 def sinc_by_series(env: Env) -> Callable[[Any], Any]:
-    """Return sinc by its power series, to 60 digits for arguments up to 20."""
+    """Return the power series of sinc, accurate to 60 digits for arguments up to 20."""
 
     def series(a: Any) -> Any:
         total, term = 1 + 0 * a, 1 + 0 * a
@@ -134,7 +134,7 @@ def sinc_by_series(env: Env) -> Callable[[Any], Any]:
 
 
 def dexp(env: Env, a: Vector) -> Tensor:
-    """Return the operator of ω = dexp ȧ, with ω = vect(Ṙ Rᵀ) differentiated along ``R = exp(skew(a))``."""
+    """Return the operator dexp of ω = dexp ȧ, from ω = vect(Ṙ Rᵀ) with ``R = exp(skew(a))`` by differentiation."""
     return first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a))
 
 

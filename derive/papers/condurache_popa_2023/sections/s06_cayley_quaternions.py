@@ -45,9 +45,9 @@ projector = Q + transpose(Q) + (1 - trace(Q)) * identity
 
 
 def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation, ...]:
-    """Return entries: when the Cayley transform of an order is a rotation, a translation, or neither.
+    """Return entries on when the Cayley transform of an order is a rotation, a translation, or neither.
 
-    `slope` is what ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` is, divided by ``v · v⁰ v``.
+    `slope` is the vector ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` divided by ``v · v⁰ v``.
     """
     types = low_orders.displacement_types(rotates, translates, general)
     where = (let(R, orders.at_order(order, orders.rotation), v), *(let(p, f, R) for p, f in types),

@@ -1,4 +1,4 @@
-"""Symbols of section 7 that belong to a general order n."""
+"""Symbols of section 7 for a general order n."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ R_of = Symbol("R(v)", "function", r"\underline{\mathbf{R}}", "R")
 
 POLYNOMIALS = (let(p, orders.p, n), let(q, orders.q, n))
 CAYLEY = (*POLYNOMIALS, let(q_hat, orders.cayley, n, v), let(R, orders.rotation, n, v))
-"""Definitions by (46)."""
+"""Definitions in terms of v by (46)."""
 
 SCREW = (*POLYNOMIALS, let(q_hat, screw_quaternion, alpha, u), let(R, screw_tensor, alpha, u))
-"""Definitions by the displacement with angle α and axis u."""
+"""Definitions in terms of the displacement with angle α and axis u."""
 
 SCREW_OF_V = (
     *POLYNOMIALS,
     let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
     let(R_of, cayley_maps.function_of(screw_tensor), alpha, u),
 )
-"""Definitions by the displacement, written as functions of v."""
+"""Definitions in terms of the displacement, printed as functions of v."""
 
 
 def finite(angle: Term) -> Term:
-    """Return the condition that the tangent of an angle has a value."""
+    """Return the condition for a finite tangent of an angle."""
     return nonzero(Re(cos(angle)))
 
 

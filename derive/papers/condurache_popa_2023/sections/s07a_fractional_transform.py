@@ -73,7 +73,7 @@ def at_infinity(env: Env, n: int, k: int) -> Any:
 
 
 def opposite_axes(draw: Draw) -> dict[str, dict[Symbol, object]]:
-    """Return two displacements whose product is a half turn at n = 1, and −1 at n = 2."""
+    """Return a point with two displacements whose product is a half turn at n = 1 and −1 at n = 2."""
     return {"a quarter turn twice": {v_1: draw.still((1, 0, 0), (1, 2, 3)), v_2: draw.still((1, 0, 0), (0, 1, 2))}}
 
 

@@ -1,4 +1,4 @@
-"""Section 7, the lists for the orders 1 … 5: lines 270-285, and the claim that they hold for shadows too."""
+"""Section 7, formulas for orders 1 … 5 and the claim that they hold for shadows: lines 270-285."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ q = {i: Symbol(f"q{i}", "function", f"q_{{{i}}}", f"q{i}") for i in range(1, 6)}
 
 
 def polynomials(i: int, line: int, first: Any, second: Any, extract: str) -> Equation:
-    """Return the entry for the polynomials of one order."""
+    """Return the entry about the polynomials of one order."""
     where = (let(p[i], orders.at_order(i, orders.p)), let(q[i], orders.at_order(i, orders.q)))
     statement = both(equal(p[i](X), first), equal(q[i](X), second))
     return equation(f"list-{i}-polynomials", f"p and q, n = {i}", line, statement, extract=extract, where=where)
 
 
 def quaternion(i: int, line: int, value: Any, extract: str) -> Equation:
-    """Return the entry for the unit dual quaternion of one order."""
+    """Return the entry about the unit dual quaternion of one order."""
     where = (let(q_hat, orders.at_order(i, orders.cayley), v),)
     return equation(f"list-{i}-quaternion", f"unit dual quaternion, n = {i}", line, equal(pm(q_hat), value),
                     extract=extract, where=where)
 
 
 def parameter(slug: str, i: int, line: int) -> Equation:
-    """Return the entry for the vector of one order."""
+    """Return the entry about the vector of one order."""
     where = (let(v, orders.at_order(i, orders.preimage), alpha, u),)
     return equation(f"{slug}-{i}-vector", f"vector, n = {i}", line, equal(v, tan(alpha / (2 * i)) * u),
                     extract=f"v _ = t a n α _ {2 * i} u _", where=where, condition=finite(alpha / (2 * i)),
@@ -51,7 +51,7 @@ def parameter(slug: str, i: int, line: int) -> Equation:
 
 
 def tensor(i: int, line: int, value: Any, extract: str) -> Equation:
-    """Return the entry for the orthogonal dual tensor of one order."""
+    """Return the entry about the orthogonal dual tensor of one order."""
     where = (let(R, orders.at_order(i, orders.rotation), v),)
     return equation(f"tensor-{i}", f"orthogonal dual tensor, n = {i}", line, equal(R, value), extract=extract,
                     where=where)

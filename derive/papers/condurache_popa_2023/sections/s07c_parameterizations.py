@@ -22,7 +22,7 @@ axis = Symbol("axis", "unit vector", r"\underline{\mathbf{u}}", "u")
 W, xw = skew(w), norm(w) ** 2
 
 FACTOR = (let(a, cayley_maps.constant, a_value), let(v, multiple, a_value, w))
-"""Definitions of v and a(v) ≠ 0 in any relation: v = a w with w and a free."""
+"""Definitions of v and a(v) ≠ 0 without further relation: v = a w, with a and w free."""
 
 MODIFIED = (
     *FACTOR, *POLYNOMIALS, let(caym_v, cayley_maps.modified, n, a_value, v),

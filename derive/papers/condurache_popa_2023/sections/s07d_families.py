@@ -42,7 +42,7 @@ one, two = (let(Symbol(f"order {i}", "number", str(i), str(i)), orders.at_order(
 
 
 def family(definition: Callable[..., Any], order: Definition | None) -> tuple[Definition, ...]:
-    """Return definitions of v of a family and of every factor a(v) for which its Cayley map is the displacement."""
+    """Return the definitions of a family's v and of the factors a(v) at which (59) gives the displacement."""
     of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
     return (*((order,) if order else ()), let(v, definition, *arguments),

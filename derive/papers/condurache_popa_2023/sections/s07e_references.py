@@ -1,4 +1,4 @@
-"""Section 7, equations that are named by another number: lines 243, 253, 304 and 313."""
+"""Section 7, references to wrong equation numbers: lines 243, 253, 304 and 313."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ KNOWN = (*s06_cayley_quaternions.ENTRIES, *s07a_fractional_transform.ENTRIES, *s
 
 
 def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
-    """Return the entry for a sentence that names one equation and means another."""
+    """Return the entry about a sentence that cites one equation but means another."""
     wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)
     )

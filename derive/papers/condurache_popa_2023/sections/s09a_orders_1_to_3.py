@@ -1,4 +1,4 @@
-"""Section 9: everything written out for the orders 1, 2 and 3, lines 417-440."""
+"""Section 9, explicit formulas for orders 1, 2 and 3: lines 417-440."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .s07_general_order import VV, I, R, V, finite, k, q_hat, x
 
 
 class Order:
-    """Symbols of one order with their definitions."""
+    """Symbols of one order, with their definitions."""
 
     def __init__(self, n: int) -> None:
         self.p, self.q = (Symbol(f"{f}{n}", "function", f"{f}_{{{n}}}", f"{f}{n}") for f in "pq")
@@ -35,7 +35,7 @@ def branch_of(n: int) -> Term:
 
 
 def branch_range(n: int) -> Term:
-    """Return the range of k as it is printed."""
+    """Return the printed range of k."""
     return words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}")
 
 

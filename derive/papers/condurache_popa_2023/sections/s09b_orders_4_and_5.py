@@ -1,4 +1,4 @@
-"""Section 9: everything written out for the orders 4 and 5, lines 441-456."""
+"""Section 9, explicit formulas for orders 4 and 5: lines 441-456."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 9: the Rodrigues dual vector by components, and what (92)-(98) are said to be, lines 457-465."""
+"""Section 9, components of the Rodrigues dual vector, and claims about (92)-(98): lines 457-465."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ PARTS = (
     let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(b_re, real_of, b_), let(b_du, dual_of, b_), let(u_re, real_of, u), let(u_du, dual_of, u),
 )
-"""Definitions of the symbols; a half turn has no b."""
+"""Definitions of the symbols; b is undefined at a half turn."""
 
 
 def _components(i: int) -> tuple[Equation, Equation]:
-    """Return one of (126) to (128) and one of (129) to (131): a component of the real and of the dual part."""
+    """Return entries for component i of the real part, in (126) to (128), and of the dual part, in (129) to (131)."""
     b_i, b0_i = (Symbol(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
     u_i, u0_i = (Symbol(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))
     whole = ((b_i, b_re), (b0_i, b_du), (u_i, u_re), (u0_i, u_du))

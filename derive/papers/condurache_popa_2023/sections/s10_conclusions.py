@@ -1,4 +1,4 @@
-"""Section 10, the one claim of the conclusions that no display makes: line 469."""
+"""Section 10, the only claim of the conclusions without a display: line 469."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..operators import is_algebraic
 from . import s07a_fractional_transform, s07c_parameterizations, s07d_families, s08b_tangent_operators
 
 DIRECT = ("50", "57", "88", "89", "62", "65")
-"""Equations of the maps from v to displacements and twists."""
+"""Numbers of the equations for the maps from v to displacements and twists."""
 
 direct = proposition("maps from v", "no transcendental function in the maps from v: (50), (57), (62), (65), (88), (89)")
 every = proposition("all maps", "no transcendental function in any display of sections 7 and 8 about maps")

@@ -57,7 +57,7 @@ def _coefficients(env: Env, *numbers: Any) -> Callable[[int], Any]:
 
 
 def _function(env: Env, centre: Any, *numbers: Any) -> Callable[[Any], Any]:
-    """Return the function with that expansion, by Horner's rule."""
+    """Return the function with this power series about `centre`, by Horner's rule."""
 
     def value(point: Any) -> Any:
         result: Any = 0

@@ -1,4 +1,4 @@
-"""Section 3, Rodrigues equations as dual equations: lines 109-161, (1)-(7)."""
+"""Section 3, the Rodrigues equations in dual form, (1)-(7): lines 109-161."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 3, the parameters one by one: lines 153-248, (8)-(22)."""
+"""Section 3, components of the dual Rodrigues vector, (8)-(22): lines 153-248."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ T: Term = Tan(f / 2)
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), T)
 general = both(nonzero(s1), nonzero(s2), nonzero(s3))
-"""Assumption of the paper from line 219 on."""
+"""Assumption of the paper after line 219."""
 
 # ---- (8)-(13): any dual vector --------------------------------------------------------------------------------
 
@@ -53,7 +53,7 @@ _B = (r"b_{%d}^{*} = \frac{s_{%d}^{*} \left\| b \right\|^{3} + b_{%d} b_{%d} b_{
 
 
 def from_b(number: str, line: int, n: int) -> Equation:
-    """Return one of (8)-(10)."""
+    """Return the entry for one of (8)-(10)."""
     b_n, b_n_, s_n_ = bs[n - 1], bs_[n - 1], ss_[n - 1]
     return relation(number, f"s{n}* from b̂", line,
                     equal(s_n_, (b_n_ * length(b)**2 - b_n * group(total)) / length(b)**3),
@@ -61,7 +61,7 @@ def from_b(number: str, line: int, n: int) -> Equation:
 
 
 def back_to_b(number: str, line: int, n: int, others: tuple[int, int]) -> Equation:
-    """Return one of (11)-(13)."""
+    """Return the entry for one of (11)-(13)."""
     b_n, (m, o) = bs[n - 1], others
     below = length(b)**2 - b_n**2
     above = ss_[n - 1] * length(b)**3 + b_n * bs[m - 1] * bs_[m - 1] + b_n * bs[o - 1] * bs_[o - 1]
@@ -82,7 +82,7 @@ VECTOR = (
 
 
 def linear(n: int, first: Term, second: Term) -> Term:
-    """Return the right side of (14)-(16), with its two products in printed order."""
+    """Return the right side of one of (14)-(16), with its two products in printed order."""
     return (ss_[n - 1] * T + first + second) / (1 - ss[n - 1] ** 2)
 
 
@@ -139,7 +139,7 @@ SOLUTION = r"b_%d^* = s_%d^* Tan \frac{f}{2} + s_%d \frac{f^*}{2} (1 + Tan^2 \fr
 
 
 def solution(number: str, line: int, n: int, restated: bool = False) -> Equation:
-    """Return one of (20)-(22)."""
+    """Return the entry for one of (20)-(22)."""
     name, title = (f"conclusion-{number}", ", restated") if restated else (number, "")
     return relation(name, f"dual Rodrigues parameter b{n}*{title}", line, equal(*equations[number]),
                     extract=shown(SOLUTION % (n, n, n)), where=SCREW, condition=forward)

@@ -1,6 +1,6 @@
-"""Section 3, the substitutions that lead to (19)-(22): lines 230-245.
+"""Section 3, derivation steps of (19)-(22): lines 230-245.
 
-Only the equations named are used: the unknown is solved from them, and all other symbols are free.
+Each step uses only the equations it cites: they are solved for the unknown, and all other symbols are free.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ COMPONENTS = (
 
 
 def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
-    """Return the definition of an unknown by an equation that is linear in it."""
+    """Return the definition of an unknown as the solution of a linear equation."""
 
     def solution(env: Env, *_: Any) -> Any:
         at_0, at_1 = (env.bound(unknown, value).value(left - right) for value in (0, 1))
@@ -34,7 +34,7 @@ def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
 
 
 def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
-    """Return the entry for the claim that a numbered equation follows."""
+    """Return the entry about a derivation step whose conclusion is a numbered equation."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
                     stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),

@@ -1,4 +1,4 @@
-"""Table of operators: mutants and traits."""
+"""Table of operators: their mutants and traits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equality of values, and their printed parts."""
+"""Equality of values, and their printed components."""
 
 from __future__ import annotations
 
@@ -19,5 +19,5 @@ def test_poses_are_equal_by_rotation_and_by_displacement() -> None:
     assert not equal(field, pose, Pose(TURNED, Vector(1, 2, 3)))
 
 
-def test_all_of_a_pose_is_shown() -> None:
+def test_all_components_of_a_pose_are_shown() -> None:
     assert [float(text) for text in shown(Pose(TURNED, Vector(4, 5, 6)))] == [0, -1, 0, 1, 0, 0, 0, 0, 1, 4, 5, 6]

@@ -1,4 +1,4 @@
-"""Seeded draws: numbers away from 0, unit vectors and quaternions, functions with their derivatives."""
+"""Seeded draws: numbers away from 0, unit vectors, unit quaternions, functions with derivatives."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FIELD = Decimal60()
 
 
 SEEDED = ["-0.8848645", "0.8416006", "0.53936883", "0.6785535"]
-"""First numbers of a seed; counterexamples depend on them."""
+"""First numbers of a seed; reported counterexamples depend on them."""
 
 
 @pytest.fixture(autouse=True)
@@ -79,7 +79,7 @@ def test_projected_points_lie_on_the_sphere() -> None:
         square = u.dot(u)
         assert FIELD.same(square.re, 1)
         assert FIELD.same(square.du, 0)
-        for side, c in ((s, u.c1), (t, u.c2)):  # the line from (0, 0, −1) meets the plane there
+        for side, c in ((s, u.c1), (t, u.c2)):  # stereographic projection from (0, 0, −1)
             assert FIELD.same((side * (1 + u.c3) - c).re, 0)
             assert FIELD.same((side * (1 + u.c3) - c).du, 0)
 
@@ -92,7 +92,7 @@ def test_quaternions_have_the_half_angle_asked_for(half: str) -> None:
     assert all(FIELD.same(a, b) for a, b in ((q.norm2().re, 1), (q.norm2().du, 0)))
 
 
-def test_rotation_is_what_its_quaternion_does() -> None:
+def test_rotation_acts_as_its_quaternion() -> None:
     q, v = Draw("q").quaternion(mpmath.mpf(1)), Draw("v").vector()
     for one, other in zip(rotation(q) @ v, q.sandwich(v), strict=True):
         assert FIELD.same(one.re, other.re)

@@ -1,4 +1,4 @@
-"""Powers with exponent a n + b, for every order n at once: they add up as powers do."""
+"""Powers with exponent a n + b for every order n at once: exponents add up."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_roots_divide_the_angle(times: int) -> None:
     assert FIELD.power(q, times / n) == part
 
 
-def test_turns_of_dual_tangents_are_turns() -> None:
+def test_cosine_and_sine_of_n_times_a_dual_angle() -> None:
     cosine, sine = FIELD.turn(n, Dual(X, FIELD.symbol("x")))
     assert (cosine.re, sine.re) == FIELD.turn(n, X)
     assert cosine * cosine + sine * sine == Dual(1, 0)

@@ -1,4 +1,4 @@
-"""The two kinds of numbers formulas are executed on."""
+"""Tests of both fields in which formulas are evaluated: 60-digit numbers and rational functions."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def test_decimal_refuses_undefined_values() -> None:
         field.atan2(mpmath.mpf(0), mpmath.mpf(0))
 
 
-def test_fields_compare_numbers() -> None:
+def test_field_is_abstract() -> None:
     with pytest.raises(TypeError, match="abstract"):
         Field()
 
@@ -120,7 +120,7 @@ def test_vectors_beside_numbers_make_quaternions() -> None:
     assert field.power(Vector(1, 2, 3), 2) == Quaternion(-14, Vector(0, 0, 0))
 
 
-# ---- what fields have and what they refuse ---------------------------------------------------------------------------
+# ---- functions that fields provide or refuse -------------------------------------------------------------------------
 
 ZEROS = {"0": mpmath.mpf(0), "ε": Dual(mpmath.mpf(0), mpmath.mpf(1)), "vector": Vector(0, 0, 0),
          "tensor": Tensor.dyad(Vector(1, 2, 3), Vector(1, 0, 0)),
@@ -128,7 +128,7 @@ ZEROS = {"0": mpmath.mpf(0), "ε": Dual(mpmath.mpf(0), mpmath.mpf(1)), "vector":
 
 
 class Bare(Field):
-    """A field without functions."""
+    """Field without functions."""
 
     name = "bare"
 
@@ -157,7 +157,7 @@ def test_missing_functions_are_refused(call, what: str) -> None:
 
 
 @pytest.mark.parametrize("exponent", [Fraction(1, 3), Fraction(2, 3), Fraction(3, 2), Fraction(-1, 2), Fraction(5, 4)])
-def test_powers_of_quaternions_are_those_of_their_roots(exponent: Fraction) -> None:
+def test_rational_powers_of_quaternions(exponent: Fraction) -> None:
     with mpmath.workdps(DIGITS):
         field, q = Decimal60(), Draw("powers").quaternion(mpmath.mpf("0.4")) * mpmath.mpf(2)
         power = field.power(q, exponent)
@@ -165,7 +165,7 @@ def test_powers_of_quaternions_are_those_of_their_roots(exponent: Fraction) -> N
         assert all(field.same(a.re, b.re) and field.same(a.du, b.du) for a, b in zip(whole, other, strict=True))
 
 
-def test_powers_of_numbers_beside_dual_vectors_are_those_of_translations() -> None:
+def test_powers_of_quaternions_with_purely_dual_vector_part() -> None:
     with mpmath.workdps(DIGITS):
         field, zero = Decimal60(), mpmath.mpf(0)
         q = Quaternion(Dual(mpmath.mpf(4), zero), Vector(*(Dual(zero, mpmath.mpf(c)) for c in (1, 2, 3))))

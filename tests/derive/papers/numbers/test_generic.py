@@ -1,4 +1,4 @@
-"""Generic values: the frame along the vectors at hand, exact angles and magnitudes, dual parts and derivatives."""
+"""Generic values: frame along the vectors, exact angles and magnitudes, dual parts and derivatives."""
 
 from __future__ import annotations
 

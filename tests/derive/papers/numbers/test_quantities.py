@@ -1,4 +1,4 @@
-"""Table of quantities: values at points, and generic values of an exact field."""
+"""Table of quantities: seeded values, and generic values in an exact field."""
 
 from __future__ import annotations
 
@@ -76,15 +76,15 @@ SPECIAL = {
     "orthogonal tensor": {"translation": (3, 3), "identity": (3, 3), "half turn": (-1, -1),
                           "beyond a half turn": TURNED},
 }  # fmt: skip
-"""Bounds of the size of special values."""
+"""Bounds on `size` of each special value."""
 REAL = {("angle", "0"), ("dual number", "0"), ("dual number", "real"), ("dual vector", "0"), ("dual vector", "real"),
         ("orthogonal tensor", "identity")}  # fmt: skip
-"""Special values of dual quantities without a dual part."""
+"""Special values whose dual part is 0 although the quantity is dual."""
 FUNCTIONS = {"smooth function"}
 
 
 def size(value):
-    """Return a number, the square of a vector, the scalar part of a quaternion, or the trace of a tensor."""
+    """Return the real part of a number, squared vector, scalar part of a quaternion or trace of a tensor."""
     if isinstance(value, Vector):
         value = value.dot(value)
     return real_part(
@@ -102,7 +102,7 @@ def test_every_special_value_is_described() -> None:
 
 
 @pytest.mark.parametrize(("name", "label"), [(name, label) for name, cases in SPECIAL.items() for label in cases])
-def test_special_values_have_the_size_of_their_names(name: str, label: str) -> None:
+def test_special_values_have_the_expected_size(name: str, label: str) -> None:
     low, high = SPECIAL[name][label]
     with mpmath.workdps(DIGITS):
         for seed in "abcde":
@@ -121,7 +121,7 @@ def test_singular_tensor_has_no_inverse() -> None:
         assert not Decimal60().same(QUANTITIES["tensor"].generic(Draw("s")).det().re, 0)
 
 
-# ---- constants, and what takes dual numbers apart --------------------------------------------------------------------
+# ---- constants, and quantities that separate real and dual parts -----------------------------------------------------
 
 
 def test_constants_have_their_values() -> None:

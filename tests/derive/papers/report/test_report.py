@@ -1,4 +1,4 @@
-"""Report in every format."""
+"""Tests of the report in every format."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_every_entry_can_be_rendered() -> None:
 
 
 @pytest.mark.parametrize("name", ["markdown", "html", "latex"])
-def test_proofs_have_a_part_of_their_own_where_there_are_any(report, name) -> None:
+def test_section_of_proofs_is_present_only_with_proofs(report, name) -> None:
     assert ("Proofs" in FORMATS[name](report)) is True
     assert ("Proofs" in FORMATS[name](replace(report, proofs=()))) is False
 
@@ -111,7 +111,7 @@ def _in_order(report: Report) -> list[Result]:
 def test_html_needs_no_network(report) -> None:
     page = FORMATS["html"](report)
     assert not re.search(r"(src|href)=\"(https?:)?//|<link|@import|url\(", page)
-    assert not re.search(r"<article[^>]* hidden", page)  # everything shows without the script
+    assert not re.search(r"<article[^>]* hidden", page)  # all entries are visible without the script
 
 
 def test_markup_in_titles_is_escaped() -> None:
@@ -126,7 +126,7 @@ def test_latex_sheet_compiles(report, tmp_path: Path) -> None:
     sheet = FORMATS["latex"](report)
     assert sheet.count("{") == sheet.count("}")
     compiler = shutil.which("pdflatex")
-    if compiler is None:  # a TeX installation is large; the brackets above are checked anywhere
+    if compiler is None:  # TeX is optional; brackets are checked above
         return
     (tmp_path / "errata.tex").write_text(sheet, encoding="utf-8")
     command = [compiler, "-interaction=nonstopmode", "-halt-on-error", "errata.tex"]

@@ -1,4 +1,4 @@
-"""Result as data, in a notebook, in a row of a table, and in words."""
+"""Result as data, in a notebook, as a table row, and in words."""
 
 from __future__ import annotations
 
@@ -86,14 +86,14 @@ def test_row_of_a_table() -> None:
     [(SOURCE, "9"), ("derive/papers/x/sections/s12_2_more.py", "12.2"), ("derive/papers/x/sections/s10_end.py", "10"),
      ("", "")],
 )  # fmt: skip
-def test_section_is_that_of_the_module(source: str, section: str) -> None:
+def test_section_is_read_from_the_module_name(source: str, section: str) -> None:
     assert result(source=source).section == section
 
 
 # ---- in words --------------------------------------------------------------------------------------------------------
 
 
-def test_how_an_entry_is_cited() -> None:
+def test_labels_and_places_of_entries() -> None:
     named = result(number="half-angle")
     assert (label(IF), label(named)) == ("(7)", "half-angle")
     assert (place(IF), place(named)) == ("section 9, equation (7)", "section 9")
@@ -110,7 +110,7 @@ def test_listed_readings_are_counted(truths: list[bool], said: str) -> None:
     assert readings(result(verdicts=verdicts)) == said
 
 
-def test_domains_are_found_or_stated() -> None:
+def test_lines_for_found_and_stated_domains() -> None:
     both = {"condition": nonzero(Re(b)), "claimed": nonzero(a), "stated": (1, "x")}
     assert domain(result(Status.HOLDS_IF, **both)) == ("at least where Re b ≠ 0", "for a ≠ 0, as stated")
     assert domain(IF) == ("if Re b ≠ 0",)

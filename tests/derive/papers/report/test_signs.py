@@ -1,4 +1,4 @@
-"""Formulas in one line of Unicode, and plain text for LaTeX: signs, scripts and accents."""
+"""Formulas as one line of Unicode, and text escaped for LaTeX: signs, scripts and accents."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SIGNS = {
     "\\lambda": "GREEK SMALL LETTER LAMDA", "\\Delta": "GREEK CAPITAL LETTER DELTA", "\\mu": "GREEK SMALL LETTER MU",
 }  # fmt: skip
 WORDS = {"arctan", "cos", "cot", "det", "exp", "lim", "log", "sin", "tan"}
-"""Commands that stand for their own names."""
+"""Commands replaced by their own names."""
 
 
 @pytest.mark.parametrize("name", GREEK)
