@@ -1,4 +1,4 @@
-"""Tests whose requirements are missing are deselected and reported; expensive folders are made once for all tests."""
+"""Deselect and report tests whose requirements are missing; make expensive folders once for all tests."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ MISSING = {
     ]
     if not found
 }
-"""Markers whose tests cannot run here, and why."""
+"""Reasons why tests cannot run here, by marker."""
 
 
-# NumPy kernels are tested by themselves, even where compiled functions are installed; with =1 on top of these.
+# By default, tests use the NumPy kernels without compiled functions; DUALCAY_NATIVE=1 uses installed ones.
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
 SELECTED = {"browser", "compiler", "smoke", "thorough", "torch"}
-"""Markers of this project, by which tests are chosen."""
+"""Markers of this project that select tests."""
 
 
 def _require_named(items: list[pytest.Item]) -> None:
-    """Every file names the markers its tests bear, or tests that are asked for by one would be passed over."""
+    """Require that every file contains the names of its tests' markers; selection by marker skips other files."""
     borne = {(item.path, marker.name) for item in items for marker in item.iter_markers() if marker.name in SELECTED}
     unnamed = sorted(f"{path}: {name}" for path, name in borne if name not in path.read_text(encoding="utf-8"))
     if unnamed:
@@ -42,7 +42,7 @@ def _require_named(items: list[pytest.Item]) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Where one marker is asked for, files that do not name it are not loaded: to collect all takes half a minute."""
+    """Skip files that do not contain the selected marker: collecting all tests takes half a minute."""
     marker, name = str(config.option.markexpr), collection_path.name
     if marker.isidentifier() and name.startswith("test_") and collection_path.is_file():
         return None if marker in collection_path.read_text(encoding="utf-8") else True
@@ -65,7 +65,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.fixture(scope="session")
 def shared(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], object]], Path]:
-    """A folder of some name, filled by the first of the processes running tests that asks for it; the others wait."""
+    """Return a function for a named folder: the first test process to ask fills it while the others wait."""
     own = tmp_path_factory.getbasetemp()
     root = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 

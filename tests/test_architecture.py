@@ -1,4 +1,4 @@
-"""The house rules a machine can check: imports run one way, kernels stand alone, user text is never evaluated."""
+"""Rules of the code that tests can check: one import direction, standalone kernels, no evaluation of user text."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from tests.support.imports import ROOT, imported, sources
 pytestmark = pytest.mark.smoke
 
 ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
-"""Each room of derive may import itself and those before it."""
+"""Packages of derive in import order: each may import itself and earlier ones."""
 
 IN_CODEGEN = (
     "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
     "build", "publish",
 )  # fmt: skip
-"""Each room or module of codegen may import itself and those before it; derive.papers has its own test."""
+"""Parts of derive.codegen in import order: each may import itself and earlier ones; derive.papers has its own test."""
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
 
 TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/unit.py")
-"""The one place that runs a text: Python translated from the syntax tree of a printed C header."""
+"""Only call that executes text: Python translated from the syntax tree of a printed C header."""
 
 
 def out_of_order(base: tuple[str, ...], rooms: tuple[str, ...]) -> list[str]:
-    """Imports that go from an earlier room to a later one; the package itself is later than all."""
+    """Return imports of a later room by an earlier one; the enclosing package counts as the last."""
     order = {room: index for index, room in enumerate(rooms)}
     wrong = []
     for name, file in sources(*base):

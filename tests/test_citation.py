@@ -1,4 +1,4 @@
-"""The citations name the papers that are decided, by title and DOI, and the current version."""
+"""Citations name the decided papers by title and DOI, and the current version."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROOT = Path(__file__).parent.parent
 
 
 def words(text: str) -> list[str]:
-    """Lower case words, without marks of TeX and YAML."""
+    """Return the words in lower case, without marks of TeX and YAML."""
     return re.findall(r"\w+", re.sub(r"[{}]|>-", "", text).lower())
 
 
@@ -28,5 +28,5 @@ def test_papers_and_version_are_those_of_the_toolkit(name: str) -> None:
         assert " ".join(title) in " ".join(words(text))
 
 
-def test_the_changelog_knows_the_version() -> None:
+def test_changelog_contains_the_version() -> None:
     assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")

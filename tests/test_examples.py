@@ -19,7 +19,7 @@ from tests.support import examples
 
 
 def modules(package: Any) -> Iterator[Any]:
-    """The package and its public modules."""
+    """Yield the package and its public modules."""
     yield package
     for found in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
         if not found.name.rpartition(".")[2].startswith("_"):
@@ -27,7 +27,7 @@ def modules(package: Any) -> Iterator[Any]:
 
 
 def functions(module: Any) -> Iterator[FunctionType]:
-    """What a module exports, as written: of a chart the methods of its instance."""
+    """Yield the functions that a module exports; modules of charts export methods of an instance."""
     for name in getattr(module, "__all__", dir(module)):
         value = getattr(module, name)
         own = value.__func__ if isinstance(value, MethodType) else value
@@ -36,7 +36,7 @@ def functions(module: Any) -> Iterator[FunctionType]:
 
 
 def methods(kind: type) -> Iterator[Any]:
-    """The public functions of a class."""
+    """Return the public functions of a class."""
     return (value for name, value in inspect.getmembers(kind, inspect.isfunction) if not name.startswith("_"))
 
 
@@ -54,7 +54,7 @@ def test_kernels():
 
 
 def test_toolkit():
-    # `generate` takes seconds: tests/derive/test_shown.py runs its example for what it returns
+    # `generate` takes seconds: tests/derive/test_shown.py runs its example and checks the result
     front = [getattr(derive, name) for name in derive.__all__ if name != "generate"]
     found = [one for one in front if callable(one) and one is not derive.alpha and one is not derive.x]
     kinds = (IsotropicMap, QuaternionMap)

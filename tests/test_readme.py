@@ -1,4 +1,4 @@
-"""The README's sessions run, its commands exist, its links lead somewhere, its numbers are those of the pages."""
+"""README: sessions run, commands exist, links have targets, and numbers agree with the benchmark pages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", TEXT, re.S)
 LINES = [re.sub(r"\s+#.*", "", line) for language, block in BLOCKS if language == "sh" for line in block.splitlines()]
 QUICK = ("show", "list", "verify --eq")
-"""The commands that are run here; what the others do takes longer, and is tested in tests/derive/cli."""
+"""Commands that are run here; slower ones are tested in tests/derive/cli."""
 
 
 def test_every_block_is_a_session_or_commands() -> None:
@@ -29,7 +29,7 @@ def test_every_block_is_a_session_or_commands() -> None:
 def test_every_session_runs_as_printed() -> None:
     sessions = [block for language, block in BLOCKS if language == "python"]
     assert len(sessions) >= 5
-    names: dict[str, object] = {}  # later sessions go on with the names of earlier ones
+    names: dict[str, object] = {}  # later sessions use names of earlier ones
     for number, session in enumerate(sessions):
         assert examples.failures(session, f"README session {number}", names) == ""
 
@@ -47,7 +47,7 @@ def test_every_command_exists(line: str) -> None:
         target = re.compile(rf"^{arguments[0] if arguments else 'generate'}:", re.M)
         assert target.search((ROOT / "Makefile").read_text(encoding="utf-8"))
     elif program == "pip":
-        extras = re.findall(r"[^\[\],]+", arguments[-1])[1:]  # of a folder: this one, or one that was generated
+        extras = re.findall(r"[^\[\],]+", arguments[-1])[1:]  # extras of the folder to install
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
         assert set(extras) <= project["optional-dependencies"].keys()
     else:
@@ -61,7 +61,7 @@ def test_every_link_leads_somewhere(link: str) -> None:
     assert not section or f"\n## {section}\n" in TEXT.lower()
 
 
-def test_numbers_are_those_of_the_benchmarks() -> None:
+def test_numbers_agree_with_the_benchmark_page() -> None:
     page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8").splitlines()
     rows = [line for line in TEXT.splitlines() if re.match(r"\| (n|\d+) \| ", line)]
     assert len(rows) > 5

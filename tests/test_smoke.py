@@ -1,4 +1,4 @@
-"""`make quick` looks into every room: each folder of tests and of derive's rooms has something marked smoke."""
+"""Smoke tests, run by `make quick`, exist in every folder of tests and for every room of derive."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MARKED = re.compile(r"^(@|pytestmark = )pytest\.mark\.smoke$", re.MULTILINE)
 
 
 def without_smoke(folders: list[Path]) -> list[str]:
-    """The folders in which no file of tests has the mark."""
+    """Return the folders in which no test file has the smoke marker."""
     files = {folder: folder.rglob("test_*.py") for folder in folders}
     return [
         str(folder.relative_to(TESTS))

@@ -1,4 +1,4 @@
-"""Packages of every other target, each generated once."""
+"""Fixtures: packages of all targets but NumPy, each generated once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support import packages
 
 @pytest.fixture(scope="session")
 def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str], Path]:
-    """The folder of the package of a target; its name is that of the package."""
+    """Return a function for the folder of a target's package; folder and package have one name."""
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
@@ -28,10 +28,10 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 def package(
     folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Callable[[str], str]]:
-    """The import name of the package of a target.
+    """Yield a function for the import name of a target's package.
 
-    Each process has its own cache of Numba. In a shared cache, a loop and the function around it may come from
-    different processes, and crash the next process that loads them.
+    Each process has its own Numba cache. In a shared cache, a loop and the function around it may come from different
+    processes, and crash the next process that loads them.
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("numba.config.CACHE_DIR", str(tmp_path_factory.mktemp("numba")))
@@ -46,11 +46,11 @@ def package(
 
 @pytest.fixture(scope="session")
 def array_api(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
-    """The module of an order of the array-api target."""
+    """Return a function for the module of an order in the array-api target."""
     return lambda order: importlib.import_module(f"{package('array-api')}.cayley{order}")
 
 
 @pytest.fixture(scope="session")
 def compiled(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
-    """The module of an order of the numba target."""
+    """Return a function for the module of an order in the numba target."""
     return lambda order: importlib.import_module(f"{package('numba')}.cayley{order}")

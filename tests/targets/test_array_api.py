@@ -1,4 +1,4 @@
-"""The array-api target in every library: against the oracle, the NumPy kernels, and the promises of its interface."""
+"""Array-api target in every library: compared with the oracle, the NumPy kernels and the documented interface."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ from tests.support.signatures import SIGNATURES, assert_nearly_equal, components
 
 LIBRARIES = ["numpy", "array-api-strict", "jax", "jax.jit", "dask", pytest.param("torch", marks=pytest.mark.torch)]
 LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
-# IEEE results at singular points come with a warning of the library's own, where NumPy computes.
+# libraries that compute with NumPy warn of IEEE results at singular points
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
 
 SOME = ("uniform", "pure translation", "shadow")
-"""Regimes that tell as much as all, of a library that computes as the one the text was validated in."""
+"""Regimes of poses that suffice for libraries with the arithmetic of NumPy, in which the text was validated."""
 REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
 SLOW = ("jax", "jax.jit", "dask")
-"""Libraries that compile or plan every operation: tests use one order, one type and some functions."""
+"""Libraries that compile or plan every operation: tests use one order, one type and few functions."""
 
 COMPILED = ("pose", "tangent_inv", "twist", "from_pose", "compose", "shadow", "rate_jacobian")
-"""Functions whose results are compared in slow libraries."""
+"""Functions that are compared in slow libraries."""
 
 KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES.items()}
-"""One function for each number of arguments and of component axes."""
+"""One function for each number of arguments and number of result axes."""
 
 
 @LIBRARY
@@ -49,7 +49,7 @@ def test_gates_of_the_oracle_hold_in_every_library(array_api, library):
 
 @pytest.mark.thorough
 def test_the_replay_runs_in_jax(folder):
-    """Replay in single precision, the default of JAX; one function goes through all call conventions."""
+    """Replay the own functions of a chart in single precision, the default of JAX."""
     singles = Library("jax", jax.numpy.asarray, (np.dtype(np.float32),))
     assert replay(folder("array-api"), Cayley(1), ArrayApi.machinery, [singles], geometry=False) > 50
 
@@ -103,7 +103,7 @@ def test_components_first_and_broadcasting(array_api, library):
 @LIBRARY
 def test_empty_batches(array_api, library):
     if library == "dask":
-        library = "numpy"  # a dask array of no chunks is not one
+        library = "numpy"  # dask arrays need at least one chunk
     assert Through(array_api(3), library).pose(np.empty((0, 6))).shape == (0, 4, 4)
 
 

@@ -1,4 +1,4 @@
-"""Arguments of several libraries in one call of the array-api target: NumPy's go with those of the other."""
+"""Calls of the array-api target with arrays of several libraries: NumPy arrays are converted to the other library."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def rotations(package):
 
 
 def assert_taken(function, values, convert):
-    """Require that results are of the library whenever an argument is, and equal those for NumPy arguments."""
+    """Require results of the library for any mix of its arrays with NumPy arrays, equal to the NumPy results."""
     expected, kind = several(function(*values)), type(convert(V))
     for chosen in product([True, False], repeat=len(values)):
         if any(chosen):
@@ -58,10 +58,10 @@ def several(found):
     return found if isinstance(found, tuple) else (found,)
 
 
-# --- which library it is ------------------------------------------------------------------------------------------
+# --- choice of the library ----------------------------------------------------------------------------------------
 
 
-def test_every_function_of_several_arrays_takes_those_of_numpy_into_the_other_library(module, strict):
+def test_numpy_arguments_are_converted_in_every_function_of_several_arrays(module, strict):
     assert {len(PUBLIC[name].arguments) for name in SEVERAL} == {2, 3}
     for name in SEVERAL:
         assert_taken(getattr(module, name), inputs(load(3), name, 3, (2,)), strict.asarray)
@@ -103,7 +103,7 @@ def test_conversion_stays_in_the_library(package, module, strict):
     assert_nearly_equal(np.asarray(found), convert(np.asarray(v), module, other), eps=40)
 
 
-# --- types, devices, what is no array -----------------------------------------------------------------------------
+# --- types, devices, arguments that are no arrays -----------------------------------------------------------------
 
 
 def test_types_are_those_of_the_library_alone(module, strict):
@@ -140,7 +140,7 @@ def test_two_libraries_beside_numpy_are_named(module, strict, jax):
         module.interpolate(V.tolist(), one, other[0])
 
 
-def test_arguments_that_are_no_arrays_are_named(module, strict):
+def test_arguments_that_are_not_arrays_are_named(module, strict):
     for first in (W, strict.asarray(W)):
         with pytest.raises(TypeError, match="v_dot must be an array of NumPy, JAX, PyTorch or the like, got dict"):
             module.twist(first, {})
@@ -150,7 +150,7 @@ def test_arguments_that_are_no_arrays_are_named(module, strict):
         module.twist(V.tolist()[:5], W)
 
 
-# --- traced: nothing may become an array of NumPy -------------------------------------------------------------------
+# --- traced arrays: none may be converted to a NumPy array -------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["twist", "compose"])
@@ -166,7 +166,7 @@ def test_a_constant_first_argument_in_compiled_functions(module, jax, name):
 
 
 def test_gradients_by_the_second_argument(module, jax):
-    """Gradients of sums are the column sums of the tangent operator and of the Jacobian of a composition."""
+    """Gradients of summed results equal the column sums of the tangent operator and of the composition Jacobian."""
     kernel = load(3)
 
     def slope(function):

@@ -1,4 +1,4 @@
-"""The generated C: warning-free in every dialect it promises, correct at any optimisation, a CMake package."""
+"""Generated C: no warnings in any promised dialect, correct results at any optimisation, a CMake package."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ORDERS = packages.ORDERS["c"]
 TABLES = (POSES, ROTATIONS)
 STRICT = ("-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wstrict-aliasing", "-Werror", "-pedantic")
 FAMILIES = [("gcc", "g++"), *([("clang", "clang++")] if shutil.which("clang++") else [])]
-"""C and C++ compilers, paired by vendor."""
+"""Pairs of a C and a C++ compiler, by vendor."""
 
 VECTOR = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math", "-DDUALCAY_SIMD_MATH")
 SANITIZED = ("-O0", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
@@ -35,7 +35,7 @@ REALS = ("float", "double")
 
 
 def includes(orders: Sequence[int]) -> str:
-    """The headers of some orders."""
+    """Return the include lines for some orders."""
     return "".join(f'#include "{inside(table, f"cayley{n}.h")}"\n' for n in orders for table in TABLES)
 
 
@@ -44,7 +44,7 @@ INCLUDE_ALL = includes(ORDERS)
 
 @pytest.fixture(scope="module")
 def package(folder) -> Path:
-    """The folder of the C package."""
+    """Return the folder of the C package."""
     return folder("c")
 
 
@@ -66,7 +66,7 @@ def written(folder: Path, name: str, text: str) -> Path:
     return path
 
 
-# every order in a dialect, both types of numbers in each
+# each dialect compiles every order and both real types
 @pytest.mark.parametrize("compilers", FAMILIES, ids=lambda pair: pair[0])
 @pytest.mark.parametrize(
     ("standard", "real", "orders"),
@@ -117,7 +117,7 @@ def test_rational_maps_build_without_any_library(package, tmp_path):
 
 
 def test_device_qualifiers_stand_before_every_function(package, tmp_path):
-    """Preprocess as a CUDA compiler does: every function is for host and device, and no loop pragma is left."""
+    """Preprocessing for CUDA makes every function one for host and device, and leaves no loop pragma."""
     source = written(tmp_path, "device.cpp", INCLUDE_ALL)
     keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
     text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
@@ -128,7 +128,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# every order in one of the two types; two of them by every compiler, as vector code with sums of products rounded once
+# each order runs in one real type; orders 3 and 8 run with every compiler, as vector code with fused multiply-add
 @pytest.mark.parametrize(
     ("compiler", "order", "real", "flags"),
     [
@@ -170,12 +170,12 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
     [(3, POSES, 3, ()), (8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
-    """Loops without tan and atan2 are vectorised; with libmvec all loops are, those over turns included."""
+    """Loops without tan and atan2 become vector code; with libmvec all loops do, including loops over turns."""
     header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()
     begin = prefix(Cayley(order), table)
     uses = "".join(f"void *use_{name} = (void *){begin}_{name}_rows;\n" for name in table.public)
     source = written(tmp_path, "rows.c", f'#include "{inside(table, f"cayley{order}.h")}"\n{uses}')
-    # of loops that come out the same, gcc would report one
+    # -fno-ipa-icf: gcc would merge identical loops and report only one
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fno-ipa-icf", *math)
     command = (tool("gcc"), *flags, f"-I{package}")
     report = run(*command, "-fopt-info-vec-optimized", "-c", source, "-o", tmp_path / "rows.o")
@@ -190,7 +190,7 @@ def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, tur
 
 @pytest.mark.parametrize(("minor", "asked"), [(34, False), (35, True)])
 def test_vector_functions_are_asked_for_where_the_library_has_them(package, tmp_path, minor, asked):
-    """libmvec of glibc 2.35 is the first with tan and atan2 on several numbers."""
+    """Version 2.35 of glibc is the first whose libmvec has vector functions for tan and atan2."""
     text = f"#include <math.h>\n#undef __GLIBC_MINOR__\n#define __GLIBC_MINOR__ {minor}\n"
     source = written(tmp_path, "asked.c", text + '#include "dualcay.h"\n')
     command = (tool("gcc"), "-std=c99", "-DDUALCAY_SIMD_MATH", f"-I{package}", "-E", "-dM", source)

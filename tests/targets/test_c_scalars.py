@@ -1,8 +1,8 @@
-"""The C target as C++ templates: on jets, complex numbers and rationals, and in prime fields against the formulas.
+"""C target as C++ templates: on jets, complex numbers and rationals, and in prime fields against the formulas.
 
-A field of 61 bits reads the headers through a compiler's eyes and not through ours: at random points two rational
-functions that differ agree with probability at most degree/prime (Schwartz and Zippel), and degrees are bounded by
-running the programs and the formulas themselves on degrees.
+A C++ compiler runs the headers in fields of 61 bits, independently of the interpreter of C. Two different rational
+functions agree at a random point with probability at most degree/prime (Schwartz and Zippel). Bounds of the degrees
+come from running programs and formulas on degrees.
 """
 
 from __future__ import annotations
@@ -44,12 +44,12 @@ STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-We
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
 ROUNDING = 1e-12
-"""Tolerance of jets: some 300 operations on numbers up to 10, times a condition below 1000."""
+"""Tolerance of jets: about 300 operations on numbers up to 10, times a condition number below 1000."""
 
 
 @pytest.fixture(scope="module")
 def headers(shared) -> Path:
-    """The headers of the charts, printed and not otherwise looked at."""
+    """Return the folder of the charts' headers, printed without validation."""
 
     def write(place: Path) -> None:
         target = Otherwise(C, companions=C.further)
@@ -110,7 +110,7 @@ def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
 
 
 def rational(chart: Cayley) -> list[tuple[Table, Function]]:
-    """Functions of the headers that take no root, selection or angle."""
+    """Return the functions of the headers without root, selection or angle, with their tables."""
     needed = {table.name: levels(lower_chart(chart, table)) for table in C.tables}
     rows = ((table, table.sources[name]) for table in C.tables for name in ALGEBRAIC if name in table.sources)
     return [(table, row) for table, row in rows if not needed[table.name][row.kernel]]
@@ -121,7 +121,7 @@ def expected(chart: Cayley, row: Function, arguments: Sequence[Sequence[Any]]) -
 
 
 def dispatcher(folder: Path) -> Path:
-    """A program which reads a prime, the number of a function and its arguments, and prints the results."""
+    """Build a program that reads a prime, the number of a function and its arguments, and prints the results."""
     includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for chart in CHARTS for table in C.tables)
     cases, index = [], 0
     for chart in CHARTS:
@@ -166,7 +166,7 @@ int main()
 
 @dataclass(frozen=True)
 class Query:
-    """A function of a chart at a point of a field."""
+    """Evaluation of a chart's function at a point of a prime field."""
 
     chart: Cayley
     index: int
@@ -200,7 +200,7 @@ def answers(program: Path, asked: Sequence[Query]) -> list[list[int]]:
 
 
 def differing(program: Path, asked: Sequence[Query]) -> set[str]:
-    """Functions with an answer that is not the formula's."""
+    """Return the names of functions with an answer that differs from the formula."""
     found = zip(asked, answers(program, asked), strict=True)
     return {
         f"{prefix(query.chart, query.table)}_{query.row.name}"
@@ -210,7 +210,7 @@ def differing(program: Path, asked: Sequence[Query]) -> set[str]:
 
 
 def degree(chart: Cayley, table: Table, row: Function) -> int:
-    """Return a bound of the degree of the numerator of the difference between a printed function and its formula."""
+    """Return a degree bound for the numerator of the difference between a printed function and its formula."""
     arguments = [[Degree() for _ in range(array.size)] for array in row.arguments]
     module = importlib.import_module(".".join(filter(None, ("dualcay", table.name, chart.name))))
     arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, row.arguments)]

@@ -1,4 +1,4 @@
-"""The C kernels against the NumPy ones: the same program gives the same numbers, singular points included."""
+"""C kernels give the numbers of the NumPy kernels, including singular points."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ORDERS = (1, 3, 8)
 LIBRARY = {"tan", "atan2"}
-"""Functions that libraries round differently."""
+"""Functions that C libraries and NumPy round differently."""
 
 COUNT = 300
 
 QUICKLY = (*FLAGS, "-O1")
-"""Flags that compile fast: the last optimization level counts, and vectorization takes most of the time."""
+"""Flags for a fast build: the final -O1 overrides earlier levels, and avoids slow vectorization."""
 
 
-# geometry is the same for all orders: each in one type
+# all orders share their geometry, so each order runs in one real type
 @pytest.fixture(scope="module", params=zip(ORDERS, itertools.cycle(TYPES)), ids=lambda p: f"{p[0]}-{p[1]}")
 def both(request, folder, shared):
-    """The C kernels and the NumPy kernels of an order, and the real type."""
+    """Return the C kernels and the NumPy kernels of an order, and the real type."""
     order, real = request.param
     command = compiler()
     built = shared(f"c-{order}-{real}", lambda place: compiled(command, folder("c"), order, real, place, flags=QUICKLY))
@@ -37,7 +37,7 @@ def both(request, folder, shared):
 
 
 def special(rng, size):
-    """Columns of components: ordinary, zero, pure translations, tiny, huge, infinite, NaN."""
+    """Return columns of components: ordinary, zero, pure translations, tiny, huge, infinite, NaN."""
     columns = rng.uniform(-1, 1, (size, COUNT))
     columns[:, 0] = 0
     columns[: size // 2, 1:4] = 0
@@ -51,7 +51,7 @@ def special(rng, size):
 
 
 def arguments(name, module, dtype, rng, table=POSES):
-    """Arguments of a function, components first: for inverse maps those of proper poses."""
+    """Return arguments of a function, components first; inverse maps take proper poses."""
     v = special(rng, table.functions["shadow"].results[0].size)
     if name in ("from_quaternion", "from_tensor", "from_pose"):
         made = getattr(module, {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}[name])
@@ -61,7 +61,7 @@ def arguments(name, module, dtype, rng, table=POSES):
 
 
 def by_numpy(module, name, arrays, branch, table=POSES):
-    """The NumPy kernel's result, components first and flat."""
+    """Return the result of the NumPy kernel, components first and flat."""
     shaped = [
         array.reshape(*given.shape, COUNT)
         for array, given in zip(arrays, table.public[name].arguments, strict=True)
@@ -80,7 +80,7 @@ def by_c(form, name, arrays, branch, layout, table=POSES):
     return out if layout == "rows" else [part.T for part in out]
 
 
-def test_maps_without_tan_agree_to_the_last_bit(both):
+def test_maps_without_tan_are_bit_identical(both):
     form, module, dtype = both
     operations = lower_chart(Cayley(module.ORDER)).operations
     plain = [name for name, row in PUBLIC.items() if not row.branch and row.kernel in operations]
@@ -95,7 +95,7 @@ def test_maps_without_tan_agree_to_the_last_bit(both):
 
 @pytest.mark.parametrize("layout", ["rows", "aos"])
 @pytest.mark.parametrize("name", PUBLIC)
-def test_both_layouts_agree_but_for_rounding(both, name, layout):
+def test_both_layouts_agree_up_to_rounding(both, name, layout):
     form, module, dtype = both
     arrays = arguments(name, module, dtype, np.random.default_rng(11))
     n = module.ORDER
@@ -106,8 +106,8 @@ def test_both_layouts_agree_but_for_rounding(both, name, layout):
             assert_close(ours, theirs)
 
 
-def test_rotations_agree_but_for_rounding(folder, tmp_path):
-    """Both layouts, one order: rotations share the scalars of poses, which are compared above."""
+def test_rotations_agree_up_to_rounding(folder, tmp_path):
+    """One order suffices: rotations share the scalars of poses, which are compared above."""
     command = compiler()
     library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)
     form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")
@@ -121,7 +121,7 @@ def test_rotations_agree_but_for_rounding(folder, tmp_path):
 
 
 def assert_close(found, expected):
-    """Equal but for rounding, column by column; a small angle or a pole magnifies that."""
+    """Require equality up to rounding, column by column; small angles and poles amplify the rounding."""
     finite = np.isfinite(expected)
     size = np.where(finite, np.abs(expected), 0).astype(np.float64)
     room = 1000 * np.finfo(found.dtype).eps * size.max(axis=0) * (1 + size[:3].max(axis=0))

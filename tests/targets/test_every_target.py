@@ -1,4 +1,4 @@
-"""Properties of every target: its text is printed and agrees with the formulas."""
+"""Properties of every target: its printed text agrees with the formulas."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
 
-# C is executed as text in tests/derive/codegen/test_c_text.py; the headers of the native target are those of C
+# tests/derive/codegen/test_c_text.py interprets the C headers, which the native target uses too
 NAMES = [name for name in TARGETS if name not in ("c", "native", "numpy")]
 
 
@@ -47,7 +47,7 @@ def test_scalar_last_reorders_each_half_of_a_quaternion(package, target, out):
 
 
 @pytest.mark.parametrize("target", ["numba", "array-api"])
-def test_a_module_shows_what_it_offers(package, target):
+def test_dir_of_a_module_lists_its_public_names(package, target):
     for table in ("", ".rotation"):
         module = importlib.import_module(f"{package(target)}{table}.cayley3")
         assert sorted(dir(module)) == sorted(module.__all__)

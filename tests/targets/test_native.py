@@ -1,6 +1,6 @@
-"""Compiled NumPy functions beneath the committed kernels: the same results and errors, and none when switched off.
+"""Compiled NumPy functions behind the committed kernels: equal results and errors, and a switch that disables them.
 
-Those of poses and of rotations alone are one distribution.
+One distribution holds the functions of poses and of rotations.
 """
 
 from __future__ import annotations
@@ -43,13 +43,13 @@ OF_ROTATIONS = sorted(
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Return the folder where the package is installed; all processes share one build."""
+    """Return the folder with the installed package; all test processes share one build."""
     return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
 
 
 @pytest.fixture(scope="module")
 def package(site: Path) -> Iterator[str]:
-    """The name of a package of kernels that found the compiled functions."""
+    """Yield the name of a package of kernels that uses the compiled functions."""
     with found("dualcay_on_native", site) as name:
         yield name
 
@@ -82,7 +82,7 @@ def test_every_program_is_compiled(native, rotations):
 
 
 def test_reimport_reuses_compiled_functions(native):
-    """NumPy holds on to tables of an extension module, which it must not make anew."""
+    """Check that a second import does not recreate tables of the extension module, which NumPy keeps."""
     native(3).pose(np.zeros(6))
     name = "dualcay_native.cayley3"
     first = sys.modules.pop(name)
@@ -93,7 +93,7 @@ def test_reimport_reuses_compiled_functions(native):
 
 @pytest.mark.parametrize("chart", CHARTS[:2], ids=lambda chart: chart.name)
 def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
-    """Agreement within rounding bounds: types, layouts, batches, ``out``, overlaps, branches, threads, refusals."""
+    """Replay with all types, layouts, batches, ``out``, overlaps and branches."""
     machinery = TARGETS["numpy"].machinery
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
@@ -114,7 +114,7 @@ def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
 def test_fast_path_takes_plain_float64_arrays_and_agrees_to_the_digit(native, name):
-    """Any batch of aligned float64, or one beside a batch; everything else is refused, in silence."""
+    """Check that the fast path takes aligned float64 arrays of any batch shape, and silently refuses bad arguments."""
     function, directly = native(3).CHART.native[name]
     values = inputs(load(3), name, 3, (12,))
     parts = [array.shape for array in PUBLIC[name].arguments]
@@ -189,7 +189,7 @@ def test_errors_are_those_of_numpy_kernels(native, call):
 
 
 def test_singular_points_raise_no_floating_point_error(native):
-    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # q = 0, nearly, and v = 0 of a shadow
+    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # pole where q is nearly 0
     with np.errstate(all="raise"), warnings.catch_warnings():
         warnings.simplefilter("error")
         assert not np.isfinite(native(3).shadow(np.zeros(6), 1)).any()
@@ -198,8 +198,8 @@ def test_singular_points_raise_no_floating_point_error(native):
         assert np.isnan(native(3).pose(np.array([[np.nan, 0, 0, 0, 0, 0], pole]))).any(axis=(1, 2)).tolist() == [1, 0]
 
 
-def test_other_threads_run_meanwhile(native):
-    """A counting thread goes on during a long call, which therefore holds no lock."""
+def test_other_threads_run_during_a_call(native):
+    """Check that a counting thread continues during a long call, which therefore does not hold the GIL."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
 
@@ -226,14 +226,14 @@ print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().v
 
 
 def said(site: Path, **environment: str) -> tuple[str, str]:
-    """Return output and warnings of a fresh process."""
+    """Return the output and warnings of a fresh process."""
     paths = os.pathsep.join([str(site), str(ROOT.parent)])
     env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
     done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)
     return done.stdout, done.stderr
 
 
-def test_an_environment_variable_switches_it_off(site):
+def test_environment_variable_disables_compiled_functions(site):
     assert said(site, DUALCAY_NATIVE="0") == ("{'numpy'}\n", "")
     assert "native in" in said(site)[0]
 

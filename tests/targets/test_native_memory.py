@@ -1,4 +1,4 @@
-"""Compiled NumPy functions under sanitizers: no access out of bounds, nothing undefined, in all layouts and types."""
+"""Compiled NumPy functions under sanitizers: no access out of bounds, no undefined behaviour in any layout or type."""
 
 from __future__ import annotations
 

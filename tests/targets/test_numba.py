@@ -1,4 +1,4 @@
-"""The numba target: against the oracle and the NumPy kernels, in every layout, and the promises of its interface."""
+"""Numba target: compared with the oracle, the NumPy kernels in every layout, and the documented interface."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ pytestmark = pytest.mark.thorough
 
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
-"""One function of each kind, since loops over columns take seconds to compile."""
+"""One function for each kind of arguments and result, since loops over columns take seconds to compile."""
 REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 
 
 @pytest.fixture
 def inside(package):
-    """Return the function that makes a kernel callable from compiled code."""
+    """Return the package function that makes a kernel callable from compiled code."""
     return importlib.import_module(package("numba")).compiled
 
 
@@ -46,7 +46,7 @@ def test_gates_of_the_oracle_hold(compiled, name):
 
 
 def test_the_replay_runs_on_compiled_loops(package):
-    """In double precision, for which other tests compile the same loops."""
+    """Replay in double precision only, for which other tests compile these loops anyway."""
     doubles = Library("numpy", np.asarray, NUMPY.dtypes[:1])
     assert replay_package(package("numba"), Cayley(ORDER), Machinery(), [doubles], geometry=False) > 100
 
@@ -61,7 +61,7 @@ def test_rows_are_the_same_program(compiled, name):
     assert_nearly_equal(last, getattr(load(ORDER), name)(*values), eps=40)
 
 
-# what a chart of its own, geometry with its scalars, and selections become; the source was validated for every order
+# compiled loops of other charts, with and without selections; the source is validated for every order elsewhere
 @pytest.mark.parametrize(
     ("order", "name"), [(1, "pose"), (1, "from_pose"), (2, "quaternion"), (2, "rate"), (8, "pose"), (8, "principal")]
 )
@@ -156,7 +156,7 @@ def test_no_loop_stores_more_than_is_vectorised():
 def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
     module = compiled(ORDER)
     kernel = module.CHART.kernels[name]
-    # of a loop that came from the cache on disk Numba has no text: these are compiled here and now
+    # Numba has no LLVM text of loops loaded from the disk cache, so the loops are compiled again
     loops = [jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
     monkeypatch.setattr(kernel, "loops", loops)
     getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
@@ -167,7 +167,7 @@ def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
 
 @pytest.fixture
 def imported(package, tmp_path, monkeypatch):
-    """Import a module of a copy of the package anew, as another process does, after a change of its text."""
+    """Return a function that changes a module in a copy of the package and imports it afresh, like another process."""
     name = package("numba")
     source = next(Path(p) / name for p in sys.path if (Path(p) / name).is_dir())
     folder = shutil.copytree(source, tmp_path / "kept_on_disk", ignore=shutil.ignore_patterns("__pycache__"))
@@ -202,7 +202,7 @@ def test_compiled_loops_are_kept_on_disk_for_each_chart_and_its_scalars(imported
     assert hits(negative) == 0
 
 
-def test_cores_serve_loops_compiled_elsewhere(compiled):
+def test_compiled_user_code_may_call_cores(compiled):
     core = compiled(ORDER).CHART.kernels["quaternion"].kernel.core
 
     @njit
@@ -237,7 +237,7 @@ def test_kernels_are_called_pose_by_pose(compiled, inside, name):
 
 
 def test_code_that_numba_compiles_calls_kernels(compiled, inside):
-    """Functions in the space frame and in the body frame share one kernel, with different constants."""
+    """Functions of the space frame and the body frame share one kernel, with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 
     @njit
@@ -255,7 +255,7 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
 
 
 def test_compiled_functions_are_cached(compiled, inside):
-    """Each function is compiled once; functions of one kernel with different constants are separate."""
+    """Check that each function is compiled once, and that functions of one kernel with other constants are separate."""
     module = compiled(ORDER)
     assert inside(module.twist) is inside(module.twist)
     assert inside(module.twist) is not inside(module.body_twist)
@@ -278,7 +278,7 @@ def test_compiled_kernel_refuses_arrays_of_other_sizes(compiled, inside):
 
 
 @pytest.mark.parametrize("dtype", [">f4", ">f8"])
-def test_numbers_of_the_other_byte_order_are_turned(compiled, dtype):
+def test_byte_swapped_arrays_are_converted(compiled, dtype):
     v = sampling.poses(ORDER, "uniform").astype(dtype)
     got = compiled(ORDER).pose(v)
     assert got.dtype == np.dtype(dtype).newbyteorder("=")

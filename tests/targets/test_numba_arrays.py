@@ -1,4 +1,4 @@
-"""Arrays as the numba target takes them: which way is the shortest, and where loops may write."""
+"""Array handling of the numba target: arguments that take the fast path, and results that loops write directly."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from derive.output import files
 
 @pytest.fixture(scope="module")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Return the run-time module of the templates; nothing is compiled."""
+    """Yield the run-time module of the templates; nothing is compiled."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numba"]))
     with loaded(folder) as package:
@@ -27,7 +27,7 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
 
 
 def added(arrays: list[Any], result: Any) -> None:
-    """A kernel of 2 + 2 components and 3 of a result."""
+    """Compute 3 result components from two arguments of 2 components, in place of a kernel."""
     first, second = arrays
     result[...] = np.stack([first[..., 0], second[..., 1], first[..., 1] + second[..., 0]], axis=-1)
 

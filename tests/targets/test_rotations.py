@@ -1,4 +1,4 @@
-"""Rotations alone in other targets: what the NumPy kernels return."""
+"""Rotations alone in other targets agree with the NumPy kernels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 EPS = np.finfo(float).eps
 COMPILED = ("tensor", "twist", "compose", "shadow", "from_angle_axis", "to_angle_axis", "rate_jacobian")
-"""One function of each kind, since each takes a second to compile."""
+"""Selection of one function of each kind, since each takes a second to compile."""
 
 
 def require_equal(module: ModuleType, kernels: ModuleType, name: str, make: Callable[[np.ndarray], Any]) -> None:
@@ -46,7 +46,7 @@ def test_compiled_functions(package):
     assert module.random((2,), rng=0).shape == (2, 3)
 
 
-def test_a_lone_angle_may_be_a_number_of_python(package):
+def test_single_angle_may_be_a_python_number(package):
     module = importlib.import_module(f"{package('array-api')}.rotation.cayley2")
     v = module.from_angle_axis(np.pi / 2, np.array([0, 0, 1.0]))
-    np.testing.assert_allclose(v, [0, 0, np.tan(np.pi / 8)], rtol=2 * EPS)  # a tangent and a product
+    np.testing.assert_allclose(v, [0, 0, np.tan(np.pi / 8)], rtol=2 * EPS)  # errors of a tangent and a product

@@ -1,19 +1,19 @@
-"""Translation validation: the text on disk is executed, and its results equal those of the formula.
+"""Translation validation: execute the kernels on disk and compare their results with the formulas.
 
 ============= ==========================================================================================
 vectors       vectors of a chart and their branches, from φ alone
 formulas      expected values of algebraic functions, on symbols or at numbers
 inverse_maps  expected values of all other functions, at numbers of 50 digits
-decimals      numbers of 50 digits as kernels take them, and how near they have to be
-screws        seeded screws on which every side of every selection is taken
+decimals      numbers of 50 digits that kernels take, and the tolerance of their results
+screws        seeded screws that cover every side of every selection
 samples       seeded cases with expected values of 50 digits
-batches       cases of every function, and how results are compared with them
+batches       cases of every function by branch, and the comparison of results
 float_cases   cases in floats, for replays and for compiled tests
-loading       load a package from disk under a name of its own
+loading       load a package from disk under a unique name
 run           run a Python package on exact numbers
-c_text        run a C header on exact numbers, in all the ways its functions may be called
-c_interpreter a preprocessor, parser and translator of the C that headers are made of
-compiled      compile the differential test beside a C header, and run it
+c_text        run a C header on exact numbers, in both call forms and all array layouts
+c_interpreter preprocessor, parser and translator for the subset of C used in headers
+compiled      compile and run the differential test of a C header
 replay        call a package on floats, one by one and in arrays
 ============= ==========================================================================================
 """

@@ -1,4 +1,4 @@
-"""Cases of every function of a chart, by function and branch, and how results are compared with them."""
+"""Cases of every function of a chart, by function and branch, and the comparison of results with them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .formulas import Expectation
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Cases of one function and branch, on ring elements or, within a tolerance, on numbers of 50 digits."""
+    """Cases of one function and branch: exact on ring elements, or within a tolerance on 50-digit numbers."""
 
     row: Function
     branch: tuple[int, ...]
@@ -33,12 +33,12 @@ class Batch:
 
     @property
     def exact(self) -> bool:
-        """Whether results are elements of a ring."""
+        """True if results are elements of a ring."""
         return self.tolerance is None
 
     @property
     def agree(self) -> Callable[[Any, Any], bool]:
-        """The comparison of a result with the expected one."""
+        """Comparison of a result with the expected one."""
         return same if self.exact else partial(decimals.close, tolerance=self.tolerance)
 
 
@@ -49,7 +49,7 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
     Raises
     ------
     ValueError
-        If a function has no case, or in an algebraic chart no exact one where its row says so.
+        If a function has no case, or lacks the exact case that its row requires in an algebraic chart.
     """
     algebraic = is_algebraic(chart)
     with mpmath.workdps(decimals.DIGITS):
@@ -63,12 +63,12 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
 
 
 def same(got: Any, expected: Any) -> bool:
-    """Return whether two numbers are equal; NaN equals itself only."""
+    """Tell whether two numbers are equal; NaN equals only NaN."""
     return bool(got == expected or (got != got and expected != expected))
 
 
 def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[Any, Any], bool]) -> None:
-    """Raise `ValidationFailed` at the first component that is not the expected one."""
+    """Raise `ValidationFailed` at the first component that differs from the expected one."""
     if len(found) != len(expected):
         raise ValidationFailed(f"{where}: {len(found)} components, expected {len(expected)}")
     for index, (got, wanted) in enumerate(zip(found, expected, strict=True)):
@@ -87,7 +87,7 @@ def _require(kind: str, names: Iterable[str], found: Iterable[Batch]) -> None:
 
 
 def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = None) -> Batch:
-    """Return a batch of exact cases, or of decimal ones of a chart."""
+    """Return a batch of exact cases or, if a chart is given, of 50-digit cases."""
     function, *branch = cases[0].function.split()
     row = table.functions[function]
     tolerance = decimals.tolerance(chart, row.remainder) if chart else None

@@ -1,4 +1,4 @@
-"""Run the functions of a C header on exact numbers, in all the ways its functions may be called."""
+"""Run the functions of a C header on exact numbers, in both call forms and all array layouts."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ SEED = 1863
 
 
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Run the headers of a chart, one for each table; return how many calls equal the formula.
+    """Run the headers of a chart, one for each table; return the number of calls that equal the formula.
 
-    Rational functions run on symbols, the others on numbers of 50 digits. With ``geometry`` all functions are called,
-    with results laid over arguments too. Otherwise functions are called that read the chart's own scalars.
-    `ValidationFailed` names the function, or the line that divides integers, leaves an array or reads an unset cell.
+    Algebraic functions run on symbols, others on numbers of 50 digits. With ``geometry`` all functions are called, also
+    with results that overlap arguments. Otherwise only `own_functions` are called. `ValidationFailed` names the
+    function, or the line that divides integers, leaves the bounds of an array or reads an unset cell.
     """
     headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:
@@ -46,7 +46,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
-    """Compare both forms of functions with their expected values, perhaps in all layouts; return the call count."""
+    """Compare both call forms of functions with their expected values, optionally in all layouts; return the count."""
     count = 0
     with mpmath.workdps(decimals.DIGITS):
         for batch in given:
@@ -61,13 +61,13 @@ def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES
 
 
 def prefix(chart: Chart, table: Table) -> str:
-    """Return the beginning of function names, before a further underscore."""
+    """Return the prefix of function names, without the underscore that follows."""
     return "_".join(filter(None, ("dualcay", table.name, chart.name)))
 
 
 @dataclass(frozen=True, slots=True)
 class Kernel:
-    """A function of a header, with its row of a table and perhaps a branch: flat arguments in, the flat result out."""
+    """Function of a header with its row of a table and its branch; arguments and results are flat."""
 
     unit: Unit
     name: str
@@ -76,22 +76,22 @@ class Kernel:
 
     @property
     def sizes(self) -> list[int]:
-        """Components of each result."""
+        """Number of components of each result."""
         return [array.size for array in self.row.results]
 
     def plain(self, arguments: Sequence[Flat]) -> Flat:
-        """Call the form for one value, every array in its own memory."""
+        """Call the form for one value, with every array in separate memory."""
         return self._one([Pointer.to(list(argument)) for argument in arguments], list(map(_unset, self.sizes)))
 
     def overlapping(self, arguments: Sequence[Flat], start: int) -> Flat:
-        """Call the form for one value, with all arrays in one memory and results from cell ``start`` on."""
+        """Call the form for one value, with all arrays in one memory and the results at cell ``start``."""
         space = [UNSET] * sum(self.sizes)
         cells = [*space, *(c for argument in arguments for c in argument), *space]
         given = _consecutive(cells, len(space), [len(argument) for argument in arguments])
         return self._one(given, _consecutive(cells, start, self.sizes))
 
     def rows(self, batch: Sequence[Sequence[Flat]]) -> list[Flat]:
-        """Call the form for several values, in arrays of components whose rows are a stride of their own apart."""
+        """Call the form for several values, with a different stride between the rows of each array."""
         sizes = [*map(len, batch[0]), *self.sizes]
         strides = range(len(batch) + 1, len(batch) + 1 + len(sizes))
         arrays = [_unset(size * stride) for size, stride in zip(sizes, strides, strict=True)]
@@ -121,7 +121,7 @@ def _consecutive(cells: list[Any], start: int, sizes: Sequence[int]) -> list[Poi
 
 
 def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) -> int:
-    """Call in rows, lay results over arguments, choose branches by other integers: not a bit of a result may change."""
+    """Check that results stay bit-identical in rows, with overlapping arrays and with equivalent branch numbers."""
     expected = [kernel.plain(arguments) for arguments in samples]
     room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):
@@ -136,7 +136,7 @@ def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) ->
 
 
 def _samples(batch: Batch) -> Sequence[Sequence[Flat]]:
-    """Return three arguments of 50 digits for the layouts of a function: those of its cases, or seeded ones."""
+    """Return three argument lists of 50 digits for layouts: taken from the cases, or drawn if the cases are exact."""
     if not batch.exact:
         return [batch.cases[place].arguments for place in (0, len(batch.cases) // 2, -1)]
     draw = random.Random(SEED)
@@ -148,7 +148,7 @@ def _samples(batch: Batch) -> Sequence[Sequence[Flat]]:
 
 
 def _require_macros(unit: Unit, chart: Chart, tables: Sequence[Table]) -> None:
-    """Compare the macros of a chart, further names of functions among them, and its singular angles."""
+    """Compare the macros of a chart, including function aliases, and its singular angles with the expected ones."""
     begin, angles = prefix(chart, POSES), [UNSET] * len(chart.singular_angles)
     expected = {f"{begin.upper()}_ORDER": str(chart.order), f"{begin.upper()}_SINGULAR_ANGLES": str(len(angles))}
     for table, form in itertools.product(tables, ("", "_rows")):

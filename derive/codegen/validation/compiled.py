@@ -1,4 +1,4 @@
-"""Compile the differential test that lies beside a C header, run it, and count the calls that agree."""
+"""Compile and run the differential test of a C header, and count the calls that agree."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FLAGS = ("-std=c99", "-O1")
 
 
 def compiler() -> list[str] | None:
-    """Return the command of a C compiler: the value of CC, else the first that is found; None without any."""
+    """Return the command of a C compiler: the value of CC, else the first one found, else None."""
     named = shlex.split(os.environ.get("CC", ""))
     for command in [named] if named else [[name] for name in COMPILERS]:
         if shutil.which(command[0]):
@@ -29,7 +29,7 @@ def compiler() -> list[str] | None:
 
 
 def test(folder: Path, chart: Chart) -> int | None:
-    """Run the differential test of a chart in both real types; return how many calls agree, None without a compiler."""
+    """Run the differential test of a chart in both real types; return the agreeing calls, or None if no compiler."""
     command = compiler()
     if command is None:
         return None

@@ -1,4 +1,4 @@
-"""Numbers of 50 digits which kernels take inside object arrays, and how near to one another they have to be."""
+"""Numbers of 50 digits that kernels take in object arrays, and the tolerance of their results."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from ...maps.chart import Chart
 DIGITS = 50
 
 CONSTANTS_ERROR = mpmath.mpf(10) ** -40
-"""Error of printed constants, which have as many digits."""
+"""Error of printed constants, which have 40 digits."""
 
 CONDITION_MAX = mpmath.mpf(10) ** 8
-"""Factor by which errors of constants and scalars grow, at most, in the results of seeded cases."""
+"""Largest factor by which errors of constants and scalars grow in the results of seeded cases."""
 
 NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
-"""Undefined results are NaN, and a quotient by zero is infinite, for a selection computes the side not taken too."""
+"""Context without traps: a selection also computes the side not taken, where results may be NaN or infinite."""
 
 ONE, TWO = decimal.Decimal(1), decimal.Decimal(2)
 
 
 def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -> Callable[[Decimal, object], Decimal]:
-    """Return an operation with an exact partner; each step of a kernel is one, so no further call is made."""
+    """Return an operation of a `Decimal` with an exact number; inlined for speed, as kernels consist of these steps."""
 
     def operation(self: Decimal, other: object) -> Decimal:
         value = other.value if type(other) is Decimal else _partner(other)
@@ -53,7 +53,7 @@ _integer = lru_cache(maxsize=256)(NUMBERS.create_decimal)
 
 
 class Decimal:
-    """A real number of 50 digits: + - * / with exact partners, comparison, ``abs`` and the functions of kernels."""
+    """Real number of 50 digits: + - * / with exact numbers, comparison, ``abs`` and the functions of kernels."""
 
     __slots__ = ("value",)
 
@@ -88,7 +88,7 @@ class Decimal:
     def sqrt(self) -> Decimal:
         return Decimal(NUMBERS.sqrt(self.value))
 
-    def tan(self) -> Decimal:  # of an infinite number mpmath would raise a flag that NumPy warns of
+    def tan(self) -> Decimal:  # tan of infinity in mpmath would raise a flag that makes NumPy warn
         return _computed(mpmath.tan, mpmath.mp.prec, self.value) if self.value.is_finite() else Decimal(mpmath.nan)
 
     def arctan2(self, other: object) -> Decimal:
@@ -101,14 +101,14 @@ class Decimal:
         return _computed(mpmath.log1p, mpmath.mp.prec, self.value) if self > -1 else Decimal(mpmath.nan)
 
 
-@lru_cache(maxsize=4096)  # programs in every layout ask for the same
+@lru_cache(maxsize=4096)  # calls in different layouts repeat the arguments
 def _computed(function: Callable[..., Any], precision: int, *values: decimal.Decimal) -> Decimal:
     """Return the value of a function of mpmath; ``precision`` is the working precision, a key of the cache."""
     return Decimal(function(*map(_binary, values)))
 
 
 def _of(value: Any) -> decimal.Decimal:
-    """Return a decimal number, an int, a Fraction or a number of mpmath in decimals; no other has so many digits."""
+    """Convert a decimal number, an int, a Fraction or an mpmath number; refuse other types, which have fewer digits."""
     if isinstance(value, decimal.Decimal):
         return value
     if isinstance(value, int):
@@ -120,7 +120,7 @@ def _of(value: Any) -> decimal.Decimal:
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa:
         return decimal.Decimal(float(value))  # 0, infinite or NaN
-    digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # of its own type where gmpy2 is installed
+    digits = decimal.Decimal(int(-mantissa if sign else mantissa))  # the mantissa is an mpz if gmpy2 is installed
     scale = _power_of_two(abs(exponent))
     return NUMBERS.multiply(digits, scale) if exponent > 0 else NUMBERS.divide(digits, scale)
 
@@ -129,20 +129,20 @@ _power_of_two = lru_cache(maxsize=1024)(partial(NUMBERS.power, TWO))
 
 
 def _binary(value: decimal.Decimal) -> Any:
-    """Return a decimal number as one of mpmath, which has the functions."""
+    """Return a decimal number as an mpmath number, for which ``tan`` and other functions exist."""
     if not value.is_finite():
         return mpmath.mpf(float(value))
-    places = DIGITS - value.adjusted()  # of a whole number with all its digits
+    places = DIGITS - value.adjusted()  # shift that makes the number an integer with all its digits
     return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / mpmath.mpf(10) ** places
 
 
 def tolerance(chart: Chart, remainder: float = 0.0) -> Decimal:
-    """Return the largest error of results of 50-digit numbers, relative to 1 plus their size."""
+    """Return the largest allowed error of 50-digit results, relative to 1 plus their size."""
     return Decimal(CONDITION_MAX * max(CONSTANTS_ERROR, mpmath.mpf(chart.remainder), mpmath.mpf(remainder)))
 
 
 def close(got: Any, expected: Any, tolerance: Decimal) -> bool:
-    """Return whether a result of 50-digit numbers is the expected one."""
+    """Tell whether a 50-digit result agrees with the expected one within a tolerance."""
     value, wanted = (number.value if isinstance(number, Decimal) else _of(number) for number in (got, expected))
     if wanted.is_nan():
         return value.is_nan()

@@ -1,5 +1,5 @@
-"""The exception of all validation."""
+"""Exception of all validation."""
 
 
 class ValidationFailed(Exception):
-    """An emitted kernel does not compute its formula, or does not keep what its interface promises."""
+    """Error of an emitted kernel that differs from its formula or breaks its interface."""

@@ -1,9 +1,9 @@
 """Seeded cases in floating-point numbers, for replays on floats and for differential tests of compiled code.
 
-Arguments are numbers that a float holds, or that round to one. Results are those of the formula to 50 digits. The error
-of every part of a result, real or dual, is measured by a scale: the norm of the part or, where larger, how far it moves
-when arguments move by their own size. Of forward maps dual arguments are moved, in which they are linear, and further
-arguments as a whole; of inverse maps all are. Where a program computes a vector from its angle, that is moved, too.
+Arguments are exact floats or numbers that round to floats. Expected results come from the formula to 50 digits. Each
+real or dual part of a result has an error scale: its norm or, if larger, its change when arguments change by their own
+size. Forward maps are linear in dual components: each of these is varied, and each further argument as a whole. For
+inverse maps each component is varied. The angle is varied, too, if the program computes a vector from it.
 """
 
 from __future__ import annotations
@@ -33,29 +33,29 @@ POINTS = 3
 STEP = mpmath.mpf(2) ** -80
 
 COMPONENT_MAX = 3
-"""Largest component of v, by φ′(0)."""
+"""Largest component of v, divided by φ′(0)."""
 
 GRID = 2**18
-"""Steps of arguments in a unit: few enough for products of float32 to be exact."""
+"""Grid steps of arguments per unit: few enough for float32 to hold arguments exactly."""
 
 SMALL = 2.0**-8
-"""Size of the small components of a quaternion, whose rows of the rotation matrix lose two bytes."""
+"""Size of the small quaternion components: rows of the rotation matrix that belong to them lose 16 bits."""
 
 ORDINARY = 4
-"""Number of screws at which derivatives are taken, the first ones of a cover: they are near no selection."""
+"""Number of screws for derivatives: the first ones from `covering`, which are far from every selection."""
 
 JACOBIANS = ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians")
 
 SHORTER = 2
-"""Divisor of the steps at which derivatives are taken: near the edge of a chart they grow with the rounding of α."""
+"""Divisor that shortens the steps of step Jacobians: near the edge they amplify the rounding of α."""
 
 EDGE_MARGIN = 0.1
-"""Least margin to the edge, as of `Vectors.finite`: rounding of the principal v grows by its inverse."""
+"""Least margin to the edge, as defined by `Vectors.finite`: its inverse amplifies the rounding of the principal v."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """A call: its arguments and branch, and the result by the formula."""
+    """Function call with its arguments and branch, and the result by the formula."""
 
     chart: Vectors
     row: Function
@@ -73,7 +73,7 @@ class Case:
 
     @cached_property
     def scales(self) -> tuple[float, ...]:
-        """The scale of the error of each part of the result."""
+        """Error scale of each part of the result."""
         row = self.row
         places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
         with mpmath.workdps(DIGITS):
@@ -89,14 +89,14 @@ class Case:
             return tuple(float(max(found)) for found in sums)
 
     def _moved(self, place: int, components: Sequence[int]) -> Flat:
-        """Return how far the result goes when these components of an argument move by their own size."""
+        """Return the change of the result, to first order, when components of an argument change by their own size."""
         given = self.arguments
         stepped = tuple(c * (1 + STEP) if j in components else c for j, c in enumerate(given[place]))
         there = value(self.chart, self.row, self.branch, [*given[:place], stepped, *given[place + 1 :]])
         return tuple((b - a) / STEP for a, b in zip(self.result, there, strict=True))
 
     def _by_angle(self) -> list[Flat]:
-        """Return how far a vector goes when its angle moves by its own size, where its program computes the angle."""
+        """Return the change of a vector when its angle changes by its own size, if the program computes the angle."""
         pose, result = self.row.pose or self.row, self.result
         if "coefficient" not in {call.function for call in geometry()[pose.kernel].calls} or pose.shape != (6,):
             return []
@@ -106,7 +106,7 @@ class Case:
 
 
 Call = tuple[str, int | None, tuple[Flat, ...]]
-"""Function of poses, branch and arguments."""
+"""Name of a pose function, branch and arguments."""
 
 
 @lru_cache(maxsize=8)
@@ -121,7 +121,7 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[Case]:
 
 
 def nearby(value: Any) -> Any:
-    """Return a number nearby that a float holds."""
+    """Return the nearest number on the grid of floats, a multiple of 1/`GRID`."""
     return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
 
 
@@ -130,7 +130,7 @@ def _short(values: Flat) -> Flat:
 
 
 def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
-    """Yield calls at seeded vectors, with Re|v| well below the first pole of T⁻¹, and at seeded screws."""
+    """Yield calls at seeded vectors, with Re|v| well below the first singular point, and at seeded screws."""
     size = chart.component(COMPONENT_MAX * chart.slope(0), chart.first_pole)
     for _ in range(POINTS):
         drawn = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
@@ -156,7 +156,7 @@ def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws
-        for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # none that far on, of some φ
+        for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # for some φ none is finite
             v, v_k = (_short(flat(chart.at(screw, k))) for k in (0, branch))
             yield from _on_branch(screw, branch, v)
             for name in ("principal", "to_screw", "angle", "to_exponential"):

@@ -1,7 +1,7 @@
 """Expected values of algebraic kernel functions, from the formulas alone: exactly on ring elements, or at numbers.
 
-Formulas in x are lifted into an exact ring. Formulas in α, which no ring holds, are evaluated at numbers only.
-Derivatives are those of the formulas, in dual numbers of one more level: no slope of a chart's scalars enters.
+Formulas in x are lifted into an exact ring. Formulas in α have no exact ring and are evaluated at numbers only.
+Derivatives of the formulas use one more level of dual numbers; slopes of a chart's scalars are not used.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from ..signatures import POSES
 from .vectors import Flat, Vectors, dual, flat
 
 ROOTS_MAX = 2
-"""Largest number of square roots with which the inverse map is compared exactly; more would take too long."""
+"""Largest number of square roots in an inverse map that is compared exactly; more would take too long."""
 
 LETTERS = ("v", "w", "z")
-"""Symbols that stand for the arguments of a function, in order; those of the first are a vector of the ring."""
+"""Letters of the symbols of each argument of a function; the first argument is the vector v of the ring."""
 
 
 @dataclass(frozen=True)
 class Expectation:
-    """Arguments of a kernel function and its result, both as flat components; the branch follows the function's name.
+    """Arguments and result of a kernel function, as flat components; the branch follows the function's name.
 
-    A result that takes long to compute is given as a function, which is called when the result is asked for.
+    An expensive result is given as a function, which is called on first access.
     """
 
     function: str
@@ -48,20 +48,20 @@ class Expectation:
         return self.given() if callable(self.given) else self.given
 
 
-@lru_cache(maxsize=256)  # to ask walks the tree
+@lru_cache(maxsize=256)  # free_symbols walks the whole expression tree
 def _has_angle(expression: sympy.Expr) -> bool:
     return alpha in expression.free_symbols
 
 
 @dataclass(frozen=True, slots=True)
 class Formulas:
-    """Formulas of a chart at ring elements, or at numbers where the `Vectors` of the chart are given as ``ring``."""
+    """Formulas of a chart at ring elements, or at numbers if ``ring`` is the `Vectors` of the chart."""
 
     chart: Chart
     ring: Any
 
     def lifted(self, expression: sympy.Expr, at: Coefficient) -> Coefficient:
-        """Return an algebraic expression at a number, dual of any level: ``f(a + ε b) = f(a) + ε b f′(a)``."""
+        """Return an expression at a number with any levels of dual parts: ``f(a + ε b) = f(a) + ε b f′(a)``."""
         if isinstance(self.ring, Vectors) and not _has_angle(expression):
             return evaluate(expression, x, at)
         order, plain = 0, at
@@ -90,12 +90,12 @@ class Formulas:
         return pose_from_tensor(self.tensor(v).tensor(v))
 
     def tangent(self, v: Vector, hand: int = 1) -> Isotropic:
-        """Return T, or its transpose with hand −1."""
+        """Return T for ``hand`` 1, or its transpose for ``hand`` −1."""
         T = self._operator(self.chart.tangent, v)
         return T if hand == 1 else T.transpose
 
     def tangent_inv(self, v: Vector, hand: int = 1) -> Isotropic:
-        """Return T⁻¹, or its transpose with hand −1."""
+        """Return T⁻¹ for ``hand`` 1, or its transpose for ``hand`` −1."""
         T = self._operator(self.chart.tangent_inv, v)
         return T if hand == 1 else T.transpose
 
@@ -107,7 +107,7 @@ def rows_of_pose(pose: Pose) -> Flat:
     return (*rows, 0, 0, 0, 1)
 
 
-# --- derivatives: an outer dual part is one by time, or along a component of v ------------------------------------
+# --- derivatives: the outer dual part is a derivative by time or by a component of v ------------------------------
 
 
 def moving(a: Vector, rate: Vector) -> Vector:
@@ -116,7 +116,7 @@ def moving(a: Vector, rate: Vector) -> Vector:
 
 
 def matrix6(columns: Sequence[Vector]) -> Flat:
-    """Return the real matrix that acts on dual vectors as the dual tensor of these columns does."""
+    """Return the real 6 × 6 matrix of the dual tensor with these columns, acting on dual vectors."""
     re, du = ([column.re for column in columns], [column.du for column in columns])
     upper = (entry for row in zip(*re, strict=True) for entry in (*row, 0, 0, 0))
     lower = (entry for row, below in zip(zip(*du, strict=True), zip(*re, strict=True)) for entry in (*row, *below))
@@ -135,12 +135,12 @@ Operator = Callable[..., Isotropic]
 
 
 def _applied(operator: Operator, hand: int) -> Value:
-    """Return the function that applies an operator to the second argument."""
+    """Return a function that applies an operator at v to its second argument."""
     return lambda at, v, w: flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
 
 
 def _applied_jacobian(operator: Operator, hand: int) -> Value:
-    """Return the derivative by v of an operator applied to the second argument."""
+    """Return the derivative by v of an operator at v applied to a fixed second argument."""
 
     def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
         fixed = moving(dual(w), 0 * dual(w))
@@ -175,7 +175,7 @@ def _rate_dot(hand: int) -> Value:
 
 
 def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
-    """Return the rates of the moved point by each component of v, then Q."""
+    """Return the derivative of the transformed point by v, then its derivative Q by the point."""
     here, point = dual(v), Vector(*r)
     still = 0 * here.re
     columns = []
@@ -198,7 +198,7 @@ def _adjoint(at: Formulas, v: Flat) -> Flat:
 
 
 BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: flat(at.quaternion(dual(v)))}
-"""Functions whose formulas may hold a root."""
+"""Functions of the quaternion, whose formulas may contain a root."""
 
 BY_TENSORS: Mapping[str, Value] = {
     "tensor": lambda at, v: flat(at.tensor(dual(v)).tensor(dual(v))),
@@ -226,7 +226,7 @@ BY_HAND: Mapping[str, Callable[[int], Value]] = {
     "twist_jacobian": partial(_applied_jacobian, Formulas.tangent),
     "rate_jacobian": partial(_applied_jacobian, Formulas.tangent_inv),
 }
-"""Functions of the tangent operator, in space with hand 1 and in the body with hand −1."""
+"""Functions of the tangent operator: in the space frame with hand 1, in the body frame with hand −1."""
 
 FRAMES = {"": 1, "body_": -1}
 
@@ -235,11 +235,11 @@ ALGEBRAIC: Mapping[str, Value] = {
     **BY_TENSORS,
     **{f"{frame}{name}": made(hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
 }
-"""Values by kernel function, from the formulas of a chart and flat arguments."""
+"""Expected values by kernel function, as functions of a chart's formulas and flat arguments."""
 
 
 def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
-    """Yield every algebraic function of a table on symbols, and `from_quaternion` where roots alone lead back."""
+    """Yield every algebraic function of a table on symbols, and `from_quaternion` if it needs only roots."""
     for name in filter(table.sources.__contains__, ALGEBRAIC):
         maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
         yield (case := _on_symbols(chart, table.sources[name], *maps))
@@ -257,11 +257,11 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
 
 
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
-    """Return the value of an algebraic function; of a rotation the real part at dual parts ``zero``."""
+    """Return the value of an algebraic function; rotations take its real part, at dual parts ``zero``."""
     return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
 
 
 def _goes_back_by_roots(chart: Chart) -> bool:
-    """Return whether the inverse map takes a few square roots and no trigonometry."""
+    """Tell whether the inverse map takes at most `ROOTS_MAX` square roots and no trigonometry."""
     operations = scalar_program("gain_unit", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX

@@ -1,4 +1,4 @@
-"""Expected values of inverse maps, screws, shadows, composition and steps, at given numbers, from φ alone."""
+"""Expected values of inverse maps, screws, shadows, composition and steps at given numbers, from φ alone."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle minus as many whole turns as bring it below the edge."""
+    """Return the angle reduced by whole turns until it is below the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle
@@ -85,7 +85,10 @@ def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
 
 
 def _retract(body: bool) -> Callable[..., Flat]:
-    """Return the vector of R(v) times exp(δ), on the branch whose angle is nearest that of v along the new axis."""
+    """Return a function for the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
+
+    The branch is chosen so that the angle is nearest to the projection of α u onto the new axis.
+    """
 
     def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
         small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
@@ -99,14 +102,14 @@ def _retract(body: bool) -> Callable[..., Flat]:
     return retracted
 
 
-@lru_cache(maxsize=16)  # most difference quotients move another argument
+@lru_cache(maxsize=16)  # most difference quotients leave δ unchanged
 def _turning(precision: int, *delta: Any) -> Quaternion:
     """Return exp(δ/2); ``precision`` is the working precision, a key of the cache."""
     return quaternion_exponential(dual(delta) / 2)
 
 
 def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Flat:
-    """Return exp(t δ) R(v1), on the branch reached continuously from that of v1."""
+    """Return the vector of exp(t δ) R(v1) on the branch reached continuously from the branch of v1."""
     if v1 == v2:
         return v1
     first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
@@ -129,7 +132,7 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
 
 
 def _local(body: bool) -> Callable[..., Flat]:
-    """Return δ = α u of the motion from v1 to v2."""
+    """Return a function for δ = α u of the motion from v1 to v2, in the body or space frame."""
 
     def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
         if v2 == v1:
@@ -144,7 +147,7 @@ def _local(body: bool) -> Callable[..., Flat]:
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
-    """Return the derivatives of a function by each of its dual vectors, as quotients in twice the precision."""
+    """Return the Jacobians of a function by each dual vector, as difference quotients in twice the precision."""
 
     def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
         with mpmath.workprec(2 * mpmath.mp.prec):
@@ -193,7 +196,7 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "retract_jacobians": _jacobians(_retract(body=False)),
     "body_retract_jacobians": _jacobians(_retract(body=True)),
 }
-"""Values by kernel function, for a chart, a branch and arguments."""
+"""Expected values by kernel function, as functions of a chart, a branch and arguments."""
 
 
 def value(chart: Vectors, row: Function, branch: int | None, arguments: Sequence[Flat]) -> Flat:

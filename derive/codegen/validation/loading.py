@@ -1,4 +1,4 @@
-"""Load a package of kernels from disk under a name of its own; the same text at the same place is compiled once."""
+"""Load a package of kernels from disk under a unique name; equal text at an equal path is compiled once."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from ..rows import Table
 from .errors import ValidationFailed
 
 NATIVE = "DUALCAY_NATIVE"
-"""Variable that switches off compiled functions, which may be installed: a package has to answer for itself."""
+"""Environment variable that switches off installed compiled functions, so that the Python kernels themselves run."""
 
 _serial = itertools.count()
 
 
 @contextmanager
 def loaded(folder: Path) -> Iterator[str]:
-    """Import a folder as a package under a name of its own, and remove all of it afterwards."""
+    """Import a folder as a package under a unique name, and remove its modules afterwards."""
     if not (folder / "__init__.py").is_file():
         raise ValidationFailed(f"{folder} is not a package")
     name = f"_dualcay_validated_{next(_serial)}"
@@ -50,7 +50,7 @@ def module_of(package: str, chart: Chart, table: Table) -> ModuleType:
 
 
 class _Loader(SourceFileLoader):
-    """Reads the source, whatever bytecode lies beside it, and compiles a text once."""
+    """Loader that ignores cached bytecode and compiles each source text once."""
 
     def get_code(self, fullname: str) -> CodeType:
         path = self.get_filename(fullname)
@@ -58,7 +58,7 @@ class _Loader(SourceFileLoader):
 
 
 class _Finder:
-    """Finds one package in a folder, and its modules as Python does."""
+    """Finder of one package in a folder, and of its modules in the usual way."""
 
     def __init__(self, package: str, folder: Path) -> None:
         self._package, self._folder = package, folder
@@ -74,7 +74,7 @@ class _Finder:
         return spec
 
 
-@lru_cache(maxsize=64)  # the modules that a package shares
+@lru_cache(maxsize=64)  # enough for the modules that charts of a package share
 def _compiled(source: bytes, path: str) -> CodeType:
     code: CodeType = compile(source, path, "exec", dont_inherit=True)
     return code

@@ -1,8 +1,8 @@
-"""Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not pass through.
+"""Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not exercise.
 
-Public functions are called on seeded cases, one by one and in arrays, and compared with the formula to half of the
-digits; where a case is ill-conditioned, within its scale. Calls that are the same for every chart are made once for a
-package. Kernels of any Python target are replayed, in the arrays of any library.
+Public functions are called on seeded cases, one by one and in arrays. Results agree with the formula to half of the
+digits, or within the error scale of an ill-conditioned case. Checks of the run-time parts, which all charts share, run
+once for a package. Kernels of any Python target are replayed, in the arrays of any library.
 """
 
 from __future__ import annotations
@@ -34,27 +34,27 @@ from .run import own_functions
 Array: TypeAlias = NDArray[Any]
 
 FEW = 20
-"""Size of small batches, where a target has none of its own."""
+"""Default size of the largest batch that runs pose by pose, for targets without this limit."""
 
 BLOCK = 7
-"""Block size of a replay, so that small batches have several blocks and a shorter last one."""
+"""Block size of a replay: small, so that test batches fill several blocks and end with a shorter one."""
 
 CASES_MAX = 4
-"""Cases of a function and branch that are replayed; one takes each row of a rotation matrix."""
+"""Largest number of cases of a function and branch: one for each row from which a quaternion is read."""
 
 TOLERANCE = 1 / 2
-"""Share of the digits of a type in which well-conditioned results agree."""
+"""Share of the digits of a type to which well-conditioned results must agree."""
 
 GATE = 16
-"""Largest error of any result, in units of the machine epsilon and of its scale."""
+"""Largest error of any result, in units of the machine epsilon times the scale of the case."""
 
 TOLERANCE_SAME = 1e-6
-"""Relative difference of two calls on the same numbers."""
+"""Largest relative difference between two calls on the same numbers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """Arrays as a target takes them: how they are made of those of NumPy, and the types replayed in them."""
+    """Array library of a target: conversion from NumPy arrays by ``make``, and the types that are replayed."""
 
     name: str
     make: Callable[[Array], Any]
@@ -66,11 +66,11 @@ NUMPY = Library("numpy", np.asarray, tuple(map(np.dtype, (np.float64, np.float32
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machinery:
-    """Run-time parts of a target around its kernels.
+    """Features of the run-time parts of a target.
 
-    ``out`` says whether functions take it, ``silent`` whether IEEE results at singular points come without a warning.
-    ``few`` and ``block`` are the places, ``module.NAME``, of the largest batch that runs pose by pose, and of the
-    largest block.
+    ``out`` tells whether functions take an argument ``out``. ``silent`` tells whether singular points give IEEE results
+    without a warning. ``few`` is the constant, as ``module.NAME``, that holds the size of the largest batch that runs
+    pose by pose. ``block`` is the constant that holds the size of the largest block.
     """
 
     out: bool = True
@@ -88,10 +88,10 @@ def replay(
     *,
     geometry: bool,
 ) -> int:
-    """Call the functions of a package on floats; return how many calls agree with the formulas of a chart.
+    """Call the functions of a package on floats; return the number of calls that agree with the formulas of a chart.
 
-    With ``geometry`` all functions are called, and some in all ways that are the same for every chart. Otherwise
-    functions are called that read the chart's own scalars. `ValidationFailed` names the first component that is off.
+    With ``geometry`` all functions are called, and one of each kind also in all array layouts. Otherwise only the
+    functions in `own_functions` are called. `ValidationFailed` names the first wrong component.
     """
     if not libraries:
         return 0
@@ -108,7 +108,7 @@ def replay_package(
     *,
     geometry: bool,
 ) -> int:
-    """Replay a package that can be imported."""
+    """Replay a package that can be imported by its name; see `replay`."""
     count = 0
     with warnings.catch_warnings(), np.errstate(all="warn"):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
@@ -116,7 +116,7 @@ def replay_package(
             module = module_of(package, chart, table)
             with _small_blocks(package, machinery) as few:
                 caller = Caller(module, library, machinery.out, few)
-                # run-time parts do for a further library what they do for the first
+                # run-time parts treat all libraries alike: one library covers their layouts
                 caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
                 count += caller.count
     return count
@@ -124,7 +124,7 @@ def replay_package(
 
 @contextmanager
 def _small_blocks(package: str, machinery: Machinery) -> Iterator[int]:
-    """Run kernels in blocks of few poses; provide the size of the largest batch that runs pose by pose."""
+    """Reduce the block size to `BLOCK` for a while; yield the size of the largest batch that runs pose by pose."""
 
     def found(place: str) -> tuple[ModuleType, str]:
         name, _, attribute = place.rpartition(".")
@@ -145,7 +145,7 @@ def _small_blocks(package: str, machinery: Machinery) -> Iterator[int]:
 
 @dataclass(frozen=True)
 class Group:
-    """Cases of one function and branch, with their numbers as the widest floats."""
+    """Cases of one function and branch, with arguments and results as ``longdouble`` arrays."""
 
     row: Function
     branch: tuple[int, ...]
@@ -162,12 +162,12 @@ class Group:
         return _long([case.result for case in self.cases])
 
     def given(self, index: Array, dtype: np.dtype[Any], axis: int) -> list[Array]:
-        """Return the arguments of the cases at an index, components last or first."""
+        """Return the arguments of the indexed cases, with components on the last axes or, for ``axis=0``, the first."""
         return [_turned(array[index].astype(dtype), index.ndim, axis) for array in self.arguments]
 
 
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
-    """Return the cases of all functions on all branches, or of a chart's own ones on the first two."""
+    """Return the cases of all functions and branches; without ``geometry``, of `own_functions` on branches 0 and 1."""
     names = table.public if geometry else own_functions(chart, table)
     found: dict[tuple[str, int | None], list[Case]] = {}
     for case in cases(chart, table):
@@ -178,7 +178,7 @@ def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
 
 @dataclass
 class Caller:
-    """Calls functions of a module, compares their results, and counts."""
+    """Caller of the functions of a module, which compares their results and counts the calls."""
 
     module: ModuleType
     library: Library
@@ -187,7 +187,7 @@ class Caller:
     count: int = 0
 
     def replay(self, groups: Sequence[Group], chart: Chart, in_all_ways: bool) -> None:
-        """Call every function; perhaps also one of every kind, as run-time parts tell them apart, in all ways."""
+        """Call every function; with ``in_all_ways`` call one function of each kind in all array layouts and types."""
         kinds: dict[tuple[Any, ...], Group] = {}
         for group in groups:
             row, count = group.row, len(group.cases)
@@ -209,7 +209,7 @@ class Caller:
     def check(
         self, group: Group, index: Array, dtype: np.dtype[Any] | None = None, axis: int = -1, **named: Any
     ) -> list[Array]:
-        """Call a function on the cases at an index and compare the results with the formula; return them."""
+        """Call a function on the indexed cases, compare the results with the formula, and return them."""
         dtype = dtype or self.library.dtypes[0]
         results = self._run(group, group.given(index, dtype, axis), axis, **named)
         kinds = [kind.shape for kind in group.row.results]
@@ -230,7 +230,7 @@ class Caller:
     def _run(
         self, group: Group, given: Sequence[Array], axis: int, name: str = "", branch: Any = (), **options: Any
     ) -> list[Array]:
-        """Return the results of a call; an exception or a warning is a failure."""
+        """Return the results of a call; turn an exception or a warning into `ValidationFailed`."""
         function = getattr(self.module, name or group.row.name)
         try:
             found = function(*map(self.library.make, given), *(branch or group.branch), axis=axis, **options)
@@ -240,7 +240,7 @@ class Caller:
         return list(map(np.asarray, found if isinstance(found, tuple) else (found,)))
 
     def _ways(self, group: Group, index: Array, axis: int) -> None:
-        """Compare calls with strided, broadcast and overlapping arrays with the plain call on the same numbers."""
+        """Check calls on strided, broadcast and overlapping arrays against the plain call on the same numbers."""
         given, plain = group.given(index, self.library.dtypes[0], axis), self.check(group, index, axis=axis)
 
         def same(how: str, arrays: Sequence[Array], wanted: Sequence[Array] = plain, **options: Any) -> list[Array]:
@@ -271,7 +271,7 @@ class Caller:
 
 
 def _long(rows: Sequence[Sequence[Any]]) -> Array:
-    """Return numbers of many digits as the widest floats."""
+    """Return numbers of 50 digits as a ``longdouble`` array."""
     with mpmath.workdps(DIGITS):
         numbers = [[mpmath.mpf(number) for number in row] for row in rows]
         heads = np.array([[float(number) for number in row] for row in numbers], np.longdouble)
@@ -280,14 +280,14 @@ def _long(rows: Sequence[Sequence[Any]]) -> Array:
 
 
 def _turned(array: Array, leading: int, axis: int) -> Array:
-    """Return an array with its leading axes moved behind the others for ``axis=0``."""
+    """Return the array; for ``axis=0`` move its leading axes behind the others."""
     if axis == -1:
         return array
     return np.ascontiguousarray(np.moveaxis(array, range(leading), range(array.ndim - leading, array.ndim)))
 
 
 def _strided(array: Array) -> Array:
-    """Return a read-only array with the same numbers and gaps between them."""
+    """Return a read-only strided view of the same numbers."""
     wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
     wide[..., ::2] = array
     wide.flags.writeable = False

@@ -1,4 +1,4 @@
-"""Run the functions of a package on disk on exact numbers, and compare their results with the expected ones."""
+"""Run the functions of a Python package on exact numbers, and compare their results with the expected ones."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from .errors import ValidationFailed
 from .loading import loaded, module_of
 
 MAKERS = ("identity", "random")
-"""Functions that have no program."""
+"""Functions of a module without a kernel program."""
 
 WIRED = ("quaternion", "shadow", "principal")
-"""Functions that read a scalar program, the turns and the returns of a chart."""
+"""Functions that together read a chart's scalar programs, its ``turns`` and its ``returns``."""
 
 ANGLE_ROUNDING = 2 * sys.float_info.epsilon
-"""Relative error of an angle: a multiple of π is one product of rounded numbers, rounded."""
+"""Relative error of a singular angle: a multiple of π is a rounded product of rounded numbers."""
 
 
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
-    """Compare the modules of a chart, one for each table, with its formulas; return how many calls agree.
+    """Compare the modules of a chart, one for each table, with its formulas; return the number of calls that agree.
 
-    With ``geometry`` all functions are called, which shows the geometry that all charts share. Otherwise functions are
-    called that read the chart's own scalars. `ValidationFailed` names the function and the first wrong component.
+    With ``geometry`` all functions are called, which also tests the geometry programs that all charts share. Otherwise
+    only `own_functions` are called. `ValidationFailed` names the function and the first wrong component.
     """
     with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
@@ -47,15 +47,15 @@ def _validate(module: ModuleType, chart: Chart, table: Table, whole: bool) -> in
 
 
 def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
-    """Return the cases of all functions, or of those that are a chart's own."""
+    """Return the cases of all functions if ``whole``, else the cases of `own_functions`."""
     names = table.public if whole else own_functions(chart, table)
     return [batch for batch in batches(chart, table) if batch.function in names]
 
 
 def own_functions(chart: Chart, table: Table) -> Collection[str]:
-    """Return functions that together read every result of a chart's scalar programs, and those that return v itself.
+    """Return functions that together read every result of a chart's scalar programs, and functions that only copy v.
 
-    A module for rotations takes the scalars of that for poses: there functions are called that show that it does.
+    A module for rotations shares the scalars of the module for poses: calls of the functions `WIRED` check this.
     """
     lowered, programs = lower_chart(chart, table), geometry(table)
     shown = {} if table is POSES else lower_chart(chart, POSES).scalars
@@ -73,7 +73,7 @@ def own_functions(chart: Chart, table: Table) -> Collection[str]:
 
 
 def _check(module: ModuleType, batch: Batch) -> int:
-    """Call one function on all cases of a batch at once, and on each alone; return the number of calls."""
+    """Call one function on all cases of a batch at once, then on each case alone; return the number of calls."""
     function = getattr(module, batch.function)
     columns = zip(*(case.arguments for case in batch.cases), strict=True)
     arguments = [_array(rows, array.shape) for rows, array in zip(columns, batch.row.arguments, strict=True)]
@@ -96,7 +96,7 @@ def _call(function: Callable[..., Any], arrays: Sequence[Any], branch: Sequence[
 
 
 def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
-    """Return the components of a batch as an object array, in the shape of the argument."""
+    """Return an argument of all cases as an object array, each case in the shape of the argument."""
     array = np.empty((len(rows), len(rows[0])), object)
     for index, row in enumerate(rows):
         array[index] = row
@@ -104,7 +104,7 @@ def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
 
 
 def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
-    """Compare names and constants of a module with its table and chart."""
+    """Compare the names and constants of a module with its table and chart."""
     own = (*table.public, "singular_angles", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
     names = {name: name for name in own} | table.aliases(chart)
     for name, method in names.items():

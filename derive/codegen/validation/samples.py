@@ -1,4 +1,4 @@
-"""Seeded cases of a chart with expected values, to 50 digits and on all sides of every selection."""
+"""Seeded cases of a chart with expected values to 50 digits, which cover all sides of every selection."""
 
 from __future__ import annotations
 
@@ -25,57 +25,58 @@ from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 SEED = 2011
 
 SMALL = 1e-21 / 7
-"""Size of the small components of a quaternion, whose rows of the rotation matrix keep 28 digits. It is no short
-fraction, or sums might be exact."""
+"""Size of the small quaternion components: rows of the rotation matrix that belong to them keep 28 digits.
+
+The factor 1/7 prevents sums from being exact."""
 
 SMALL_AT_EDGE = 1e-10 / 7
-"""Size of small components in charts with the edge at half a turn, where the scalar part must not be smaller."""
+"""Size of the small components in charts with edge π: a smaller scalar part would be too near the edge."""
 
 EDGE_MARGIN = 1e-12
-"""Least margin to the edge, as of `Vectors.finite`: nearer to it vectors are too ill-conditioned to compare."""
+"""Least margin to the edge, as defined by `Vectors.finite`: nearer vectors are too ill-conditioned to compare."""
 
 JACOBIAN_MARGIN = 0.1
-"""Least margin where Jacobians are taken, which are worse conditioned by one power."""
+"""Least margin to the edge for Jacobians, whose conditioning is worse by one power of the margin."""
 
 NEAR_TIE = mpmath.mpf(10) ** -30
-"""Angle between a vector and the limit of its branch."""
+"""Angle between a vector and the limit of its branch, in the cases nearest to the limit."""
 
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
-"""Directions whose v·v, times a power of two, takes no rounding: at some of them a chart's scalars vanish."""
+"""Directions of vectors whose v·v needs no rounding: scalars of a chart vanish exactly at some of them."""
 
 SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
-"""Angles of seeded vectors as shares of the first singular one: where scalars are series, and where not."""
+"""Angles of seeded vectors, divided by the first singular angle: some in the range of the series, some beyond it."""
 
 SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
-"""A displacement that leads from a vector to one of its own branch."""
+"""Step that stays on the branch of its vector."""
 STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
-"""Displacements within the series of the exponential, where its last terms weigh most, and beyond it."""
+"""Steps in the range of the series of the exponential, where its last terms weigh most, and steps beyond it."""
 
 POLE_DISTANCE = mpmath.mpf(1) / 64
-"""Angle before the edge from which a small step leads over it in one direction."""
+"""Distance in angle from the edge, small enough for `SMALL_STEP` to cross the edge in one direction."""
 
 STEP_NAMES, STEP_JACOBIANS = ("retract", "body_retract"), ("retract_jacobians", "body_retract_jacobians")
 
 
 def _computed(function: Callable[..., Flat], *arguments: Any) -> Flat:
-    """Return a result to 50 digits."""
+    """Return the value of a function, computed with 50 digits."""
     with mpmath.workdps(DIGITS):
         return function(*arguments)
 
 
 def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
-    """Return the case of a map at given arguments; a branch follows its name."""
+    """Return the case of a map at given arguments; ``name`` is the map, followed by a space and the branch if any."""
     function, branch = (*name.split(), "0")[:2]
     return Expectation(name, arguments, partial(_computed, MAPS[function], chart, int(branch), *arguments))
 
 
 def margin(chart: Vectors) -> float:
-    """Return the least margin to the edge: where φ′ is 0 there, scalars go with the cube of its inverse."""
+    """Return the least margin to the edge: if φ′ = 0 there, scalars grow like the inverse cube of the margin."""
     return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
 
 
 def by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
-    """Yield the cases of each inverse map, screw, shadow and group function, by branch."""
+    """Yield the cases of all inverse maps, screws, shadows and group functions, one tuple for each branch."""
     found: dict[str, list[Expectation]] = {}
     at = vectors_of(chart)
     for case in _restricted((*_seeded(at), *_undecided(at, table)), table):
@@ -84,9 +85,9 @@ def by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]
 
 
 def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
-    """Yield cases of poses as the functions of a table take them.
+    """Yield cases of poses in the form that the functions of a table take.
 
-    For rotations these are the real parts. Of cases that coincide then, the first one is kept: the identity, or a
+    Rotations take the real parts. The first of several cases with equal real parts is kept: the identity, or a
     translation along v.
     """
     seen = set()
@@ -105,13 +106,13 @@ def _part(row: Function, case: Expectation) -> Flat:
     return row.part(case.result)
 
 
-@lru_cache(maxsize=1)  # rotations take the real parts a moment later
+@lru_cache(maxsize=1)  # the table of rotations takes the real parts next
 def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
     return tuple(_cases(chart, random.Random(SEED)))
 
 
 def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
-    """Yield cases at all screws and exact half turns on the principal branch, and at some of them on every other."""
+    """Yield cases at all screws and exact half turns on the principal branch, and at some on the other branches."""
     yield from _identity(chart)
     small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
@@ -121,7 +122,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
         yield from _principal(chart, screw, other)
     for branch in chart.tried:
         some = [screws[3 * branch % 8]] if branch else [*screws, still]
-        # on another branch a translation has w = 0 up to rounding, so nothing decides about its axis
+        # on another branch a translation has w = 0 up to rounding, so the sign of its axis is undefined
         for screw in (*some, still) if branch else some:
             if chart.finite(screw, branch, margin(chart)):
                 yield from _branch(chart, screw, branch)
@@ -136,7 +137,7 @@ def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
 
 
 def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
-    """Yield maps of one or two vectors that choose no branch."""
+    """Yield cases of maps of one or two vectors that take no branch argument."""
     principal = chart.at(screw)
     yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
     q = quaternion_from_screw(screw)
@@ -147,7 +148,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
     yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
     for name in ("between", "local", "body_local", *STEP_NAMES):  # any dual vector is a step
         yield _by(chart, name, *vectors)
-    further = Screw(screw.angle / 3, screw.axis)  # about the same axis, also through whole turns
+    further = Screw(screw.angle / 3, screw.axis)  # on the same axis: interpolation through whole turns
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
         yield _by(chart, "interpolate", flat(principal), flat(chart.at(end)), (mpmath.mpf(t),))
     if all(chart.finite(s, 0, JACOBIAN_MARGIN) for s in (screw, other)):
@@ -156,7 +157,7 @@ def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectati
 
 
 def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
-    """Yield exponential coordinates of a vector, and vectors of coordinates with some turns more."""
+    """Yield cases of ``to_exponential``, and of ``from_exponential`` with whole turns added to the angle."""
     yield _by(chart, "to_exponential", flat(chart.at(screw)))
     beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
     for turns in (0, 1, beyond):
@@ -166,7 +167,7 @@ def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 
 
 def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
-    """Yield the way from a branch, where the axis may be opposite to v, to the screw and the principal v."""
+    """Yield cases that lead from v on a branch, perhaps opposite to the axis, to its screw and its principal v."""
     v = flat(chart.at(screw, branch))
     yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
     yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
@@ -194,10 +195,10 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
 
 
 def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
-    """Yield exact half turns: all on the principal branch, one of them on others.
+    """Yield cases at exact half turns: all half turns on the principal branch, one on each other branch.
 
-    At a half turn u and −u are one rotation. Inverse maps of quaternions keep the given sign of the vector part; those
-    of matrices make its first non-zero component positive. The scalar part is exactly 0, the rotation symmetric.
+    Axes u and −u give one rotation there, the scalar part is exactly 0, and the rotation matrix is symmetric. Inverse
+    maps of quaternions keep the sign of the vector part; those of matrices make its first non-zero component positive.
     """
     for screw in [screws[branch % len(screws)]] if branch else screws:
         if not chart.finite(screw, branch, margin(chart)):
@@ -213,7 +214,7 @@ def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterato
 
 
 def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
-    """Yield vectors just before and behind the angles (2k − 1)π between branches, to the digits of printed limits."""
+    """Yield vectors just before and just beyond the angles (2k − 1)π between branches, at a distance of `NEAR_TIE`."""
     for halves in chart.odd_half_turns():
         for behind, step in ((-1, -NEAR_TIE), (1, NEAR_TIE)):
             alpha = halves * mpmath.pi + step
@@ -223,7 +224,7 @@ def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 
 
 def _identity(chart: Vectors) -> Iterator[Expectation]:
-    """Yield the identity, which turns about no axis: it has no other branch."""
+    """Yield cases at the identity, which has no axis: the axis and v on other branches are NaN."""
     identity, nowhere = 6 * (mpmath.mpf(0),), 6 * (mpmath.nan,)
     yield Expectation("to_screw", (identity,), (0, 0, *nowhere))
     for branch in chart.tried[1:]:
@@ -234,7 +235,7 @@ def _identity(chart: Vectors) -> Iterator[Expectation]:
 
 
 def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
-    """Yield steps within and beyond the series of the exponential, steps from a translation, and far motions."""
+    """Yield steps within and beyond the series of the exponential, steps from a translation, and extrapolations."""
     small, *large = STEPS
     v, resting = flat(chart.at(screw)), flat(chart.at(still))
     for name in STEP_NAMES:
@@ -249,7 +250,7 @@ def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectati
 
 
 def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
-    """Yield steps that end next to the edge, before and behind it, where φ has a pole there."""
+    """Yield steps that end just before and just beyond the edge, in charts whose φ has a pole there."""
     if mpmath.isinf(chart.edge) or chart.is_folded:
         return
     v = chart.at(Screw(Dual(chart.edge - POLE_DISTANCE, screw.angle.du), screw.axis))
@@ -258,9 +259,9 @@ def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
 
 
 def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
-    """Yield vectors with s = 0 or w = 0 exactly: v itself or its dual part decides about the axis.
+    """Yield cases at vectors with s = 0 or w = 0 exactly, where v or its dual part determines the axis.
 
-    Rotations have no dual part, so v decides as if it moved along itself.
+    Rotations have no dual part: the axis is chosen as for a translation along v.
     """
     half = mpmath.mpf(1) / 2
     sides = (half, -half) if table is POSES else (half,)
@@ -271,7 +272,7 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
             screw, own = chart.screw(v)
             yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
-            # at odd multiples of half a turn beyond the first either side is a principal v
+            # at 3π, 5π … both signs of v are valid principal vectors, so there is no case
             if halves % 2 == 0 or halves == 1:
                 yield Expectation("principal", (flat(v),), flat(chart.at(screw)))
             for branch in chart.tried[1:]:
@@ -280,14 +281,14 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
 
 
 def _half_turns_of(chart: Vectors, re: Vector) -> int:
-    """Return how many half turns the rotation of a vector takes, where that is a whole number; else 0."""
+    """Return the angle of a vector in half turns if it is a whole number inside the edge, else 0."""
     angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else mpmath.inf
     inside = angle < (1 - EDGE_MARGIN) * chart.edge
     return int(mpmath.nint(angle / mpmath.pi)) if inside and is_whole(angle / mpmath.pi) else 0
 
 
 def algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
-    """Yield every algebraic function of a chart whose formulas no ring holds, at seeded vectors and the identity."""
+    """Yield cases of every algebraic function at seeded vectors and the identity, for charts without exact cases."""
     draw, at = random.Random(SEED), vectors_of(chart)
     points = []
     for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):

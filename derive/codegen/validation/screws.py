@@ -1,8 +1,8 @@
 """Seeded screws on which kernels take every side of every selection.
 
-The quaternion of a rotation matrix is read from one of four rows, that of its largest component. For each row one screw
-has this component largest, with axes of both signs and angles below and beyond a quarter turn. For each row another
-screw has all other components small: every other row has lost its digits there, which shows a wrong comparison.
+Kernels read the quaternion of a rotation matrix from one of four rows: the row of the largest component. For each row
+one screw makes this component largest, with axes of both signs and angles below and beyond a quarter turn. Another
+screw makes all other components small: the other rows lose their digits, so a wrong row selection shows.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from ...algebra import Dual, Vector
 from ...maps.pose import Screw
 
 ANGLES = (0.5, 1.9, 2.6, 3.0)
-"""Rotation angles of the screws, by row: the scalar part is the largest component of the first quaternion only."""
+"""Rotation angles of the screws, by row: only the first makes the scalar part the largest component."""
 
 SIGNS = (1, 1, -1, 1)
 """Signs of the dominant component, by row."""
 
 HALF_TURN_AXES = ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1))
-"""Axes whose first non-zero component is each of the three, of both signs."""
+"""Axes whose first non-zero component is the first, second or third, with different signs."""
 
 
 def covering(draw: random.Random, small: float) -> Iterator[Screw]:
@@ -37,9 +37,9 @@ def covering(draw: random.Random, small: float) -> Iterator[Screw]:
 
 
 def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
-    """Yield one screw for each row, whose other components are small: from one to the next they grow by ``ratio``.
+    """Yield one screw for each row, whose other components are small and grow by ``ratio`` from one to the next.
 
-    The first one hardly turns. It does not move along its axis either, or its axis would be lost in the translation.
+    The first screw has a tiny angle and no translation along its axis, which would swamp the digits of the axis.
     """
     for row in range(4):
         e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]

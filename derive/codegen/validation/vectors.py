@@ -1,6 +1,6 @@
-"""Vectors of a chart at given numbers, from φ alone: natural invariants of a pose, and branches of its angle.
+"""Vectors of a chart at given numbers, computed from φ, the natural invariants of a pose and the branch of its angle.
 
-No scalar of the chart is used, nor its inverse map: their results have to agree with these.
+These values are independent of the scalars and inverse map of the chart, whose results must agree with them.
 """
 
 from __future__ import annotations
@@ -26,34 +26,34 @@ Flat = tuple[Any, ...]
 """Components of an array, in C order."""
 
 DIGITS_CANCELLED = 250
-"""Digits that terms of a scalar or its slope may lose by cancellation: α⁻⁷ at least."""
+"""Digits that terms of a scalar or its slope may lose by cancellation: enough for terms of size α⁻⁷."""
 
 BRANCHES_MAX = 8
 SOME_BRANCHES = (0, 1, -1, 2)
-"""Branches of cases: the first ones of a finite number, some of an infinite one."""
+"""Branches of cases: the first `BRANCHES_MAX` of finitely many, or `SOME_BRANCHES` of infinitely many."""
 
 EDGE_UNITS = 2**20
-"""Distance from the edge, in units of rounding, at which φ′ is compared with its value at 0."""
+"""Relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)."""
 
 REACH = 0.9
-"""Share of an angle that seeded vectors may reach."""
+"""Share of a given angle that seeded vectors may reach."""
 
 
 @dataclass(frozen=True)
 class Vectors:
-    """Vectors v_k = φ(α + 2πk) u of a chart, in the working precision of mpmath; ``precision`` is that of its edge."""
+    """Vectors v_k = φ(α + 2πk) u of a chart in the working precision of mpmath; the edge has ``precision`` bits."""
 
     chart: Chart
     precision: int = field(default_factory=lambda: mpmath.mp.prec)
 
     @cached_property
     def edge(self) -> Any:
-        """Re α beyond which there is no v."""
+        """Limit of Re α, beyond which no v exists."""
         return self._number(self.chart.edge)
 
     @cached_property
     def is_folded(self) -> bool:
-        """Whether v ends at the edge with φ′ = 0; else it is infinite there, or there is no edge."""
+        """True if v ends at the edge with φ′ = 0; false if v is infinite there or no edge exists."""
         if mpmath.isinf(self.edge):
             return False
         with mpmath.workprec(self.precision):
@@ -61,7 +61,7 @@ class Vectors:
 
     @cached_property
     def first_pole(self) -> Any:
-        """The least Re α > 0 where v, T or its inverse is singular."""
+        """Smallest Re α > 0 where v, T or T⁻¹ is singular."""
         return self._number(self.chart.singular_angles[0])
 
     def _number(self, angle: sympy.Expr) -> Any:
@@ -74,7 +74,7 @@ class Vectors:
 
     @cached_property
     def _known(self) -> dict[Any, Any]:
-        """Values computed so far: points often share a length or a vector."""
+        """Cache of computed values: points often share a length or a vector."""
         return {}
 
     def _once(self, compute: Callable[..., Any], *key: Any) -> Any:
@@ -93,7 +93,7 @@ class Vectors:
         return evaluate(self._slope, alpha, angle)
 
     def angle(self, size: Any) -> Any:
-        """Return the angle α ≥ 0 of a length, real or dual: φ⁻¹.
+        """Return the angle α = φ⁻¹(size) ≥ 0 of a real or dual length.
 
         Raises
         ------
@@ -110,7 +110,7 @@ class Vectors:
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
 
     def reaches(self, size: Any) -> bool:
-        """Return whether there is a vector of this length."""
+        """Tell whether some vector of the chart has this length."""
         try:
             self.angle(size)
         except ArithmeticError:
@@ -118,18 +118,18 @@ class Vectors:
         return True
 
     def component(self, most: Any, angle: Any) -> float:
-        """Return the largest component of seeded vectors: ``most``, or less where they would come near an angle."""
+        """Return the largest component of seeded vectors: ``most``, or less to keep their angles below ``angle``."""
         return float(most if mpmath.isinf(angle) else min(most, self.size(REACH * angle) / mpmath.sqrt(3)))
 
     def derivatives(self, expression: sympy.Expr, x: sympy.Symbol, square: Any, order: int) -> Sequence[Any]:
-        """Return an even function of α and its derivatives by x, with more digits, for terms may cancel near 0."""
+        """Return an even function of α and its derivatives by x, using more digits because terms cancel near 0."""
         return tuple(+value for value in self._once(self._derivatives, expression, square, order))
 
     def _derivatives(self, expression: sympy.Expr, square: Any, order: int) -> list[Any]:
         angle, least = self.angle(mpmath.sqrt(square)), mpmath.sqrt(mpmath.eps)
         found = []
         with mpmath.workdps(mpmath.mp.dps + DIGITS_CANCELLED * max(order, 1)):
-            at = max(angle, least)  # the error of an even function is the square of that
+            at = max(angle, least)  # changes an even function by least² = eps only
             for _ in range(order + 1):
                 found.append(evaluate(expression, alpha, at))
                 expression = _by_square(expression, self.chart.phi)
@@ -144,12 +144,12 @@ class Vectors:
         return v
 
     def finite(self, screw: Screw, branch: int, least: float) -> bool:
-        """Return whether v exists and is not near the edge: sin(π/2) of the remaining share exceeds ``least``."""
+        """Tell whether v exists and its margin to the edge, cos(π/2 · Re α/edge), exceeds ``least``."""
         share = self._turned(screw, branch).re / self.edge
         return bool(abs(share) < 1 and mpmath.cospi(share / 2) > least)
 
     def _turned(self, screw: Screw, branch: int) -> Dual:
-        """Return α + 2πk, with k taken modulo the number of branches so that the angle is nearest to 0."""
+        """Return α + 2πk, with k reduced modulo the number of branches to bring the angle nearest to 0."""
         count = self.chart.branches
         nearest = mpmath.nint((screw.angle.re / (2 * mpmath.pi) + branch) / count) if count else 0
         angle: Dual = screw.angle + 2 * mpmath.pi * (branch - count * int(nearest))
@@ -165,28 +165,28 @@ class Vectors:
         return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
-        """Return v on a branch, of q or −q by the sign of the scalar part; where that is 0, of q as given."""
+        """Return v on a branch from ±q with non-negative scalar part; if the scalar part is 0, from q as given."""
         q = q * (1 if is_zero(real_part(q.scalar)) else orientation(real_part(q.scalar)))
         length, u = polar(q.vector)
         return self.at(Screw(2 * atan2(length, q.scalar), u), branch)
 
     def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
-        """Return v on a branch, of an orthogonal dual tensor."""
+        """Return v of an orthogonal dual tensor on a branch."""
         return self.at(natural_invariants(R), branch)
 
-    # --- back to them -------------------------------------------------------------------------------------------
+    # --- to natural invariants ----------------------------------------------------------------------------------
 
     def screw(self, v: Vector) -> tuple[Screw, int]:
-        """Return the screw of the pose of v, 0 ≤ Re α ≤ π, and the branch that v is on.
+        """Return the screw of the pose of v, with 0 ≤ Re α ≤ π, and the branch of v.
 
-        At an odd multiple of π the vector part of v's own quaternion, ``sin(α/2) u``, points along the axis; at an even
-        one the translation does.
+        At odd multiples of π the axis has the direction of ``sin(α/2) u``, the vector part of v's own quaternion. At
+        even multiples it has the direction of the translation.
         """
         length, u = polar(v)
         angle = self.angle(length)
         halves = angle.re / mpmath.pi
         exact = is_whole(halves)
-        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # half to even: sin(α/2) > 0
+        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # ties to even: same sin(α/2)
         rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
         sign = orientation(rest, angle.du)
         return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign
@@ -201,12 +201,12 @@ class Vectors:
         return quaternion_from_screw(Screw(self.angle(length), u))
 
     def shadow(self, v: Vector, branch: int) -> Vector:
-        """Return the vector of the same pose that lies ``branch`` branches further."""
+        """Return the vector of the same pose ``branch`` branches further."""
         screw, own = self.screw(v)
         return self.at(screw, own + branch)
 
     def odd_half_turns(self) -> Iterator[int]:
-        """Yield 1, 3, 5 …: the half turns below the edge, between branches that are tried."""
+        """Yield the odd multiples 1, 3, 5 … of π below the edge, which separate the tried branches."""
         for halves in range(1, 2 * BRANCHES_MAX, 2):
             if halves * sympy.pi < self.chart.edge:
                 yield halves
@@ -216,7 +216,7 @@ _by_square = lru_cache(maxsize=256)(by_square)
 
 
 def vectors_of(chart: Chart) -> Vectors:
-    """Return the vectors of a chart in the working precision, with their values computed so far."""
+    """Return the `Vectors` of a chart in the working precision, cached with the values computed so far."""
     return _vectors(chart, mpmath.mp.prec)
 
 
@@ -224,7 +224,7 @@ _vectors = lru_cache(maxsize=4)(Vectors)
 
 
 def is_whole(number: Any) -> bool:
-    """Return whether a number is an integer up to rounding, to four fifths of the digits."""
+    """Tell whether a number is an integer to four fifths of the working digits."""
     return bool(abs(number - mpmath.nint(number)) < mpmath.eps ** mpmath.mpf("0.8"))
 
 

@@ -1,4 +1,4 @@
-"""A chart unknown to the toolkit, v = sin(α/6) u, is proved, printed and validated."""
+"""Proof, printing and validation of a chart unknown to the toolkit, v = sin(α/6) u."""
 
 from __future__ import annotations
 
@@ -72,13 +72,13 @@ def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
 DERIVATIVES = (calculus.rate_dot, calculus.rate_jacobian)
 
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Functions whose errors are compared in tests/generated/test_kernel_motions.py."""
+"""Functions whose errors are tested in tests/generated/test_kernel_motions.py instead."""
 
 
 # --- kernels --------------------------------------------------------------------------------------------------------
 
 
-# the headers of the native target are those of C, and its package is built in tests/targets
+# the native target uses the C headers, and tests/targets builds its package
 @pytest.mark.parametrize("target", [t for t in TARGETS.values() if t.name != "native"], ids=lambda target: target.name)
 def test_unknown_chart_generates_in_every_target(target):
     (module,) = build([Sine()], target).modules
@@ -123,7 +123,7 @@ def kernels(texts: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> 
 
 
 def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
-    """Dual vectors of angles between two."""
+    """Return dual vectors with angles between ``low`` and ``high``."""
     rng = sampling.generator("another chart", low, high)
     theta = rng.uniform(low, high, (count, 1)) / 6
     axis = sampling.unit_vectors(rng, (count,))
@@ -131,7 +131,7 @@ def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
 
 
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """Return arguments of a function: v, or a representation of its pose, and the remaining arguments."""
+    """Return arguments of a function: v or a representation of its pose, then the remaining arguments."""
     first = FUNCTIONS[name].arguments[0].name
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
@@ -143,12 +143,12 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
         for a in FUNCTIONS[name].arguments[1:]
     ]
     if name == "interpolate":
-        others[-1] %= 1  # beyond its ends the way may go over the edge of the chart, where v of which side is open
+        others[-1] %= 1  # extrapolation may cross the edge of the chart, where the sign of v is ambiguous
     return [given.get(first, np.array)(v), *others]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Norms of the parts of a result, and how far they go when its arguments move by their own size."""
+    """Return the norm of each part of a result plus its change when each argument component changes by its own size."""
     step = mpmath.mpf(2) ** -60
     sizes = [errors.norm(part) for part in exact]
     for i, argument in enumerate(given):
@@ -161,10 +161,10 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """How far a motion goes when the poses of both its ends are off by as much as their quaternions' vectors, any way.
+    """Return the change of an interpolated pose when both end poses change by the size of their quaternion vectors.
 
-    Towards the edge T is large along the axis and T⁻¹ is small there, but not across it: so poses, which any way from
-    one to the other goes by, are rounded by more than moving the components of v shows.
+    Near the edge T is large and T⁻¹ small along the axis, but not across it. The rounding of poses, on which every
+    interpolation depends, therefore exceeds the effect of changes in the components of v.
     """
     step, sizes = mpmath.mpf(2) ** -60, [0.0] * len(exact)
     for i, v in enumerate(one[:2]):
@@ -178,7 +178,7 @@ def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) 
 
 
 def parts(result: Any) -> list[Any]:
-    """Real and dual part of a result; those of each where there are several; a moved point as it is."""
+    """Return the real and dual part of each result; a point or rotation matrix is one part."""
     if isinstance(result, tuple):
         return [part for array in result for part in errors.parts(array)]
     if np.shape(result) == (3, 6):
@@ -189,14 +189,14 @@ def parts(result: Any) -> list[Any]:
 @pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
 @pytest.mark.parametrize("name", [name for name in PUBLIC if name not in BY_STEPS])
 def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
-    """To 20 eps (two maps in a chain) of norm and condition of the result, derivatives to 30."""
+    """Errors stay below 20 eps (two maps in a chain) times norm and condition of the result, or 30 for derivatives."""
     oracle = SineOracle(3)
     row = FUNCTIONS[name]
     derived = KERNELS[row.kernel].recipe in DERIVATIVES
     gate = errors.THREE if derived else errors.GENERAL
     low, high = angles
-    # towards the edge, 3π, the terms f_i and h_i of T⁻¹ cancel along the axis, where φ′ goes to 0
-    count = 2 if name == "interpolate" else 4  # which its oracle goes by steps
+    # near the edge 3π φ′ tends to 0, and the terms f_i and h_i of T⁻¹ cancel along the axis
+    count = 2 if name == "interpolate" else 4  # the oracle of interpolate is slow: it goes by steps
     given = arguments(kernels, name, vectors(low, min(high, 8.0) if derived else high, count))
     for branch in range(3) if row.branch else (None,):
         chosen = () if branch is None else (branch,)
@@ -218,7 +218,7 @@ def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angl
 
 
 def test_maps_and_operators_are_inverse_to_each_other(kernels: ModuleType):
-    """To 40 eps (errors.AGREE) times a condition below 100 at these angles: 1e-12."""
+    """Tolerance 1e-12: 40 eps (errors.AGREE) times a condition number below 100 at these angles."""
     v, w = vectors(0.05, 3.0), sampling.dual_vectors("another chart", count=4)
     close = {"rtol": 0, "atol": 1e-12}
     np.testing.assert_allclose(kernels.from_quaternion(kernels.quaternion(v)), v, **close)
@@ -255,11 +255,11 @@ def test_angles_of_vectors_are_found(phi: sympy.Expr, edge: sympy.Expr, angles: 
         for text in angles:
             angle = mpmath.mpf(text)
             found = chart.angle(chart.size(angle))
-            # an eps of |v| moves α by φ/(α φ′) eps, which for the sine near its edge is 3e3
+            # a relative change eps of |v| changes α by φ/(α φ′) eps, which is 3e3 eps for the sine near its edge
             assert abs(found / angle - 1) < 10 ** mpmath.mpf(-44)
 
 
-def test_no_angle_is_found_beyond_the_edge():
+def test_length_without_angle_below_the_edge_is_an_error():
     with mpmath.workdps(50), pytest.raises(ArithmeticError, match=r"no angle below 3\*pi has \|v\| = 1.5 in sine6"):
         Vectors(Sine()).angle(mpmath.mpf("1.5"))
 
@@ -273,8 +273,8 @@ def test_edges_have_full_precision_at_any_working_precision():
         assert all(abs(angle - k * mpmath.pi) < mpmath.mpf(10) ** -48 for angle, k in zip(found, (3, 2), strict=True))
 
 
-def test_long_vectors_are_no_tie():
-    """The difference 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
+def test_long_vector_below_half_a_turn_is_on_branch_0():
+    """Check that α is not taken for π: 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
     with mpmath.workdps(670):
         v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
         chart = Vectors(Cayley(1))

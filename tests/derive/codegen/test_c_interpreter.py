@@ -1,4 +1,4 @@
-"""The interpreter of C: what it computes, and what it refuses because C would round it or leave it undefined."""
+"""Interpreter of C: exact results, and refusal of code that C would round or leave undefined."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.codegen.validation.c_interpreter import UNSET, CError, Pointer, load
 
 
 def run(text: str, *arguments: Any) -> Any:
-    """Return the value of f."""
+    """Return the value of the C function f for these arguments."""
     return load(text).call("f", *arguments)
 
 
@@ -68,7 +68,7 @@ def test_rounding_undefined_or_unread_expressions_are_refused(text: str, message
         expression(text)
 
 
-def test_integer_division_is_found_where_it_is_not_executed() -> None:
+def test_unexecuted_integer_division_is_refused() -> None:
     with pytest.raises(CError, match=r"unit\.c:3: an integer division"):
         load("double f(double a) {\n    if (a < a) {\n        return 1 / 2;\n    }\n    return a;\n}")
 

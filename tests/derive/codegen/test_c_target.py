@@ -1,4 +1,4 @@
-"""The C target: what the printer writes, what validation catches, what the command says."""
+"""C target: printed text, errors caught by validation, and messages of the command."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def texts(shared):
 
 
 def printed(record, names=("a", "b")):
-    """The assignment and store of a program that records one value from two inputs."""
+    """Return the printed assignment and store of a program that records one value from two inputs."""
     trace = Trace()
     values = trace.inputs("v", names)
     return c99.core(trace.program("pose", [record(trace, *values)] + [0] * 15), KERNELS["pose"].results, {}).text
@@ -69,7 +69,7 @@ def test_named_conditions_are_int():
     assert "const int small = a < b;" in text
 
 
-def test_names_are_lower_case_and_stay_apart():
+def test_names_are_lower_case_and_distinct():
     text = printed(lambda t, a, b: t.name("N", a * b) + t.name("n", a + b) * t.name("M", a - b), names=("T1", "t1"))
     assert "const dualcay_real t1_ = " in text
     assert "const dualcay_real n_ = t1_ * t1;" in text
@@ -77,7 +77,7 @@ def test_names_are_lower_case_and_stay_apart():
     assert "const dualcay_real m = t1_ - t1;" in text
 
 
-def test_names_that_differ_in_capitals_alone_stay_apart():
+def test_names_differing_only_in_case_stay_distinct():
     text = printed(lambda t, a, b: t.name("C4S", a * b) + t.name("c4S", a + b) * t.name("c4s_", a - b))
     assert {"c4s = a * b", "c4s__ = a + b", "c4s_ = a - b"} <= set(re.findall(r"dualcay_real (\w+ = .*);", text))
 
@@ -122,7 +122,7 @@ def test_every_program_prints_with_the_numbers_of_its_row(order, table):
         assert re.findall(r"dualcay_real (\w+)", printed) == [a for a in scalar.arguments if a != "table"], name
 
 
-def test_what_a_function_needs_of_the_library_counts_its_scalars():
+def test_library_level_of_a_function_includes_its_scalars():
     levels = c.levels(lower_chart(Cayley(4)))
     for name in ("quaternion", "tensor", "pose", "transform_point", "transform_line", "tangent", "rate", "twist"):
         assert levels[name] == 0, name
@@ -148,7 +148,7 @@ def test_the_package_holds_headers_their_tests_and_a_cmake_project(texts):
         assert not re.search(r"^[^/]*\b[A-Z]\b", text, re.MULTILINE), "where other people's macros are"
 
 
-def test_the_same_text_comes_out_twice(texts):
+def test_printing_twice_gives_equal_text(texts):
     again = packages.printed([3], "c")
     assert again == {name: texts[name] for name in again}
 
@@ -163,8 +163,8 @@ def test_every_function_has_a_plain_form_and_one_for_rows(texts, table, prefix):
         assert f"#define {prefix}_cayley3_{alias} " in texts[inside(table, "cayley3.h")]
 
 
-def test_of_scalars_a_header_of_rotations_holds_those_that_are_new(texts):
-    """None here: its functions call the scalars of poses, which the headers of poses define."""
+def test_rotation_headers_reuse_scalars_of_poses(texts):
+    """No scalars are new: functions of rotations call the scalars that the headers of poses define."""
     text = texts["rotation/geometry.h"]
     called = set(re.findall(r"DUALCAY_CHART\((\w+)\)\(", text))
     assert len(called) > 10
@@ -181,7 +181,7 @@ def test_of_scalars_a_header_of_rotations_holds_those_that_are_new(texts):
         ("rotation/geometry.h", "(rate)(", "(pose)(", "missing: rate; not in it: pose"),
     ],
 )
-def test_a_function_the_table_does_not_have_or_misses_is_an_error(texts, file, old, new, message):
+def test_unknown_or_missing_function_is_an_error(texts, file, old, new, message):
     C.require_complete(texts)
     assert old in texts[file]
     with pytest.raises(ValueError, match=rf"^{file}\b.*{message}"):
@@ -204,7 +204,7 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
 )
 def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
-    """Whatever is included first, and whichever other files are there."""
+    """Check that the error names the command for any header included first, even with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     for name in {"geometry.h", "rotation/geometry.h"} - {first}:
         (staged / name).unlink()
@@ -232,11 +232,11 @@ def staged(tmp_path, texts):
 
 
 @pytest.mark.compiler
-def test_what_was_printed_agrees(staged):
+def test_printed_package_agrees(staged):
     assert compiled.test(staged, Cayley(3)) > 1000
 
 
-# one of each kind: the text is executed too, where mutants take no compiler (test_c_text)
+# one change of each kind; test_c_text tries many more without a compiler
 @pytest.mark.compiler
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
@@ -258,7 +258,7 @@ def test_what_was_printed_agrees(staged):
     ],
 )
 def test_a_changed_kernel_fails_validation(staged, monkeypatch, file, function, pattern, replacement):
-    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # what is wrong is so at any optimisation
+    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # fast to compile; errors show at any optimisation
     header, order = staged / file, 4 if "4" in file else 3
     name = rf"DUALCAY_NAME\({function}\)" if file.endswith("geometry.h") else f"dualcay_cayley{order}_{function}"
     text = header.read_text(encoding="utf-8")
@@ -280,7 +280,7 @@ def test_a_result_that_is_nan_fails_validation(staged):
 
 
 @pytest.mark.compiler
-def test_what_does_not_compile_fails_validation(staged):
+def test_code_that_does_not_compile_fails_validation(staged):
     header = staged / "geometry.h"
     header.write_text(header.read_text(encoding="utf-8").replace("const dualcay_real x = ", "x = ", 1))
     with pytest.raises(ValidationFailed, match="does not compile"):
@@ -296,7 +296,7 @@ def test_every_function_and_branch_has_cases(table):
         assert branches == ({0, 1, 2} if signature.branch else {None})
 
 
-def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp_path):
+def test_without_compiler_no_compiled_calls_are_reported(monkeypatch, tmp_path):
     monkeypatch.setenv("CC", "no-such-compiler")
     monkeypatch.setattr("derive.codegen.publish.TARGETS", {"c": Otherwise(unvalidated(C), test=C.test)})
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c", "-o", str(tmp_path)])
@@ -306,7 +306,7 @@ def test_without_a_compiler_nothing_is_claimed_of_compiled_code(monkeypatch, tmp
     assert "cayley2.h" in result.stderr
 
 
-def test_the_command_wants_a_folder():
+def test_command_requires_a_folder():
     result = CliRunner().invoke(cli, ["generate", "-n", "2", "--target", "c"])
     assert result.exit_code == 2
     assert "-o" in result.stderr

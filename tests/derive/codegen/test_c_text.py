@@ -1,4 +1,4 @@
-"""C headers executed as text: wrong signs, coefficients, indices, conditions and names are refused."""
+"""C headers run by the interpreter: wrong signs, coefficients, indices, conditions and names are refused."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ EQUIVALENT = {
     r"rotation_\w+_exponential_scalars_core: .* \w+y =": "slopes act on dual parts, which rotations lack",
     r"DUALCAY_CHART\(\w+\)\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
-"""Changes that change no result, by their function and line, and why."""
+"""Reasons why a change leaves results unchanged, by pattern of function and line."""
 
 
 @pytest.fixture(scope="module")
@@ -55,7 +55,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def survives(text: str, kernels: list[str], table=POSES) -> bool:
-    """Return whether a text passes the cases of some functions."""
+    """Tell whether a text passes the cases of some functions."""
     chosen = [batch for batch in batches(CHART, table) if batch.function in kernels]
     try:
         return c_text.check(load(text), CHART, chosen, table) > 0
@@ -68,14 +68,14 @@ def test_printed_headers_pass_and_every_function_is_called(folder: Path) -> None
     assert whole > 2000 > 2 * own > 500
 
 
-# --- the text is wrong --------------------------------------------------------------------------------------------
+# --- wrong text ---------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("table", "each", "least"), [(POSES, 2, 40), (ROTATIONS, 1, 15)], ids=["poses", "rotations"])
 def test_changed_text_fails(folder, table, each, least):
-    """Signs, coefficients, components, indices, strides, orders of results: so many changes, all caught.
+    """Check that validation catches at least ``least`` changes of signs, coefficients, indices, strides and orders.
 
-    Of rotations those of their own geometry: scalars are those of poses.
+    Rotations share the scalars of poses, so only their own geometry is changed.
     """
     excerpts = Excerpts(load(f'#include "{inside(table, "cayley3.h")}"\n', folder).source.text)
     prefix = c_text.prefix(Cayley(3), table)
@@ -113,7 +113,7 @@ def test_changed_text_fails(folder, table, each, least):
         (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
     ],
 )
-def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message):
+def test_errors_in_headers_are_named(folder, tmp_path, pattern, replacement, message):
     texts = {name: (folder / name).read_text() for name in ("cayley3.h", "geometry.h", "dualcay.h")}
     changed = next(name for name, text in texts.items() if re.search(pattern, text))
     files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})
@@ -129,7 +129,7 @@ def test_what_is_wrong_is_named(folder, tmp_path, pattern, replacement, message)
         (r'#include "../dualcay.h"', '#include "../../dualcay.h"', r"neither in the folder nor"),
     ],
 )
-def test_what_is_wrong_of_rotations_is_named(folder, tmp_path, pattern, replacement, message):
+def test_errors_in_rotation_headers_are_named(folder, tmp_path, pattern, replacement, message):
     texts = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.h")}
     changed = next(name for name, text in texts.items() if name.startswith("rotation/") and re.search(pattern, text))
     files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})

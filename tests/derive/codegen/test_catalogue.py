@@ -1,4 +1,4 @@
-"""Which charts are asked for."""
+"""Selection of charts by order, family and φ."""
 
 from __future__ import annotations
 

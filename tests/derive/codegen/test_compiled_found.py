@@ -16,7 +16,7 @@ OTHER, OTHER_COMPILED = "dualcay.cayley2", "dualcay_native.cayley2"
 
 @pytest.fixture
 def native(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    """Return a fresh module ``_native``, as it is printed."""
+    """Return a fresh import of the printed module ``_native``."""
     monkeypatch.delenv("DUALCAY_NATIVE", raising=False)
     module = ModuleType("dualcay._native")
     module.__package__ = "dualcay"

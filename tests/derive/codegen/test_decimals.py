@@ -1,4 +1,4 @@
-"""Numbers of 50 digits follow real arithmetic, and IEEE rules where that is undefined."""
+"""Numbers of 50 digits follow real arithmetic; undefined results follow IEEE rules."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def exactly(number: Decimal) -> Fraction:
 
 @given(a=RATIONALS, b=RATIONALS)
 @pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
-def test_operations_are_rounded_to_these_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
+def test_operations_are_rounded_to_50_digits(operation: Callable[..., Any], a: Fraction, b: Fraction) -> None:
     if operation is operator.truediv and not b:
         return
     wanted = operation(a, b)
     for first, second in ((Decimal(a), Decimal(b)), (a, Decimal(b)), (Decimal(a), b)):
         apart = abs(exactly(operation(first, second)) - wanted)
-        if operation in (operator.add, operator.sub):  # of either term, and of the result
+        if operation in (operator.add, operator.sub):  # both terms and the result are rounded
             assert apart <= ROUNDING * (1 + ROUNDING) * (abs(a) + abs(b) + abs(wanted))
         else:
             assert apart <= 3 * ROUNDING * (1 + 4 * ROUNDING) * abs(wanted)
@@ -49,15 +49,15 @@ def test_comparison_negation_and_absolute_value_are_exact(a: Fraction, b: Fracti
 
 
 @given(bits=st.integers(-(2**200), 2**200), shift=st.integers(-1200, 1200))
-def test_numbers_of_mpmath_are_taken_as_they_are(bits: int, shift: int) -> None:
+def test_mpmath_numbers_are_converted_to_50_digits(bits: int, shift: int) -> None:
     with mpmath.workprec(200):
         value = mpmath.ldexp(mpmath.mpf(bits), shift)
         exact = bits * Fraction(2) ** shift
-        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # the power of 2 to one unit
+        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # includes one unit for the power of 2
 
 
 class Limb:
-    """An integer type other than int, such as mpmath takes from gmpy2."""
+    """Integer type other than int, like the mpz that mpmath takes from gmpy2."""
 
     def __init__(self, value: int) -> None:
         self.value = value
@@ -78,11 +78,11 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
     assert Decimal(10**5000).value.adjusted() == 5000
     assert exactly(Decimal(10**60 + 1)) == 10**60
     with mpmath.workdps(DIGITS):
-        for number in (10**7, 10**12):  # exact powers of 2 would take forever
+        for number in (10**7, 10**12):  # exact powers of 2 would take too long
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
         assert Decimal(10**5000).tan().value.is_finite()
-        tiny = Decimal(decimal.Decimal("1e-3000000"))  # a fraction would have three million digits
+        tiny = Decimal(decimal.Decimal("1e-3000000"))  # as a fraction it would have three million digits
         assert abs(tiny.tan() / tiny - 1) < Fraction(1, 10**48)
 
 
@@ -95,7 +95,7 @@ def test_functions_are_those_of_mpmath(name: str) -> None:
                 assert close(getattr(Decimal(number), name)(), wanted, Decimal(mpmath.mpf(10) ** -45))
 
 
-def test_the_angle_of_a_vector_is_that_of_mpmath() -> None:
+def test_arctan2_agrees_with_mpmath() -> None:
     with mpmath.workdps(DIGITS):
         for y, x in ((3, -4), (-3, -4), (0, -1), (5, 0)):
             found = Decimal(y).arctan2(Decimal(x))
@@ -116,7 +116,7 @@ def test_undefined_results_are_nan() -> None:
             close(other, one, one)
 
 
-def test_close_is_within_the_tolerance_by_1_and_the_size() -> None:
+def test_close_tolerance_is_relative_to_1_plus_size() -> None:
     pairs = {
         True: [(Fraction(10009, 10000), 1), (100, Fraction(1001, 10)), (mpmath.nan, NAN), (NAN, mpmath.nan)],
         False: [(Fraction(1003, 1000), 1), (99, 100), (NAN, 1), (1, NAN), (INFINITE, 1), (1, INFINITE)],

@@ -1,4 +1,4 @@
-"""The fingerprint by which compiled functions find their kernels changes with every program."""
+"""Fingerprint that links compiled functions to their kernels: it changes with every program."""
 
 from __future__ import annotations
 

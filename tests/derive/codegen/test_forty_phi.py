@@ -1,6 +1,6 @@
-"""Law over forty φ: each generates in NumPy and, in turn, in one of the other targets.
+"""Test of forty φ: each generates in NumPy and, in turn, in one of the other targets.
 
-They are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
+The forty are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ ROOTS = [
 PHI = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
 PAIRS = [(phi, target) for i, phi in enumerate(PHI) for target in ("numpy", ("array-api", "numba", "c")[i % 3])]
 SAMPLE = {(phi, "numpy") for phi in ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(alpha/3)/(1 + cos(alpha/3))")}
-"""Pairs that every run tries, the fastest of their kinds; all others are thorough."""
+"""Pairs of φ and target that every run tests, each the fastest of its kind; the others are marked thorough."""
 
 
-def test_there_are_forty_of_them() -> None:
+def test_forty_phi_are_listed() -> None:
     assert len(set(PHI)) == 40
 
 

@@ -1,4 +1,4 @@
-"""Headers without math.h call only functions they define."""
+"""Headers compiled without math.h call only functions that they define."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.output import files
 
 
 def test_freestanding_header_calls_only_what_it_defines(tmp_path: Path) -> None:
-    """Check n = 1, where `tensor` needs no function of math.h and `from_tensor` does."""
+    """Check n = 1: `tensor` needs no function of math.h, but `from_tensor` does."""
     files.write(tmp_path, print_package([Cayley(1)], TARGETS["c"]).texts)
     for header in ("cayley1.h", "rotation/cayley1.h"):
         text = parse(f'#include "{header}"\n', tmp_path, {"DUALCAY_FREESTANDING": ""}).text

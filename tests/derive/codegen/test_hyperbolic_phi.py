@@ -1,6 +1,6 @@
-"""φ with exponentials, logarithms and hyperbolic functions, and others that are inverted otherwise.
+"""Charts of φ with exponentials, logarithms, hyperbolic functions and other terms agree with first principles.
 
-Kernels against first principles, on floats.
+Kernels are called on floats.
 """
 
 from __future__ import annotations
@@ -36,15 +36,15 @@ PHI: dict[str, tuple[str, Share]] = {
     "wavy": ("alpha + 9*sin(alpha)/10", lambda field, u: 1 + series(-u, 1) * 9 / 10),
     "slow": ("alpha*(1 + log(1 + alpha**2/10))", lambda field, u: 1 + field.log(1 + u / 10)),
 }
-"""By name: φ, and φ/α as a function of α²."""
+"""Pairs of φ and the function φ/α of α², by name."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
-"""Ranges of angles, below whole turns; one contains the limit between both ranges of the chart."""
+"""Ranges of angles below a whole turn; one contains the limit between the two ranges of the chart's formulas."""
 GATE = 8
 
 
 QUICK = ("steep", "bounded")
-"""Charts whose oracle sums no series."""
+"""Charts with a fast oracle, which sums no series."""
 
 
 @pytest.fixture(
@@ -57,7 +57,7 @@ def name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="module")
 def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    """As printed; generated ones are validated besides."""
+    """Return the printed kernels without validation, which generation would add."""
     target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
     folder = tmp_path_factory.mktemp("phi")
     text = module_texts(Facts(proved, lower(proved)), target)
@@ -73,7 +73,7 @@ def oracle(name: str) -> OfSquare:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: OfSquare):
-    """Each in one regime of angles, the next function in the next."""
+    """Functions take the regimes of angles in turn, one regime each."""
     for place, function in enumerate(PUBLIC):
         low, high = REGIMES[place % len(REGIMES)]
         if function in ("to_screw", "angle") and high < 1e-200:
@@ -91,7 +91,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, r
 
 
 DIGITS = 350
-"""Digits of 1 + 1e-300."""
+"""Working precision of the reference values, enough to hold 1 + 1e-300."""
 ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 
 
@@ -108,7 +108,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
     ids=str,
 )
 def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
-    """On floats, near 0 and on either side of it, in eps."""
+    """Errors on floats of either sign, some near 0, are at most ``units`` eps."""
     for a in arguments:
         got = Lowering(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):

@@ -1,4 +1,4 @@
-"""Packages are loaded from their text as it is on disk, and leave nothing behind."""
+"""Packages are loaded from their current text on disk, and leave nothing behind."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ def values(folder: Path) -> tuple[int, int]:
         return import_module(name).VALUE, inner.AGAIN
 
 
-def test_the_text_on_disk_is_what_runs(tmp_path: Path) -> None:
+def test_current_text_on_disk_runs(tmp_path: Path) -> None:
     assert values(package(tmp_path, 1)) == (1, 1)
     written = (tmp_path / "shared.py").stat()
     assert values(package(tmp_path, 2)) == (2, 2)
-    package(tmp_path, 3)  # of the same length and time stamp
+    package(tmp_path, 3)  # a text of equal length and time stamp
     os.utime(tmp_path / "shared.py", ns=(written.st_atime_ns, written.st_mtime_ns))
     assert values(tmp_path) == (3, 3)
 
 
-def test_bytecode_beside_it_does_not_answer(tmp_path: Path) -> None:
+def test_cached_bytecode_is_ignored(tmp_path: Path) -> None:
     written = (package(tmp_path, 1) / "shared.py").stat()
     py_compile.compile(str(tmp_path / "shared.py"), doraise=True)
     package(tmp_path, 2)
@@ -62,7 +62,7 @@ def interrupted(folder: Path) -> None:
         raise ZeroDivisionError
 
 
-def test_nothing_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_loading_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(NATIVE, "1")
     finders, modules = list(sys.meta_path), set(sys.modules)
     with pytest.raises(ZeroDivisionError):
@@ -71,6 +71,6 @@ def test_nothing_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert not list(tmp_path.rglob("*.pyc"))
 
 
-def test_a_folder_without_an_entry_is_no_package(tmp_path: Path) -> None:
+def test_folder_without_init_is_no_package(tmp_path: Path) -> None:
     with pytest.raises(ValidationFailed, match="is not a package"), loaded(tmp_path):
         pass

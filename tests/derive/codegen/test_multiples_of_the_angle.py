@@ -25,7 +25,7 @@ from dualcay import exponential
 
 
 def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
-    """An integer over an integer would be a float on 50 digits; squares of a(0) would overflow in single precision."""
+    """Detect a quotient of integers, which is a float in runs with 50 digits, and float32 overflow of a(0)²."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
     files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
     assert validate(tmp_path / "of_units", chart, geometry=True) > 500
@@ -35,13 +35,13 @@ def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> 
         kernels = module_of(package, chart, POSES)
         for dtype in (np.float64, np.float32):
             there, here = (np.asarray(rows, dtype) for rows in (w, 1.5 * w))
-            # v is rounded, and either kernel loses some units of it; dual parts are as long as w
+            # v is rounded, and each kernel loses a few units; dual parts have the size of w
             close = 16 * np.finfo(dtype).eps * (1 + np.linalg.norm(w, axis=-1, keepdims=True))
             assert np.all(abs(kernels.quaternion(here) - exponential.quaternion(there)) <= close)
 
 
 @pytest.mark.parametrize("phi", ["sin(alpha)", "alpha/cos(alpha)", "tan(2*alpha/3)"])
-def test_a_map_that_ends_before_half_a_turn_is_refused_with_its_reason(tmp_path: Path, phi: str) -> None:
+def test_phi_with_edge_below_half_a_turn_is_refused_with_reason(tmp_path: Path, phi: str) -> None:
     chart = parameterization(phi, "short")
     assert {proof.status for proof in prove(chart).proofs} == {"proved"}
     with pytest.raises(PhiError, match=r"ends at alpha = .*, and poses that turn further, up to pi, have no v"):

@@ -1,4 +1,4 @@
-"""Exact validation of a package: geometry once, of every chart what is its own; wrong text is refused."""
+"""Exact validation of a package: geometry once, and the own functions of every chart; wrong text is refused."""
 
 from __future__ import annotations
 
@@ -60,11 +60,11 @@ SLIPS = {
     "comparison": (r" < ", " > "),
 }
 EQUIVALENT = re.compile(r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|# ')
-"""Lines where a slip changes no result: numbers beside a zero, series next to their limits, compensation."""
+"""Lines whose slips change no result: factors of zero, limits between series, compensation of rounding."""
 
 
 def slips(text: str, count: int, seed: int) -> Iterator[tuple[str, str]]:
-    """Yield the text with one slip in a program, and the line it is in."""
+    """Yield the text with one change from `SLIPS` inside a program, and the changed line."""
     draw = random.Random(seed)
     for pattern, new in SLIPS.values():
         places = [m for m in re.finditer(pattern, text) if _inside_program(text, m.start())]

@@ -1,4 +1,4 @@
-"""Headers of generated packages: command, licence, version; and the backend a package names."""
+"""Header comments of generated packages: command, licence and version; and the backend named by a package."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ FACTS = Facts(prove(CHART), lower_chart(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
-    """Yield the files of a package by name, and the notices that may stand in for them."""
+    """Yield the files of a package by name, and the notices that replace them while it is half written."""
     row = TARGETS[target]
     yield from (shared_texts(row) | module_texts(FACTS, row)).items()
     yield from notices([CHART], row).items()
 
 
 def heads(text: str) -> list[str]:
-    """Return the lines of the comment at the head of a file, without marks."""
+    """Return the comment lines of a file without comment marks."""
     lines = text.splitlines()
     mark = lines[0].split()[0]
     return [line.removeprefix(mark).strip() for line in lines if line.startswith(mark)]
@@ -77,7 +77,7 @@ def test_release_changes_one_file(target: str, monkeypatch: pytest.MonkeyPatch) 
     assert [name for name, text in before.items() if after[name] != text] == [TARGETS[target].entry]
 
 
-# --- what packages say of themselves ------------------------------------------------------------------------------
+# --- text about the package in its entry module -------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("target", ["numpy", "array-api", "numba"])

@@ -30,12 +30,12 @@ from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0), (6.2, 6.324))
-"""Ranges of angles: one contains the limit between both ranges of the chart, the last ends before √40."""
+"""Ranges of angles: one contains the limit between the two ranges of the chart's formulas, the last ends below √40."""
 GATE = 8
 
 
 class Folded(Oracle):
-    """v = α/(1 + α²/40) u, so that α = 2|v|/(1 + √(1 − x/10))."""
+    """Oracle of v = α/(1 + α²/40) u, with α = 2|v|/(1 + √(1 − x/10))."""
 
     def base(self, v: families.Any) -> families.Any:
         x = families.dot(v, v)
@@ -48,7 +48,7 @@ class Folded(Oracle):
 
 @pytest.fixture(scope="module")
 def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    """As printed; generated ones are validated besides."""
+    """Return the printed kernels without validation, which generation would add."""
     target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
     text = module_texts(Facts(proved, lower(proved)), target)
@@ -64,7 +64,7 @@ def oracle() -> Oracle:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: Oracle):
-    """Each in one regime of angles, the next function in the next; of slow inverse maps the oracle counts no turns."""
+    """Functions take the regimes of angles in turn, one regime each."""
     for place, function in enumerate(PUBLIC):
         low, high = REGIMES[place % len(REGIMES)]
         if function in ("to_screw", "angle") and high < 1e-200:
@@ -83,7 +83,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, reg
 
 @pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
 def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle, angle: float):
-    """The oracle counts no turns: so steps are short beside what is left to 2π."""
+    """Steps are short compared with the distance to 2π, because the oracle counts no turns."""
     steps = sampling.dual_vectors(f"steps at {angle}", count=4)
     v, delta = families.vectors(oracle, angle, angle, 4), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
     for function in families.STEPS:
@@ -91,7 +91,7 @@ def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle
 
 
 def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
-    """The chart ends at √40: at 1 rad one turn on is no vector, one turn back is."""
+    """Check at 1 rad, with the edge at √40: a vector exists one turn back, but not one turn further."""
     v = np.array([1 / (1 + 1 / 40), 0, 0, 0.1, 0.2, 0.3])
     assert np.isnan(kernels.shadow(v, 1)).all()
     back = kernels.shadow(v, -1)
@@ -103,7 +103,7 @@ def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
 
 
 def test_beyond_a_fold_there_is_no_vector():
-    """The fold lies just beyond half a turn. Only angles near half a turn are on branch −1, and none is replayed."""
+    """Check a fold just beyond half a turn: branch −1 holds only angles near half a turn, and the replay has none."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
     at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
     with mpmath.workdps(50):
@@ -126,7 +126,7 @@ def test_complex_steps_go_through_the_origin(kernels: ModuleType):
 
 
 def test_both_ranges_agree_at_their_limit():
-    """Within the sum of what both are off by: the proved remainder, and what is left after Newton's last step."""
+    """Differences are at most the sum of both errors: the proved remainder, and the rest after Newton's last step."""
     from derive.algebra.arithmetic import PLAIN
 
     chart = parameterization(TEXT, "folded")

@@ -22,7 +22,7 @@ from derive.proof import prove
 
 @pytest.mark.parametrize("phi", ["pi*alpha/4", "alpha*(pi + alpha**2)/4"])
 def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
-    """Powers of a long integer are beyond float32: with it there is no finite result at v = 0."""
+    """Powers of a long integer would exceed float32, and results at v = 0 would not be finite."""
     chart, target = parameterization(phi, "mine"), TARGETS["numpy"]
     proved = prove(chart)
     text = module_texts(Facts(proved, lower(proved)), target)
@@ -33,7 +33,7 @@ def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi:
         kernels = module_of(package, chart, POSES)
         for name in ("quaternion", "tangent", "tangent_inv", "principal"):
             single, double = (getattr(kernels, name)(np.append(v, [6 * [0]], 0).astype(t)) for t in ("f4", "f8"))
-            # a few dozen operations, each off by half an eps, of values below 10
+            # a few dozen operations on values below 10, each with an error of half an eps
             assert np.all(abs(single - double) < 200 * np.finfo(np.float32).eps), name
 
 

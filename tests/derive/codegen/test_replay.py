@@ -1,4 +1,4 @@
-"""The replay on floats: run-time parts that only floats pass through are wrong once, and it is seen."""
+"""Replay on floats: it detects errors in run-time parts that only floats use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The road end to end: nothing false is written, and every run writes the same text."""
+"""Generation from proof to files: nothing false is written, and every run writes equal text."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_gc_threshold_is_raised_while_charts_are_built(before, meanwhile):
 
 
 def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
-    """Return a text with one place inside a program changed."""
+    """Return a text with one change inside a program."""
     head, rest = text.split(f"def {function}(", 1)
     changed, count = re.subn(pattern, replacement, rest, count=1)
     assert count == 1
@@ -243,7 +243,7 @@ def test_bad_orders_and_targets_are_refused(tmp_path: Path):
 
 
 def test_bytes_are_the_same_without_python_flint(package):
-    """Print in a process where flint cannot be imported, under another hash seed."""
+    """Print again in a process without flint and with another hash seed, and compare."""
     code = (
         "import hashlib, sys\n"
         "sys.modules['flint'] = None\n"

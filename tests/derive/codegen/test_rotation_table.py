@@ -1,4 +1,4 @@
-"""Rotations alone: the recipes of poses, traced with real vectors and validated."""
+"""Kernels of rotations alone: recipes of poses, traced with real vectors and validated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rounding errors of sums are recovered from their terms, and the exponential corrects for them."""
+"""Rounding errors of sums are computed from the terms, and the exponential corrects for them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ EPS = 2.0**-52
 
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
-    """Return a program as a function of numbers."""
+    """Return a program compiled to a function of numbers."""
     space: dict[str, Any] = {"m": Sharp}
     inputs = ", ".join(name for name, _ in program.inputs)
     exec(f"def f({inputs}):\n{infix.body(program)}", space)
@@ -58,7 +58,7 @@ def test_error_of_two_terms_is_exact():
     ],
 )
 def test_error_of_three_terms_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any]):
-    """Both errors are exact and at most an eps of the largest term; their sum is rounded."""
+    """Errors of both additions are exact and at most an eps of the largest term; only their sum is rounded."""
     of, lost = traced(sum_of), 0.0
     for terms in drawn(3):
         total, rest = of(*terms)
@@ -76,7 +76,7 @@ def test_error_of_anything_but_a_sum_is_0():
 
 
 def off(x: Fraction, f: float, g: float) -> float:
-    """Return the larger error of ``sin α`` and ``1 − cos α``, in eps."""
+    """Return the larger of the errors of ``sin α`` and ``1 − cos α``, in eps."""
     with mpmath.workdps(40):
         xx = mpmath.mpf(x.numerator) / x.denominator
         angle = mpmath.sqrt(xx)
@@ -84,7 +84,7 @@ def off(x: Fraction, f: float, g: float) -> float:
 
 
 def test_exponential_corrects_for_the_rounded_sum_of_squares():
-    """The error stays within 2 eps, as for an exact x; the rounded sum alone would exceed it."""
+    """Errors stay within 2 eps, equal to the bound for an exact x; the rounded sum alone would exceed it."""
     of, generator, worst, lost = compiled(scalar_program("pose_scalars", Exponential())), random.Random(7), 0.0, 0.0
     for _ in range(500):
         squares = [generator.uniform(0, 13) for _ in SQUARES]

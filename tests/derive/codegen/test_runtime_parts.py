@@ -1,4 +1,4 @@
-"""Properties of the NumPy run-time parts that results do not show."""
+"""Properties of the NumPy run-time parts that do not show in results."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from derive.codegen.validation.loading import loaded
 from derive.output import files
 
 LINE = 64
-"""Bytes of a cache line, and of the widest vector register."""
+"""Size of a cache line and of the widest vector register, in bytes."""
 
 
 @pytest.fixture(scope="module")
 def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Any]]:
-    """Provide the run-time modules of the NumPy target, by name."""
+    """Yield a function that imports a run-time module of the NumPy target by name."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numpy"]))
     with loaded(folder) as package:
         yield lambda name: importlib.import_module(f"{package}.{name}")
 
 
-@pytest.mark.parametrize("spoilt", [0, 4])  # both violations are NaN, or the second one
+@pytest.mark.parametrize("spoilt", [0, 4])  # NaN in the real part spoils both laws, in the dual part the second
 def test_nan_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
     """Messages name the first wrong element and its largest violation."""
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
-    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # its square by 3, the other product by 1
+    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # violates the square of the real part by 3, the product of both parts by 1
     for largest in ("3", "nan"):
         with pytest.raises(ValueError, match=rf"q\[1\] is no unit dual quaternion: .*, off by {largest} "):
             checks.require(checks.LAWS["from_quaternion"], q, -1)
@@ -45,7 +45,7 @@ def test_first_wrong_element_is_named_whichever_law_it_breaks(part: Callable[[st
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
-    q[1, 0], q[2, 4] = 2, 5  # another law, whose words come first in the alphabet
+    q[1, 0], q[2, 4] = 2, 5  # q[2] breaks the other law, whose message sorts first
     with pytest.raises(ValueError, match=r"q\[1\] is no unit dual quaternion: the square of its real part"):
         checks.require(checks.LAWS["from_quaternion"], q, -1)
 

@@ -1,8 +1,8 @@
-"""C headers executed on exact numbers: the text that a compiler reads, with no rounding of its own.
+"""Interpreter that executes the text of C headers on exact numbers.
 
 `source` preprocesses and parses a header, `translate` makes Python functions of it, `memory` checks its pointers, and
-`unit` calls its functions. Only the subset of C that emitted headers are made of is read; the rest is refused by name.
-The real type is that of the numbers passed in, and a constant is the fraction it denotes.
+`unit` calls its functions. Only the subset of C used in emitted headers is read; anything else raises `CError`.
+Numbers of any Python type may be passed in for real arguments, and constants become exact fractions.
 """
 
 from .memory import UNSET, CError, Pointer

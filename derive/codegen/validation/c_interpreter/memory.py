@@ -6,16 +6,16 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 UNSET: Final = object()
-"""The content of a cell that was never written."""
+"""Content of a cell that was never written."""
 
 
 class CError(Exception):
-    """C text that does not parse, breaks a rule of C, or is outside the subset that is read."""
+    """Error in C text that does not parse, breaks a rule of C, or lies outside the supported subset."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pointer:
-    """A position in a list of cells, and the bounds low <= i < high of its array."""
+    """Position in a list of cells, with the bounds low <= i < high of its array."""
 
     cells: list[Any]
     index: int
@@ -24,18 +24,18 @@ class Pointer:
 
     @classmethod
     def to(cls, cells: list[Any]) -> Pointer:
-        """Return the pointer to the first of some cells, which are one array."""
+        """Return the pointer to the first cell of an array of all given cells."""
         return cls(cells, 0, 0, len(cells))
 
     def moved(self, by: int) -> Pointer:
-        """Return the pointer ``by`` cells on; it stays in its array, or is one past the end."""
+        """Return the pointer ``by`` cells further, which must lie in its array or one past the end."""
         index = self.index + by
         if not self.low <= index <= self.high:
             raise CError(f"a pointer moves to cell {index - self.low} of {self.high - self.low}")
         return Pointer(self.cells, index, self.low, self.high)
 
     def narrowed(self, size: int) -> Pointer:
-        """Return the pointer to an array of ``size`` cells, which begins here."""
+        """Return a pointer bounded to the ``size`` cells that begin here."""
         if self.index + size > self.high:
             raise CError(f"an array of {self.high - self.index} is given where {size} are promised")
         return Pointer(self.cells, self.index, self.index, self.index + size)

@@ -22,18 +22,18 @@ LIBRARY: Mapping[str, tuple[int, Callable[..., Any]]] = {
     "expm1": (1, lambda a: a.expm1()),
     "log1p": (1, lambda a: a.log1p()),
 }
-"""Functions of the C library: the number of arguments, and the method of the number type."""
+"""Functions of the C library by name: the number of arguments, and the method to call on the numbers."""
 
 SYSTEM: Mapping[str, str] = {
     "stddef.h": "typedef unsigned long size_t;\n",
     "math.h": "".join(f"double {name}({', '.join(['double'] * n)});\n" for name, (n, _) in LIBRARY.items()),
 }
-"""Declarations in the headers of the C library."""
+"""Declarations by header of the C library."""
 
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A preprocessed text, its syntax tree, and the preprocessor with its macros."""
+    """Preprocessed text, its syntax tree, and the preprocessor that holds its macros."""
 
     text: str
     tree: c_ast.FileAST
@@ -45,7 +45,7 @@ class Source:
 
 
 class _Preprocessor(Preprocessor):  # type: ignore[misc]  # pcpp has no type hints
-    """Takes includes from one folder or those of the C library; every complaint is an error."""
+    """Preprocessor that includes only files of one folder and C library headers; problems raise `CError`."""
 
     def __init__(self, folder: Path | None) -> None:
         super().__init__()

@@ -1,7 +1,7 @@
 """Translate the syntax tree of a header to Python functions, statement by statement.
 
-Types are ``real``, ``int`` (of any size) and ``void``, each with a ``*`` for every level of pointers. They decide which
-divisions are those of integers. A real constant becomes a fraction. Compilers see to all other rules about types.
+Types are ``real``, ``int`` (of any size) and ``void``, each with a ``*`` for every level of pointers. Types serve to
+detect integer divisions and lossy conversions; compilers check the other rules. Real constants become fractions.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from .source import LIBRARY
 NAMES: Mapping[tuple[str, ...], str] = {
     ("double",): "real", ("int",): "int", ("unsigned", "long"): "int", ("void",): "void",
 }  # fmt: skip
-"""Types by name. There is one real type: another would round where the rest does not."""
+"""Types by C name. There is one real type: conversions to another type would round."""
 
 
 class Value(NamedTuple):
-    """An expression: its type, its Python text, and the text of its address where it can be written."""
+    """Type and Python text of an expression; ``address`` is the text of its address if it can be assigned."""
 
     type: str
     text: str
@@ -31,7 +31,7 @@ class Value(NamedTuple):
 
 
 class Function(NamedTuple):
-    """The signature of a function; a prototype is not ``defined``."""
+    """Signature of a function; ``defined`` is false for a prototype."""
 
     result: str
     parameters: tuple[str, ...]
@@ -39,17 +39,17 @@ class Function(NamedTuple):
 
 
 def place(node: Any) -> str:
-    """Return file name and line of a node of the syntax tree."""
+    """Return the file name and line of a node of the syntax tree."""
     return f"{PurePath(str(node.coord.file)).name}:{node.coord.line}" if node.coord else "?"
 
 
 def refuse(node: Any, message: str) -> CError:
-    """Return the error that names a node."""
+    """Return a `CError` with the file name and line of a node."""
     return CError(f"{place(node)}: {message}")
 
 
 def converted(node: Any, value: Value, to: str) -> str:
-    """Return the text of a value as one of another type; nothing that would lose digits is converted."""
+    """Return the text of a value converted to a type; conversions that may lose digits raise `CError`."""
     if to == "real" and value.type == "int":
         return f"Fraction({value.text})"
     if value.type != to:
@@ -59,9 +59,9 @@ def converted(node: Any, value: Value, to: str) -> str:
 
 @dataclass(slots=True)
 class Translator:
-    """The Python text of a translation unit, with the place in C of every line.
+    """Python text of a translation unit, with the C file and line of every Python line.
 
-    ``blocks`` are the variables that are visible, innermost block last; ``referred`` are the functions that are called.
+    ``blocks`` holds the visible variables, innermost block last; ``referred`` holds the functions called in the text.
     """
 
     lines: list[str] = field(default_factory=list)
@@ -108,7 +108,7 @@ class Translator:
         self.functions[node.name] = Function(self._type(node.type.type), parameters, defined)
 
     def _type(self, node: c_ast.Node) -> str:
-        """Return the type that a declaration spells; an array is a pointer to its first element."""
+        """Return the type of a declaration; an array is a pointer to its first element."""
         if isinstance(node, c_ast.Typename | c_ast.PtrDecl | c_ast.ArrayDecl):
             return self._type(node.type) + "*" * (not isinstance(node, c_ast.Typename))
         names = tuple(getattr(node.type, "names", (type(node).__name__,)))
@@ -117,7 +117,7 @@ class Translator:
         return self.types[names]
 
     def _variable(self, node: c_ast.Decl) -> None:
-        """Translate a variable: a constant as a Python variable, any other as cells of its own."""
+        """Translate a variable: a constant becomes a Python variable, any other variable a list of cells."""
         name, type_ = f"c_{node.name}", self._type(node.type)
         if any(node.name in block for block in self.blocks):
             raise refuse(node, f"{node.name} is declared twice")
@@ -143,7 +143,7 @@ class Translator:
     # --- statements ---------------------------------------------------------------------------------------------------
 
     def _block(self, node: c_ast.Node, body: Any, visible: dict[str, Value], first: Iterable[str] = ("pass",)) -> None:
-        """Translate a statement, or several in braces, as an indented block with some variables of its own."""
+        """Translate a statement, or several in braces, to an indented block with the variables ``visible``."""
         self.blocks.append(visible)
         for text in first:
             self._write(node, text)
@@ -173,7 +173,7 @@ class Translator:
             case c_ast.For():
                 self._loop(node)
             case c_ast.Cast(expr=c_ast.ID()) if self._type(node.to_type) == "void":
-                self._value(node.expr)  # a parameter that is not read
+                self._value(node.expr)  # (void)parameter; marks an unused parameter
             case c_ast.EmptyStatement() | c_ast.Pragma():
                 pass
             case _:
@@ -197,7 +197,7 @@ class Translator:
         return converted(node, self._value(node), "int")
 
     def _value(self, node: Any) -> Value:
-        """Return an expression as Python text, its types checked."""
+        """Return an expression as Python text after checking its types."""
         match node:
             case c_ast.ID():
                 for block in self.blocks:
@@ -218,7 +218,7 @@ class Translator:
                 return self._binary(node, node.op, self._value(node.left), self._value(node.right))
             case c_ast.TernaryOp():
                 sides = self._value(node.iftrue), self._value(node.iffalse)
-                type_ = max(side.type for side in sides)  # "real" where one is
+                type_ = max(side.type for side in sides)  # "real" if either side is real
                 first, second = (converted(node, side, type_) for side in sides)
                 return Value(type_, f"({first} if {self._integer(node.cond)} else {second})")
             case c_ast.Cast():

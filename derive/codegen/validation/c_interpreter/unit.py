@@ -1,4 +1,4 @@
-"""A translation unit: the functions that a header defines, ready to be called."""
+"""Translation unit: the functions that a header defines, as Python callables."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ FILE = "<translated from C>"
 
 
 def _remainder(a: int, b: int) -> int:
-    """Return the remainder of a division that truncates, as in C."""
+    """Return the remainder of a truncating integer division, as in C."""
     return abs(a) % abs(b) * (-1 if a < 0 else 1)
 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """The functions of a translation unit, its preprocessed source, and the names of functions called so far."""
+    """Functions of a translation unit, its preprocessed source, and the names of functions called so far."""
 
     source: Source
     translator: Translator
@@ -31,7 +31,7 @@ class Unit:
     called: set[str]
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Call a function with pointers and numbers; a `CError` says where C does not define what it does."""
+        """Call a function with pointers and numbers; a `CError` gives the line whose behaviour C does not define."""
         if name not in self.functions:
             raise CError(f"there is no function {name}")
         try:
@@ -44,12 +44,12 @@ class Unit:
 
     @property
     def idle(self) -> list[str]:
-        """Functions that nothing has called, and that no other function refers to."""
+        """Functions that were never called and that no other function calls."""
         return [name for name in self.functions if name not in self.called | self.translator.referred]
 
 
 def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | None = None) -> Unit:
-    """Read a text, whose quoted includes are files of a folder; a `CError` names what is outside the subset of C.
+    """Read C text, whose quoted includes are files of a folder; a `CError` names any text outside the subset of C.
 
     Examples
     --------
