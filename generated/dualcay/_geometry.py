@@ -15,7 +15,7 @@ from ._kernel import Components, Kernel, Result
 
 
 def quaternion(m: Any, c: Any, v: Components) -> Result:
-    """q̂ = s + w v, CP23 (50)."""
+    """Unit quaternion q̂ = s + w v, CP23 (50)."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     s, w, sy, wy = c.quaternion_scalars(m, x)
@@ -25,8 +25,8 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
 
 
 def tensor_at(f: Any, g: Any, h: Any, v: Components) -> Result:
-    """R = Q of f and g, CP23 (57).
-    Its dual part is skew(ρ) Q, ρ of f, g and h.
+    """Tensor R = Q of the scalars f and g, CP23 (57).
+    The dual part is skew(ρ) Q, with ρ of f, g and h.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
@@ -66,7 +66,7 @@ def tensor_at(f: Any, g: Any, h: Any, v: Components) -> Result:
 
 
 def tensor(m: Any, c: Any, v: Components) -> Result:
-    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    """Orthogonal tensor R = I + f skew(v) + g skew(v)², CP23 (57)."""
     v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -76,7 +76,7 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
 
 
 def pose(m: Any, c: Any, v: Components) -> Result:
-    """[[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
+    """Homogeneous matrix [[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -104,8 +104,8 @@ def pose(m: Any, c: Any, v: Components) -> Result:
 
 
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """Q r of a point r.
-    It moves by ρ besides.
+    """Image Q r of a point r.
+    The translation ρ is added: Q r + ρ.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -132,7 +132,7 @@ def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
 
 
 def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
-    """Q r = r + f v × r + v × (g v × r), at the real part of v."""
+    """Rotated vector Q r = r + f v × r + v × (g v × r), at the real part of v."""
     v1, v2, v3, _, _, _ = v
     r1, r2, r3 = r
     vr1 = v2 * r3 - v3 * r2
@@ -148,7 +148,7 @@ def rotate_at(f: Any, g: Any, v: Components, r: Components) -> Result:
 
 
 def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
-    """R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
+    """Image R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
     v1, v2, v3, v1o, v2o, v3o = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1
@@ -170,14 +170,14 @@ def transform_line(m: Any, c: Any, v: Components, line: Components) -> Result:
 
 
 def inverse(m: Any, c: Any, v: Components) -> Result:
-    """−v: R(−v) = R(v)ᵀ."""
+    """Vector −v of the inverse: R(−v) = R(v)ᵀ."""
     v1, v2, v3, v1o, v2o, v3o = v
     return -v1, -v2, -v3, -v1o, -v2o, -v3o
 
 
 def tangent_at(f: Any, g: Any, h: Any, fy: Any, gy: Any, hy: Any, v: Components) -> Result:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88).
-    fy, gy, hy are slopes: the dual part of f is fy v·v°.
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88).
+    The slopes are fy, gy, hy: the dual part of f is fy v·v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -210,7 +210,7 @@ def tangent_at(f: Any, g: Any, h: Any, fy: Any, gy: Any, hy: Any, v: Components)
 
 
 def tangent(m: Any, c: Any, v: Components) -> Result:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -220,8 +220,8 @@ def tangent(m: Any, c: Any, v: Components) -> Result:
 
 
 def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> Result:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
-    fiy, hiy are slopes: the dual part of fi is fiy v·v°.
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
+    The slopes are fiy, hiy: the dual part of fi is fiy v·v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -254,7 +254,7 @@ def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> R
 
 
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3, _, _, _ = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
@@ -262,7 +262,7 @@ def tangent_inv(m: Any, c: Any, v: Components) -> Result:
 
 
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
-    """Tᵀ, which is T at −v, CP23 (86)."""
+    """Transposed tangent operator Tᵀ, which is T at −v, CP23 (86)."""
     v1, v2, v3, v1o, v2o, v3o = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -272,7 +272,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
 
 
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
+    """Transposed inverse tangent operator T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, fiy, hiy = c.tangent_inv_scalars(m, x)
@@ -280,7 +280,7 @@ def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
 
 
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
+    """Twist T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); side −1 gives the body twist Tᵀ v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -314,8 +314,8 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
 
 
 def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    """T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); with the side −1 the body's, T⁻ᵀ ω.
-    The table holds the side and half of it, by which ``side fi ω − v × ω + side hi (v·ω) v`` is multiplied.
+    """Rate T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); side −1 gives T⁻ᵀ ω of a body twist.
+    The table holds side and half = side/2; half multiplies ``side fi ω − v × ω + side hi (v·ω) v``.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -343,7 +343,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
 
 
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -403,7 +403,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
 
 
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     z1, z2, z3, z1o, z2o, z3o = v_ddot
@@ -458,8 +458,8 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
 
 
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them.
-    With a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v it is half of
+    """Time derivative of the rate v̇ = T⁻¹ ω: ``T⁻¹ ω̇ + (d/dt T⁻¹) ω``, in products of v, ω and ω̇ without v̇.
+    Let a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v. The result is half of
     ``fi ω̇ + side (ω̇ + s ω) × v + (fiy b + a + s fi)/2 ω + (hi (2 v·ω̇ + 2 a s + fi ω²) + hiy a b − ω²)/2 v``,
     where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
     """
@@ -522,7 +522,10 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
 
 
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
+    """Derivative of the twist T w by v, at constant w = v̇.
+    The formula is ``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``,
+    where v⊗w = w⊗v − skew(v × w).
+    """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = v_dot
     side, = table
@@ -584,8 +587,9 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
 
 
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v).
-    That leaves one dyad, v⊗b, which is 0 where fiy = −hi, as for n = 2.
+    """Derivative of the rate T⁻¹ w by v, at constant w = ω.
+    The formula is half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``. With
+    w⊗v = v⊗w − skew(w × v) one dyad is left, v⊗b, which is 0 where fiy = −hi, as for n = 2.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     w1, w2, w3, w1o, w2o, w3o = omega
@@ -647,8 +651,8 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
 
 
 def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Result:
-    """v = gain vec e of a quaternion e.
-    Its dual part is v° = T⁻¹ ρ.
+    """Vector v = gain vec e of a quaternion e.
+    The dual part is v° = T⁻¹ ρ.
     """
     e0, e1, e2, e3 = e
     rho1, rho2, rho3 = rho
@@ -666,8 +670,8 @@ def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Resu
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    """v = gain vec q̂ of a unit dual quaternion, CP23 (47).
-    v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
+    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47).
+    The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
     """
     e0, e1, e2, e3, e0o, e1o, e2o, e3o = e
     gain, = c.gain_unit(m, e0, e1, e2, e3)
@@ -678,8 +682,8 @@ def from_quaternion(m: Any, c: Any, e: Components) -> Result:
 
 
 def quaternion_of(m: Any, Q: Components) -> Result:
-    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0.
-    That is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
+    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0.
+    The result is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
     """
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
@@ -718,8 +722,8 @@ def quaternion_of(m: Any, Q: Components) -> Result:
 
 
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
-    """v of a rotation Q, by its quaternion.
-    v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
+    """Vector v of a rotation Q, computed from its quaternion.
+    The dual part is v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
     """
     R11, R12, R13, R21, R22, R23, R31, R32, R33, R11o, R12o, R13o, R21o, R22o, R23o, R31o, R32o, R33o = R
     e = quaternion_of(m, (R11, R12, R13, R21, R22, R23, R31, R32, R33))
@@ -733,7 +737,7 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
 
 
 def from_pose(m: Any, c: Any, T: Components) -> Result:
-    """v of a homogeneous matrix [[Q, ρ], [0, 1]]; v° = T⁻¹ ρ."""
+    """Vector v of a homogeneous matrix [[Q, ρ], [0, 1]], with the dual part v° = T⁻¹ ρ."""
     Q11, Q12, Q13, T14, Q21, Q22, Q23, T24, Q31, Q32, Q33, T34, _, _, _, _ = T
     e = quaternion_of(m, (Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33))
     e0, e1, e2, e3 = e
@@ -742,7 +746,7 @@ def from_pose(m: Any, c: Any, T: Components) -> Result:
 
 
 def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    """v = φ(α) u, over dual numbers."""
+    """Vector v = φ(α) u, in dual numbers."""
     alpha, alphao = angle
     u1, u2, u3, u1o, u2o, u3o = line
     r, slope = c.coefficient(m, alpha)
@@ -751,8 +755,8 @@ def from_screw(m: Any, c: Any, angle: Components, line: Components) -> Result:
 
 
 def axis_of(m: Any, v: Components) -> Result:
-    """r = |v| and u = v/|v|; u is NaN at v = 0.
-    Dual parts are r° and u°; at Re v = 0 the axis is that of v°, through the origin.
+    """Length r = |v| and axis u = v/|v|; u is NaN at v = 0.
+    The dual parts are r° and u°. At Re v = 0 the axis passes through the origin in the direction of v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
@@ -778,8 +782,8 @@ def axis_of(m: Any, v: Components) -> Result:
 
 
 def to_screw(m: Any, c: Any, v: Components) -> Result:
-    """The angle α in [0, π] and the axis u, CP23 Theorem 3.
-    The dual part of α is r° dα/dr, along the axis of that angle.
+    """Angle α in [0, π] and axis u of v, CP23 Theorem 3.
+    The dual part of α is r° dα/dr, along the axis u.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
@@ -790,8 +794,8 @@ def to_screw(m: Any, c: Any, v: Components) -> Result:
 
 
 def angle(m: Any, c: Any, v: Components) -> Result:
-    """The angle α of v on its own branch.
-    Its dual part is r° (f + x h), since dα/dr = f + x h.
+    """Angle α of v on its own branch.
+    The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     v1, v2, v3, _, _, _ = v
     _, _, _, _, ro, _, _, _ = axis_of(m, v)
@@ -807,14 +811,14 @@ def angle(m: Any, c: Any, v: Components) -> Result:
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
-    """α u of v = φ(α) u, on the branch of v."""
+    """Exponential coordinates α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
     own, = c.unfolded(m, x, length)
-    rate, _ = c.rate_scalars(m, x)
+    rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
     y = v1 * v1o + v2 * v2o + v3 * v3o
     bend = (rate - share) * y / square
@@ -822,7 +826,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
 
 
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
-    """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
+    """Vector φ(α) u of exponential coordinates α u; α beyond the edge of the chart is reduced by whole turns."""
     w1, w2, w3, w1o, w2o, w3o = w
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
@@ -838,7 +842,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
 
 
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
+    """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
     rk, slope, _ = c.turned(m, r, cos, sin)
@@ -847,7 +851,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
+    """Shadow φ(α + 2kπ) u of v, with the axis u of its principal angle α, CP23 (49)."""
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
@@ -861,7 +865,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
+    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
     v1, v2, v3, v1o, v2o, v3o = v
     none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
     one = 1 + none
@@ -872,7 +876,7 @@ def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
 
 
 def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
+    """Derivative T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u of v_k = r_k u by v = r u; regular at whole turns."""
     v1, v2, v3, v1o, v2o, v3o = v
     cos, sin = table
     r, u1, u2, u3, ro, u1o, u2o, u3o = axis_of(m, v)
@@ -919,7 +923,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
+    """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     beyond, cosine, sine = c.beyond(m, x, *table)
@@ -944,8 +948,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def displacement(m: Any, c: Any, v: Components) -> Result:
-    """A positive multiple e of the quaternion of v, its size, and f and g.
-    ρ = Re(T) v°, the translation.
+    """Positive multiple e of the quaternion of v, its size, and the scalars f and g.
+    The translation is ρ = Re(T) v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
@@ -962,8 +966,8 @@ def displacement(m: Any, c: Any, v: Components) -> Result:
 
 
 def composed(e2: Components, f: Any, g: Any, v2: Components, rho2: Components, e1: Components, rho1: Components) -> Result:
-    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
-    ρ = ρ2 + Q2 ρ1, Q2 of f and g at v2.
+    """Product e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
+    The translation is ρ = ρ2 + Q2 ρ1, with Q2 of f and g at v2.
     """
     p0, p1, p2, p3 = e2
     b1, b2, b3, _, _, _ = v2
@@ -985,7 +989,7 @@ def composed(e2: Components, f: Any, g: Any, v2: Components, rho2: Components, e
 
 
 def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """The principal v of R(v2) R(v1), CP23 (58)."""
+    """Principal vector v of R(v2) R(v1), CP23 (58)."""
     e0_2, e1_2, e2_2, e3_2, size_2, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, size_1, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, v1)
     e0, e1, e2, e3, rho1, rho2, rho3 = (
@@ -997,14 +1001,14 @@ def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    """Principal vector v of R(v1)⁻¹ R(v2), where R(v1)⁻¹ = R(−v1)."""
     a1, a2, a3, a1o, a2o, a3o = v1
     return compose(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o), v2)
 
 
 def dual_product(A: Components, B: Components) -> Result:
-    """A B.
-    A and B are dual tensors: the dual part is A° B + A B°.
+    """Product A B of two tensors.
+    The tensors are dual: the dual part is A° B + A B°.
     """
     A11, A12, A13, A21, A22, A23, A31, A32, A33, A11o, A12o, A13o, A21o, A22o, A23o, A31o, A32o, A33o = A
     B11, B12, B13, B21, B22, B23, B31, B32, B33, B11o, B12o, B13o, B21o, B22o, B23o, B31o, B32o, B33o = B
@@ -1025,7 +1029,7 @@ def dual_product(A: Components, B: Components) -> Result:
 
 
 def matrix6(D: Components) -> Result:
-    """The real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D: it acts on dual vectors as D does."""
+    """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
     D11, D12, D13, D21, D22, D23, D31, D32, D33, D11o, D12o, D13o, D21o, D22o, D23o, D31o, D32o, D33o = D
     return (
         D11, D12, D13, 0, 0, 0, D21, D22, D23, 0, 0, 0, D31, D32, D33, 0, 0, 0, D11o, D12o, D13o, D11, D12, D13, D21o,
@@ -1034,7 +1038,7 @@ def matrix6(D: Components) -> Result:
 
 
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    """Derivatives T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1) of v = compose(v2, v1), by v2 and by v1."""
     v = compose(m, c, v2, v1)
     back = tangent_inv(m, c, v)
     T2 = tangent(m, c, v2)
@@ -1049,7 +1053,7 @@ def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    """Derivatives T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1) of v = compose(−v1, v2), by v2 and by v1."""
     a1, a2, a3, a1o, a2o, a3o = v1
     minus_a1 = -a1
     minus_a2 = -a2
@@ -1077,7 +1081,7 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def exponential_scalars(m: Any, delta: Components) -> Result:
-    """The scalars of exp(δ), x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
+    """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     d1, d2, d3 = delta
     v11 = d1 * d1
     v22 = d2 * d2
@@ -1131,7 +1135,7 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
 
 
 def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
-    """φ(α) u of a quaternion e, its factor times e0, and α, which is within π of v's own angle along u."""
+    """Vector φ(α) u of a quaternion e, its factor times e0, and the angle α, within π of v's own angle along u."""
     v1, v2, v3 = v
     e0, e1, e2, e3 = e
     ss = e1 * e1 + e2 * e2 + e3 * e3
@@ -1155,7 +1159,7 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of exp(δ) R(v), of its branches the one nearest v."""
+    """Vector of exp(δ) R(v), on the branch nearest v."""
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
@@ -1181,7 +1185,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of R(v) exp(δ), of its branches the one nearest v."""
+    """Vector of R(v) exp(δ), on the branch nearest v."""
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, (d1, d2, d3))
@@ -1207,7 +1211,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     v1, v2, v3, _, _, _ = v
     d1, d2, d3, d1o, d2o, d3o = delta
     s, w, f, g, h, fy, gy, hy = exponential_scalars(m, (d1, d2, d3))
@@ -1242,15 +1246,15 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
 
 
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    """Derivatives T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ) of w = −retract(−v, −δ), by v and by δ."""
     v1, v2, v3, v1o, v2o, v3o = v
     d1, d2, d3, d1o, d2o, d3o = delta
     return retract_jacobians(m, c, (-v1, -v2, -v3, -v1o, -v2o, -v3o), (-d1, -d2, -d3, -d1o, -d2o, -d3o))
 
 
 def logarithm(m: Any, e: Components, rho: Components) -> Result:
-    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e.
-    Its dual part is T⁻¹ ρ.
+    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ).
+    The dual part is T⁻¹ ρ.
     """
     e0, e1, e2, e3 = e
     rho1, rho2, rho3 = rho
@@ -1316,7 +1320,7 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
 
 
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     a1, a2, a3, a1o, a2o, a3o = v1
     e0_2, e1_2, e2_2, e3_2, _, f_2, g_2, rho1_2, rho2_2, rho3_2 = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, _, _, _, rho1_1, rho2_1, rho3_1 = displacement(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o))
@@ -1328,14 +1332,14 @@ def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    """Step δ from v1 to v2 in the body, exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
     b1, b2, b3, b1o, b2o, b3o = v2
     a1, a2, a3, a1o, a2o, a3o = v1
     return local(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o), (-b1, -b2, -b3, -b1o, -b2o, -b3o))
 
 
 def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components) -> Result:
-    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    """Vector v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch followed from v1."""
     a1, a2, a3, _, _, _ = v1
     t, = time
     d1, d2, d3, d1o, d2o, d3o = local(m, c, v2, v1)
@@ -1414,7 +1418,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
 
 
 def adjoint(m: Any, c: Any, v: Components) -> Result:
-    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
+    """Adjoint of R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     v1, v2, v3, _, _, _ = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -1425,8 +1429,8 @@ def adjoint(m: Any, c: Any, v: Components) -> Result:
 
 
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r.
-    By v it is (T° − skew(Q r + ρ) T, T), entries of the real parts beside those by v°.
+    """Derivatives −skew(Q r) T and Q of a moved point by v and by r.
+    The derivative by v is (T° − skew(Q r + ρ) T, T): three columns by Re v, then three columns by v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     r1, r2, r3 = r
@@ -1471,7 +1475,7 @@ def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> R
 
 
 def transform_line_jacobians(m: Any, c: Any, v: Components, line: Components) -> Result:
-    """−skew(R l) T and R: the derivatives of a moved line by v and by the line."""
+    """Derivatives −skew(R l) T and R of a moved line by v and by the line."""
     v1, v2, v3, _, _, _ = v
     l1, l2, l3, m1, m2, m3 = line
     v11 = v1 * v1

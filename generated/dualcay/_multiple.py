@@ -20,7 +20,7 @@ POWERS: Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "pose_scalars": ((2, 2, 2), (1, 2, 3)),
     "tangent_scalars": ((2, 2, 2), (1, 2, 3, 3, 4, 5)),
     "tangent_dot_scalars": ((2, 2, 2), (1, 2, 3, 3, 4, 5, 5, 6, 7)),
-    "rate_scalars": ((2,), (1, 3)),
+    "rate_scalars": ((2,), (1,)),
     "inverse_scalars": ((2, 1), (-1, 1)),
     "inverse_at": ((2, 1, 0), (1,)),
     "tangent_inv_at": ((2, 1, 0), (-1, 1, 1, 3)),

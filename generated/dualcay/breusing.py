@@ -138,7 +138,7 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -148,11 +148,7 @@ def _rate_scalars(m: Any, x: Any) -> Result:
     cc = c * c
     over = 1 / (1 + cc)
     rho = 4 * (w * over)
-    decline = 2 * (c * over)
-    share = 4 * (cc * over)
-    rhogrowth = share - 3
-    rhoy = rho * decline * rhogrowth / 2
-    return rho, rhoy
+    return rho,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -436,7 +432,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="fa6419eabfbd42cc",
+    programs="80395e1098adb115",
 )
 
 KERNELS = PoseKernels(CHART)

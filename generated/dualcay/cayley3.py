@@ -121,14 +121,12 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 # rate = 2n/(1 + x)
 def _rate_scalars(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 6 / x1
-    ee = 2 * e / x1
-    ey = -ee
-    return e, ey
+    return e,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -352,7 +350,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="ea9e421e0ff7477d",
+    programs="77234a6cc32acac0",
 )
 
 KERNELS = PoseKernels(CHART)

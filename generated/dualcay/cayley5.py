@@ -131,14 +131,12 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 # rate = 2n/(1 + x)
 def _rate_scalars(m: Any, x: Any) -> Result:
     x1 = 1 + x
     e = 10 / x1
-    ee = 2 * e / x1
-    ey = -ee
-    return e, ey
+    return e,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -384,7 +382,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="3585ed6f51436d69",
+    programs="1d2738439cc35039",
 )
 
 KERNELS = PoseKernels(CHART)

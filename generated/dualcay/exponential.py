@@ -208,9 +208,9 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
-    return 1, 0
+    return 1,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -630,7 +630,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="508176a5148051f9",
+    programs="abc16f2fc3a2f467",
 )
 
 KERNELS = PoseKernels(CHART)

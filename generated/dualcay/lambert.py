@@ -104,13 +104,12 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, g, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     rho = 4 / c
-    rhoy = rho / cc
-    return rho, rhoy
+    return rho,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -364,7 +363,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5c267f3f89e4eca4",
+    programs="1f4d74d90b068b2e",
 )
 
 KERNELS = PoseKernels(CHART)

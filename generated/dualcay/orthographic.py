@@ -85,13 +85,12 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     return f, 2, h, fy, gy, hy, fyy, gyy, hyy
 
 
-# T v = rate v: rate = 1/phi' = f + x h, with its slope
+# T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
     rho = 2 / c
-    rhoy = rho / cc
-    return rho, rhoy
+    return rho,
 
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
@@ -255,7 +254,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="9fee13b656a7219f",
+    programs="f685dbb38a58ae92",
 )
 
 KERNELS = PoseKernels(CHART)

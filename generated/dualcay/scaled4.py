@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="d49068fb73494361"
+    BASE, __name__, 8, 1, constant=(), programs="3cb72158dd4d583a"
 )
 
 KERNELS = PoseKernels(CHART)

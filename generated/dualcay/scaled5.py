@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="3941c91acad87f34"
+    BASE, __name__, 10, 1, constant=('ray',), programs="aae6b5a8f39266af"
 )
 
 KERNELS = PoseKernels(CHART)

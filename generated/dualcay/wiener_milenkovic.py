@@ -35,7 +35,7 @@ ORDER = 2
 
 
 CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="5a8b2009de64d27c"
+    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="11cf463c2182cb62"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -15,7 +15,7 @@ def to_exponential(trace: Geometry) -> Program:
     point = trace.point()
     resting, square, length = _length(trace, point)
     (own,) = trace.ask("unfolded", (point.x, length))
-    rate, _ = trace.ask("rate_scalars", (point.x,))
+    (rate,) = trace.ask("rate_scalars", (point.x,))
     share = trace.name("share", trace.where(resting, rate, own / length))
     return trace.program("to_exponential", _rescaled(trace, point, square, share, rate))
 

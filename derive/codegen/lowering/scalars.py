@@ -33,7 +33,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "tangent_dot_scalars": (
         "f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy", "", (),
     ),
-    "rate_scalars": ("T v = rate v: rate = 1/phi' = f + x h, with its slope", "rate = 2n/(1 + x)", ()),
+    "rate_scalars": ("T v = rate v: rate = 1/phi' = f + x h", "rate = 2n/(1 + x)", ()),
     "inverse_scalars": (
         "T^-1 = (fi I - skew(v) + hi v(x)v)/2", "fi = p/q, hi = d/(n q), x d = (1 + x) q - n p", ("tangent_inv",)
     ),
@@ -158,7 +158,7 @@ SCALARS: Mapping[str, Scalar] = {
     "pose_scalars": _of_squares("f", "g", "h"),
     "tangent_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy"),
     "tangent_dot_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
-    "rate_scalars": _of_x("rate", "ratey"),
+    "rate_scalars": _of_x("rate"),
     "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
     "inverse_at": _at_angle("hi"),
     "tangent_inv_at": _at_angle("fi", "hi", "fiy", "hiy"),

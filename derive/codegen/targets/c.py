@@ -37,7 +37,7 @@ NAMES = {"R": "tensor", "T": "pose"}
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)
-    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1, 0)))
+    for name, outputs in (("beyond", (0, 1, 0)), ("direction", (1,)), ("turned", (0, 0, 0)), ("rate_scalars", (1,)))
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 

@@ -16,7 +16,7 @@ from .._kernel import Components, Kernel, Result
 
 
 def quaternion(m: Any, c: Any, v: Components) -> Result:
-    """q̂ = s + w v, CP23 (50)."""
+    """Unit quaternion q̂ = s + w v, CP23 (50)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     s, w, _, _ = c.quaternion_scalars(m, x)
@@ -24,7 +24,7 @@ def quaternion(m: Any, c: Any, v: Components) -> Result:
 
 
 def tensor_at(f: Any, g: Any, v: Components) -> Result:
-    """R = Q of f and g, CP23 (57)."""
+    """Tensor R = Q of the scalars f and g, CP23 (57)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -53,7 +53,7 @@ def tensor_at(f: Any, g: Any, v: Components) -> Result:
 
 
 def tensor(m: Any, c: Any, v: Components) -> Result:
-    """R = I + f skew(v) + g skew(v)², CP23 (57)."""
+    """Orthogonal tensor R = I + f skew(v) + g skew(v)², CP23 (57)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -63,7 +63,7 @@ def tensor(m: Any, c: Any, v: Components) -> Result:
 
 
 def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """Q r of a point r."""
+    """Image Q r of a point r."""
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1
@@ -83,13 +83,13 @@ def transform_point(m: Any, c: Any, v: Components, r: Components) -> Result:
 
 
 def inverse(m: Any, c: Any, v: Components) -> Result:
-    """−v: R(−v) = R(v)ᵀ."""
+    """Vector −v of the inverse: R(−v) = R(v)ᵀ."""
     v1, v2, v3 = v
     return -v1, -v2, -v3
 
 
 def tangent_at(f: Any, g: Any, h: Any, v: Components) -> Result:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     v1, v2, v3 = v
     gv1 = v1 * g
     gv2 = v2 * g
@@ -104,7 +104,7 @@ def tangent_at(f: Any, g: Any, h: Any, v: Components) -> Result:
 
 
 def tangent(m: Any, c: Any, v: Components) -> Result:
-    """T = f I + g skew(v) + h v⊗v, CP23 (88)."""
+    """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -114,7 +114,7 @@ def tangent(m: Any, c: Any, v: Components) -> Result:
 
 
 def tangent_inverse_at(fi: Any, hi: Any, v: Components) -> Result:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3 = v
     half1 = v1 / 2
     half2 = v2 / 2
@@ -132,7 +132,7 @@ def tangent_inverse_at(fi: Any, hi: Any, v: Components) -> Result:
 
 
 def tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    """T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
+    """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, _, _ = c.tangent_inv_scalars(m, x)
@@ -140,7 +140,7 @@ def tangent_inv(m: Any, c: Any, v: Components) -> Result:
 
 
 def body_tangent(m: Any, c: Any, v: Components) -> Result:
-    """Tᵀ, which is T at −v, CP23 (86)."""
+    """Transposed tangent operator Tᵀ, which is T at −v, CP23 (86)."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -150,7 +150,7 @@ def body_tangent(m: Any, c: Any, v: Components) -> Result:
 
 
 def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
-    """T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
+    """Transposed inverse tangent operator T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     fi, hi, _, _ = c.tangent_inv_scalars(m, x)
@@ -158,7 +158,7 @@ def body_tangent_inv(m: Any, c: Any, v: Components) -> Result:
 
 
 def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); with the side −1 the body's, Tᵀ v̇."""
+    """Twist T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); side −1 gives the body twist Tᵀ v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -179,7 +179,7 @@ def twist(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -
 
 
 def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    """T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); with the side −1 the body's, T⁻ᵀ ω."""
+    """Rate T⁻¹ ω = (fi ω − side v × ω + hi (v·ω) v)/2, CP23 (87), (90); side −1 gives T⁻ᵀ ω of a body twist."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     side, half = table
@@ -196,7 +196,7 @@ def rate(m: Any, c: Any, v: Components, omega: Components, table: Components) ->
 
 
 def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """Time derivative of T: ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
+    """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -230,7 +230,7 @@ def tangent_dot(m: Any, c: Any, v: Components, v_dot: Components, table: Compone
 
 
 def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Components, table: Components) -> Result:
-    """Time derivative of T v̇: ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
+    """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     z1, z2, z3 = v_ddot
@@ -259,7 +259,7 @@ def twist_dot(m: Any, c: Any, v: Components, v_dot: Components, v_ddot: Componen
 
 
 def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Components, table: Components) -> Result:
-    """``T⁻¹ ω̇ + (d/dt T⁻¹) ω`` at v̇ = T⁻¹ ω, in products of v, ω and ω̇: v̇ itself is in none of them."""
+    """Time derivative of the rate v̇ = T⁻¹ ω: ``T⁻¹ ω̇ + (d/dt T⁻¹) ω``, in products of v, ω and ω̇ without v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     z1, z2, z3 = omega_dot
@@ -290,7 +290,7 @@ def rate_dot(m: Any, c: Any, v: Components, omega: Components, omega_dot: Compon
 
 
 def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Components) -> Result:
-    """``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``, where v⊗w = w⊗v − skew(v × w)."""
+    """Derivative of the twist T w by v, at constant w = v̇."""
     v1, v2, v3 = v
     w1, w2, w3 = v_dot
     side, = table
@@ -320,7 +320,7 @@ def twist_jacobian(m: Any, c: Any, v: Components, v_dot: Components, table: Comp
 
 
 def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Components) -> Result:
-    """Half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``, where w⊗v = v⊗w − skew(w × v)."""
+    """Derivative of the rate T⁻¹ w by v, at constant w = ω."""
     v1, v2, v3 = v
     w1, w2, w3 = omega
     side, = table
@@ -350,7 +350,7 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
 
 
 def vector_of(gain: Any, e: Components) -> Result:
-    """v = gain vec e of a quaternion e."""
+    """Vector v = gain vec e of a quaternion e."""
     _, e1, e2, e3 = e
     v1 = e1 * gain
     v2 = e2 * gain
@@ -359,14 +359,14 @@ def vector_of(gain: Any, e: Components) -> Result:
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    """v = gain vec q̂ of a unit dual quaternion, CP23 (47)."""
+    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47)."""
     e0, e1, e2, e3 = e
     gain, = c.gain_unit(m, e0, e1, e2, e3)
     return vector_of(gain, e)
 
 
 def quaternion_of(m: Any, Q: Components) -> Result:
-    """A positive multiple of the quaternion of a rotation Q, its scalar part >= 0."""
+    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0."""
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
     a2 = Q13 - Q31
@@ -404,7 +404,7 @@ def quaternion_of(m: Any, Q: Components) -> Result:
 
 
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
-    """v of a rotation Q, by its quaternion."""
+    """Vector v of a rotation Q, computed from its quaternion."""
     e = quaternion_of(m, R)
     e0, e1, e2, e3 = e
     gain, = c.gain_positive(m, e0, e1, e2, e3)
@@ -412,7 +412,7 @@ def from_tensor(m: Any, c: Any, R: Components) -> Result:
 
 
 def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Result:
-    """v = φ(α) u, over dual numbers."""
+    """Vector v = φ(α) u, in dual numbers."""
     alpha, = angle
     u1, u2, u3 = line
     r, _ = c.coefficient(m, alpha)
@@ -420,7 +420,7 @@ def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Resu
 
 
 def axis_of(m: Any, v: Components) -> Result:
-    """r = |v| and u = v/|v|; u is NaN at v = 0."""
+    """Length r = |v| and axis u = v/|v|; u is NaN at v = 0."""
     v1, v2, v3 = v
     total = m.abs(v1) + m.abs(v2) + m.abs(v3)
     still = total == 0
@@ -436,7 +436,7 @@ def axis_of(m: Any, v: Components) -> Result:
 
 
 def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
-    """The angle α in [0, π] and the axis u, CP23 Theorem 3."""
+    """Angle α in [0, π] and axis u of v, CP23 Theorem 3."""
     v1, v2, v3 = v
     r, u1, u2, u3 = axis_of(m, v)
     x = v1 * v1 + v2 * v2 + v3 * v3
@@ -445,7 +445,7 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
 
 
 def angle(m: Any, c: Any, v: Components) -> Result:
-    """The angle α of v on its own branch."""
+    """Angle α of v on its own branch."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -458,20 +458,20 @@ def angle(m: Any, c: Any, v: Components) -> Result:
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
-    """α u of v = φ(α) u, on the branch of v."""
+    """Exponential coordinates α u of v = φ(α) u, on the branch of v."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
     length = m.sqrt(square)
     own, = c.unfolded(m, x, length)
-    rate, _ = c.rate_scalars(m, x)
+    rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
     return v1 * share, v2 * share, v3 * share
 
 
 def from_exponential(m: Any, c: Any, w: Components) -> Result:
-    """φ(α) u of α u; beyond the edge of the chart, of an α by whole turns less."""
+    """Vector φ(α) u of exponential coordinates α u; α beyond the edge of the chart is reduced by whole turns."""
     w1, w2, w3 = w
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
@@ -485,7 +485,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
 
 
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v a turn of the chart further along its own axis: φ(α + 2kπ) u, CP23 (49)."""
+    """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
     rk, _, _ = c.turned(m, r, cos, sin)
@@ -493,7 +493,7 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v a turn of the chart further along the axis of its principal angle, CP23 (49)."""
+    """Shadow φ(α + 2kπ) u of v, with the axis u of its principal angle α, CP23 (49)."""
     v1, v2, v3 = v
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
@@ -505,7 +505,7 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """I, but NaN where v is not finite: the derivative of a shadow by no turn."""
+    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
     v1, v2, v3 = v
     none = v1 - v1 + (v2 - v2) + (v3 - v3)
     one = 1 + none
@@ -513,7 +513,7 @@ def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
 
 
 def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u, where v = r u and v_k = r_k u; regular at whole turns."""
+    """Derivative T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u of v_k = r_k u by v = r u; regular at whole turns."""
     v1, v2, v3 = v
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
@@ -544,7 +544,7 @@ def shadow_jacobian(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
-    """v turned back by what the table of returns has for x; where v is principal already, it stands."""
+    """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     beyond, cosine, sine = c.beyond(m, x, *table)
@@ -557,7 +557,7 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
 
 
 def displacement(m: Any, c: Any, v: Components) -> Result:
-    """A positive multiple e of the quaternion of v, its size, and f and g."""
+    """Positive multiple e of the quaternion of v, its size, and the scalars f and g."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
     a, b, size, _, _, _ = c.ray(m, x)
@@ -565,7 +565,7 @@ def displacement(m: Any, c: Any, v: Components) -> Result:
 
 
 def quaternion_product(e2: Components, e1: Components) -> Result:
-    """e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1)."""
+    """Product e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1)."""
     p0, p1, p2, p3 = e2
     q0, q1, q2, q3 = e1
     return (
@@ -575,7 +575,7 @@ def quaternion_product(e2: Components, e1: Components) -> Result:
 
 
 def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """The principal v of R(v2) R(v1), CP23 (58)."""
+    """Principal vector v of R(v2) R(v1), CP23 (58)."""
     e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v1)
     found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
@@ -585,13 +585,13 @@ def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """The principal v of R(v1)⁻¹ R(v2), R(v1)⁻¹ = R(−v1)."""
+    """Principal vector v of R(v1)⁻¹ R(v2), where R(v1)⁻¹ = R(−v1)."""
     a1, a2, a3 = v1
     return compose(m, c, (-a1, -a2, -a3), v2)
 
 
 def matrix_product(A: Components, B: Components) -> Result:
-    """A B."""
+    """Product A B of two tensors."""
     A11, A12, A13, A21, A22, A23, A31, A32, A33 = A
     B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
     return (
@@ -602,7 +602,7 @@ def matrix_product(A: Components, B: Components) -> Result:
 
 
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1): the derivatives of v = compose(v2, v1)."""
+    """Derivatives T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1) of v = compose(v2, v1), by v2 and by v1."""
     v = compose(m, c, v2, v1)
     back = tangent_inv(m, c, v)
     T2 = tangent(m, c, v2)
@@ -615,7 +615,7 @@ def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1): the derivatives of v = compose(−v1, v2)."""
+    """Derivatives T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1) of v = compose(−v1, v2), by v2 and by v1."""
     a1, a2, a3 = v1
     minus_a1 = -a1
     minus_a2 = -a2
@@ -632,7 +632,7 @@ def between_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of exp(δ) R(v), of its branches the one nearest v."""
+    """Vector of exp(δ) R(v), on the branch nearest v."""
     d1, d2, d3 = delta
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
     e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
@@ -642,7 +642,7 @@ def retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """v of R(v) exp(δ), of its branches the one nearest v."""
+    """Vector of R(v) exp(δ), on the branch nearest v."""
     d1, d2, d3 = delta
     s, w, _, _, _, _, _, _ = exponential_scalars(m, delta)
     e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
@@ -652,7 +652,7 @@ def body_retract(m: Any, c: Any, v: Components, delta: Components) -> Result:
 
 
 def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ): the derivatives of w = retract(v, δ)."""
+    """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     d1, d2, d3 = delta
     s, w, f, g, h, _, _, _ = exponential_scalars(m, delta)
     e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, v)
@@ -671,14 +671,14 @@ def retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Resul
 
 
 def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> Result:
-    """T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ): the derivatives of w = −retract(−v, −δ)."""
+    """Derivatives T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ) of w = −retract(−v, −δ), by v and by δ."""
     v1, v2, v3 = v
     d1, d2, d3 = delta
     return retract_jacobians(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
 
 
 def logarithm(m: Any, e: Components) -> Result:
-    """δ of exp(δ) with a positive multiple e of its quaternion, by the angle of e."""
+    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ)."""
     e0, e1, e2, e3 = e
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -694,7 +694,7 @@ def logarithm(m: Any, e: Components) -> Result:
 
 
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """δ of exp(δ) = R(v2) R(v1)⁻¹."""
+    """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     a1, a2, a3 = v1
     e0_2, e1_2, e2_2, e3_2, _ = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, (-a1, -a2, -a3))
@@ -703,14 +703,14 @@ def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
 
 
 def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
-    """δ of exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
+    """Step δ from v1 to v2 in the body, exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
     b1, b2, b3 = v2
     a1, a2, a3 = v1
     return local(m, c, (-a1, -a2, -a3), (-b1, -b2, -b3))
 
 
 def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components) -> Result:
-    """v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch that is followed from v1."""
+    """Vector v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch followed from v1."""
     a1, a2, a3 = v1
     t, = time
     d1, d2, d3 = local(m, c, v2, v1)
@@ -769,7 +769,7 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
 
 
 def adjoint(m: Any, c: Any, v: Components) -> Result:
-    """R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
+    """Adjoint of R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     v1, v2, v3 = v
     v11 = v1 * v1
     v22 = v2 * v2
@@ -779,7 +779,7 @@ def adjoint(m: Any, c: Any, v: Components) -> Result:
 
 
 def transform_point_jacobians(m: Any, c: Any, v: Components, r: Components) -> Result:
-    """−skew(Q r) T and Q: the derivatives of a moved point by v and by r."""
+    """Derivatives −skew(Q r) T and Q of a moved point by v and by r."""
     v1, v2, v3 = v
     r1, r2, r3 = r
     v11 = v1 * v1

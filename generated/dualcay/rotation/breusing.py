@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="36ef780f08b782ec",
+    programs="7bf1459b073d0898",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="45861bf5d26d2083",
+    programs="58900387d252eff7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="c1973f2c52f6b4e8",
+    programs="99b915332e01c570",
 )
 
 KERNELS = RotationKernels(CHART)

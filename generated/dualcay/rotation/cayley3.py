@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="08fa72cf3cc520ce",
+    programs="2117c42e8d687637",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f188b96a0faebbe2",
+    programs="20997e6f30e28011",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b4ffb42b1ecea0aa",
+    programs="b22971895b0feff5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6297fe28bca71f19",
+    programs="2f2ed07c6d700e13",
 )
 
 KERNELS = RotationKernels(CHART)

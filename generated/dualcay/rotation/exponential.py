@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0f825f98a70e0e19",
+    programs="d1d74b712b7be94e",
 )
 
 KERNELS = RotationKernels(CHART)

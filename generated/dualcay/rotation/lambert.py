@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0906c0f22212b7af",
+    programs="3b76f6a61248bdf3",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d163dd527e2c2da1",
+    programs="ed5ecd221d581fd3",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ddf80f8b069d3ba4",
+    programs="1e10a641381a0f19",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d07ba234c413db7b",
+    programs="668512d01926b30f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="58bb35461e0fec8a",
+    programs="60aac62be190280a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2202bdd71457412a",
+    programs="406d19cc16eeb215",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f1a2d73d7a77e22e",
+    programs="532c1d09bb4c5587",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1563e3f8828738dd",
+    programs="b2f2002d79631546",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="83905c515dd046b7",
+    programs="98f15c3304bdb7c5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -39,9 +39,11 @@ EQUIVALENT = {
     r"versine(\w) = tthalf\1 [<>]=? 1[567] \? 2 \* tthalf\1 / belowhalf\1 : 2 - 2 / belowhalf\1;": "both are 1 - cos",
     r"lost(\w) = (\(alpha\1 [<>]=? [789] \? -?left\1 : \(\w+\)0\)|-?left\1) / \(": "rounding takes nothing here",
     r"_in\b|lost": "nor here",
-    r"axis\d = along\d \* unit": "the norm of a unit vector is 1 but for rounding",
+    r"const dualcay_real fe =": "Cayley maps compute T⁻¹ from x, not from fe",
+    r"_interpolate_core: .* / 6[35]\)": "next to the limit both sides are right",
+    r"axis\d = along\d \* unit|const dualcay_real unit = \(resting": "the norm of a unit vector is 1 but for rounding",
     r"retract_jacobians_core: by_\w+_at\[.*= by_\w+\[": "entries of the upper right block, which is 0",
-    r"rotation_\w+_exponential_scalars_core: .* \w+y =": "slopes act on dual parts, which rotations lack",
+    r"rotation_\w+_exponential_scalars_core: .* (c4|\w+y) =": "slopes act on dual parts, which rotations lack",
     r"DUALCAY_CHART\(\w+\)\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
 """Reasons why a change leaves results unchanged, by pattern of function and line."""
