@@ -1,4 +1,4 @@
-"""Work that does not end by itself, for processes that have to; it loads nothing heavy."""
+"""Task that does not end by itself, for tests of processes that must end; it imports little."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tests are deselected for want of a compiler only where the toolkit finds none."""
+"""Check that tests are deselected for lack of a compiler only where the toolkit finds none."""
 
 from __future__ import annotations
 
