@@ -37,7 +37,7 @@ def test_threads_are_timed_against_one() -> None:
 
 
 @pytest.mark.usefixtures("hasty")
-def test_libraries_have_lines_a_picture_and_words_where_they_are_faster(
+def test_section_on_libraries_has_tables_a_picture_and_faster_ones(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(libraries, "compiled", lambda: nullcontext("dualcay"))

@@ -1,4 +1,4 @@
-"""Comparison of families other than Cayley's with first principles, on floats: all functions, from angle 0 to the edge."""
+"""Comparison of families other than Cayley's with first principles, on floats, at angles from 0 to the edge."""
 
 from __future__ import annotations
 

@@ -115,7 +115,7 @@ def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: i
 
 
 @REGIME
-def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
+def test_points_move_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
     v, r = reached(order, regime), sampling.points("points", count=6)
     pose = kernel.pose(v)
     for i, moved in enumerate(kernel.transform_point(v, r)):
@@ -125,7 +125,7 @@ def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int
 
 
 @REGIME
-def test_lines_move_as_by_the_dual_tensor_and_as_their_points_do(kernel: ModuleType, order: int, regime: str) -> None:
+def test_lines_move_by_the_dual_tensor_and_with_their_points(kernel: ModuleType, order: int, regime: str) -> None:
     v = reached(order, regime)
     first, second = sampling.points("first", count=6), sampling.points("second", count=6)
 

@@ -108,7 +108,7 @@ def test_jacobians_of_shadows_are_accurate_at_whole_turns(kernels: ModuleType, o
 
 
 def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleType):
-    """Only branch 0 has a derivative; NaN stays in its element."""
+    """Derivatives exist on branch 0 alone; NaN stays in its element."""
     v = np.array([[0, 0, 0, 1.0, 2.0, 3.0], [0.1, 0.2, 0, 1, 0, 0], [np.nan, 0, 0, 0, 0, 0]])
     one, other = kernels.shadow_jacobian(v, 0), kernels.shadow_jacobian(v, 1)
     np.testing.assert_array_equal(one[:2], np.broadcast_to(np.eye(6), (2, 6, 6)))

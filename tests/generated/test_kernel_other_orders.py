@@ -58,7 +58,7 @@ def test_rotations_alone_of_order_seven(folder: Path) -> None:
 def test_orders_above_eight_overflow_beyond_the_fourth_power_of_one_plus_x(
     folder: Path, order: int, dtype: type, size: float
 ) -> None:
-    """Results stay accurate beyond |v| = 57 and 1e14, where the eleventh power overflows; beyond the fourth they are NaN.
+    """Overflow of the eleventh power, at |v| = 57 and 1e14, keeps results accurate; overflow of the fourth gives NaN.
 
     Errors stay within the gate of shadows, 10 n eps, times 2n for one more derivative of powers of this degree.
     """

@@ -102,7 +102,7 @@ def test_branches_of_the_pose_are_shadows_of_the_principal_vector(kernel: Module
                 if np.linalg.norm(a[:3]) < 1e3:
                     allowed = trial.shadow_scale(start, a)
                     gate = errors.GENERAL + errors.shadow_gate(order)
-                    # Twice the gate: both start from the principal vector, whose error passes through the same Jacobian.
+                    # Twice the gate: both start from the principal vector; its error passes through the same Jacobian.
                     assert errors.norm(a[:3] - b[:3]) <= 2 * gate * EPS * allowed.re
                     assert errors.norm(a[3:] - b[3:]) <= 2 * gate * EPS * allowed.du
 

@@ -215,7 +215,7 @@ def test_shadows_of_translations_form_the_group_too(order: int, shift: list[floa
 
 
 def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -> None:
-    """Batch of identity, translation, half turn and general poses: no pose is affected by a case it does not take."""
+    """Each pose in a mixed batch is unaffected by the others: identity, translation, half turn, general poses."""
     regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
     v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
     for name in ("principal", "shadow", "quaternion", "tangent_inv"):

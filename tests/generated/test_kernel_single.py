@@ -141,7 +141,7 @@ def test_single_precision_overflow_gives_no_warning(kernel: ModuleType, order: i
 
 @pytest.mark.parametrize("order", [n for n in ORDERS if n in (4, 8)])
 def test_poles_are_not_finite(order: int) -> None:
-    """No inverse exists at |v| = 1, where Re α is 2π for n = 4, and 4π (also a zero of q_8) for n = 8."""
+    """Inverses do not exist at |v| = 1: Re α is 2π for n = 4; for n = 8 Re α is 4π, also a zero of q_8."""
     kernel = load(order)
     v = np.array([[0, 0, 1.0, 0, 0, 0], [0.1, 0, 0, 0, 0, 0]])
     for got in (kernel.tangent_inv(v), np.stack([kernel.tangent_inv(row) for row in v])):
@@ -161,6 +161,6 @@ def test_order_one_has_no_vector_at_pi() -> None:
 
 
 def test_special_arguments_are_not_written_to() -> None:
-    """All tests of this module share the inputs above."""
+    """Inputs above are shared by all tests of this module."""
     for kind, values in SPECIAL.items():
         assert all(value.shape == SHAPES[kind] for value in values)

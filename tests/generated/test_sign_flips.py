@@ -100,7 +100,7 @@ READ = {name: names_read(k.plain.__code__) | {k.plain.__name__} for name, k in c
 
 
 def users(program: str) -> list[str]:
-    """Return the interface functions that run a program; the one of the same name comes first."""
+    """Return the interface functions that run a program, with its namesake first."""
     kernels = sorted((name for name, read in READ.items() if program in read), key=lambda name: name != program)
     shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # turns distinguish branches
     return [name for name in dict.fromkeys(shown) if name in FUNCTIONS]

@@ -236,8 +236,8 @@ class CalculusTrial(Trial):
     def interpolate(self) -> Iterator[Result]:
         """Yield interpolations; their twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
 
-        The branch follows from the angle, which is rounded, too. The regime near 2π is left out: there the axis may
-        swing round between two steps of the oracle, and the branch is undecided.
+        Rounding of the angle may also change the branch. The regime near 2π is left out: the axis may swing round
+        between two steps of the oracle, and the branch is undecided.
         """
         if self.regime == "near 2 pi":
             return

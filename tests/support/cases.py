@@ -1,7 +1,7 @@
 """Inputs with the largest error of each kernel function, kept in benchmarks/worst_cases.json.
 
-A case names the function, the order, the type, the regime (which decides the gate) and the arguments in hexadecimal,
-so that inputs are the same numbers everywhere. All branches of the function are tried on it.
+A case holds function, order, type, regime (which decides the gate) and arguments. Arguments are in hexadecimal, so that
+they are the same numbers everywhere. All branches of the function are tried on it.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ class Case:
 
     @property
     def key(self) -> Key:
-        """Key within which cases compete; it tells the principal range apart, which has separate gates."""
+        """Key of cases that compete; cases inside the principal range compete separately, since their gates differ."""
         return self.table, self.function, self.regime in sampling.PRINCIPAL
 
     def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:

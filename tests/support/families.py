@@ -136,8 +136,8 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
     """Return the changes of T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) when their factors are rounded.
 
-    Factors are computed separately, so each has an error relative to its own norm. At whole turns, and at an edge with
-    φ′ = 0, a factor is nearly singular but the product is near I, also at moved arguments: they do not show this error.
+    Each factor is computed separately, with an error relative to its norm. At whole turns, and at an edge with φ′ = 0,
+    a factor is nearly singular but the product is near I. Moving the arguments does not show this error.
     """
     body = name.startswith("body")
     result = (oracle.body_retract if body else oracle.retract)(v, delta)

@@ -1,7 +1,7 @@
 """Cayley maps of any order from first principles, in mpmath at any precision.
 
 Nothing is shared with the code under test: there are no p_n, q_n and no closed forms of coefficients. The dual
-quaternion is the n-th power of 1 + v over its own norm, and the tensor rotates the basis vectors by it. The tangent
+quaternion is the normalized n-th power of 1 + v, and the tensor rotates the basis vectors by it. The tangent
 operator is vect(Ṙ Rᵀ), with R differentiated exactly in nilpotent arithmetic. Inverse maps take half the dual angle by
 atan2 and return tan of its n-th part. A vector without real part (pure translation, identity) is a separate case: axis
 and angle come from the dual part.

@@ -22,7 +22,7 @@ ALIKE = (5,)
 every module."""
 
 BACKENDS = {"native", "numpy"} if os.environ.get("DUALCAY_NATIVE") == "1" else {"numpy"}
-"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 compiled functions too."""
+"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 also compiled functions."""
 
 
 def orders(chosen: Iterable[int]) -> Any:
@@ -49,7 +49,7 @@ def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:
 
 
 def write(orders: Iterable[int], folder: Path) -> None:
-    """Derive, prove and write the kernels of those orders that are not committed."""
+    """Derive, prove and write the kernels of orders that are not committed."""
     missing = sorted(set(orders) - set(ORDERS))
     if missing:
         packages.write(missing, "numpy", folder)

@@ -2,8 +2,8 @@
 
 This arithmetic serves tests alone: nothing is shared with the code under test. A ``Nil`` over mpf is a dual number; a
 ``Nil`` over ``Nil`` carries a derivative beside it, so differentiating is exact arithmetic and never a difference
-quotient. The two levels must not be mixed in one operation: every component of one computation has the same depth,
-or is a plain number.
+quotient. Levels must not be mixed in one operation: all components in a computation have the same depth, or are plain
+numbers.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ REGIMES = tuple(r for r in sampling.REGIMES if r not in ("translation 1e6", "pur
 
 
 class Called:
-    """Module of rotations with the interface for poses: it takes the real parts of arguments."""
+    """Module of rotations with the interface for poses; only real parts of arguments are used."""
 
     def __init__(self, module: ModuleType) -> None:
         self.module = module

@@ -67,7 +67,7 @@ def generator(*key: object, seed: int = 0) -> np.random.Generator:
 
 
 def _filled(values: np.ndarray, rng: np.random.Generator, dtype: type) -> np.ndarray:
-    """Return doubles as another type; if it is longer than double, the further digits are random."""
+    """Convert doubles to another type; digits beyond double precision are random."""
     if np.finfo(dtype).eps >= np.finfo(float).eps:
         return values.astype(dtype)
     return values.astype(dtype) * (1 + np.finfo(float).eps * rng.uniform(-0.5, 0.5, values.shape).astype(dtype))

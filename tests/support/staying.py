@@ -1,4 +1,4 @@
-"""Task that does not end by itself, for tests of processes that must end; it imports little."""
+"""Task that does not end on its own, for tests of processes that must end; this module imports little."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ class Result(NamedTuple):
     exact: list[Any]
     scales: list[Nil]
     gates: tuple[float, float]
-    given: tuple[np.ndarray, ...]  # v, and the second argument where there is one
+    given: tuple[np.ndarray, ...]  # v, and the second argument if any
     note: str = ""
 
 
