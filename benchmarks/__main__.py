@@ -1,4 +1,4 @@
-"""The page of speeds: ``python -m benchmarks -o docs/benchmarks.md``."""
+"""Page of speeds: ``python -m benchmarks -o docs/benchmarks.md``."""
 
 from __future__ import annotations
 

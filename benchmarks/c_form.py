@@ -1,4 +1,4 @@
-"""The C form of the kernels as a shared library: what NumPy and numba forms are compared with.
+"""C form of the kernels as a shared library, with which NumPy and numba forms are compared.
 
 ``load(3)`` generates, compiles and loads the kernels of order 3; ``python benchmarks/c_form.py`` prints their times.
 """
@@ -35,9 +35,9 @@ Array = NDArray[Any]
 
 
 class CForm:
-    """Kernels of one order, compiled. ``call("pose", v, out=pose)`` runs one on C-contiguous arrays.
+    """Compiled kernels of one order; ``call("pose", v, out=pose)`` runs one of them on C-contiguous arrays.
 
-    Components come first, in arrays (components, N), or last, in (N, components), with ``layout="aos"``.
+    Arrays have shape (components, N), or with ``layout="aos"`` shape (N, components).
     """
 
     def __init__(self, library: Path, real: str, table: Table = POSES) -> None:
@@ -48,7 +48,7 @@ class CForm:
     def call(
         self, name: str, *arguments: Array, out: Array | tuple[Array, ...], branch: int = 0, layout: str = "rows"
     ) -> None:
-        """Run a kernel; of a function with two results, ``out`` is a tuple."""
+        """Run a kernel; ``out`` is a tuple for functions with two results."""
         arrays = (*arguments, *(out if isinstance(out, tuple) else (out,)))
         axis = 0 if layout == "rows" else -1
         row = self._functions[name]
@@ -63,7 +63,7 @@ class CForm:
 
 
 def load(order: int, real: str = "double") -> CForm | None:
-    """Print and compile the kernels of an order; None where no C compiler is found."""
+    """Print and compile the kernels of an order; return None if no C compiler is found."""
     command = compiler()
     if command is None:
         return None
@@ -82,7 +82,7 @@ def compiled(
     table: Table = POSES,
     flags: Sequence[str] = FLAGS,
 ) -> Path:
-    """The shared library of the kernels of an order, made in a folder from the header in another."""
+    """Compile the kernels of an order into a shared library in a folder, from the header in another."""
     source, library = folder / "library.c", folder / "library.so"
     source.write_text("\n".join(_source(Cayley(order), table)) + "\n", encoding="utf-8")
     options = [*flags, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
@@ -97,7 +97,7 @@ def _source(chart: Cayley, table: Table) -> Iterator[str]:
 
 
 def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
-    """Both layouts of a function, with one pointer per array; the branch is always an argument."""
+    """Yield both layouts of a function, with one pointer per array; the branch is always an argument."""
     given, made = signature.arguments, signature.results
     pointers = [f"const dualcay_real *{a.name}" for a in given] + [f"dualcay_real *{a.name}" for a in made]
     parameters = ", ".join(["size_t n", "int branch", *pointers])
@@ -110,7 +110,7 @@ def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
 
 
 def _best(form: CForm, name: str, count: int, layout: str, repeats: int = 15) -> float:
-    """Nanoseconds per value, the best of some runs."""
+    """Return nanoseconds per value, the best of some runs."""
     signature, random = PUBLIC[name], np.random.default_rng(1)
 
     def shape(size: int) -> tuple[int, int]:
@@ -127,7 +127,7 @@ def _best(form: CForm, name: str, count: int, layout: str, repeats: int = 15) ->
 
 
 def main() -> int:
-    """Print times of an order."""
+    """Print the times of the kernels of one order."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("-n", "--order", type=int, default=3)
     order = parser.parse_args().order

@@ -1,7 +1,7 @@
-"""Errors and speed of charts, which ``dualcay compare`` shows: docs/parameterizations.json.
+"""Errors and speed of charts for ``dualcay compare``, in docs/parameterizations.json.
 
-Errors are of seeded vectors at the angles that are shown, against 60 digits: in eps of the size of a result and of its
-condition, the larger one of its parts. Times are of one pose, and of one of many.
+Errors are measured at seeded vectors of the angles shown, against 60 digits. They are in eps of a result's size and
+condition, for the worse of its parts. Times are per pose, for one pose and for many.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ SAMPLES = 6
 
 
 def oracle_of(chart: Chart) -> oracle.Oracle:
-    """First principles of a chart."""
+    """Return the oracle of a chart from first principles."""
     if chart.cayley:
         return oracle.oracle_of(chart.order, families.DIGITS)
     return families.oracle_of(chart.name)
@@ -62,7 +62,7 @@ def nanoseconds(charts: Sequence[Chart]) -> dict[str, dict[str, dict[str, float]
 
 
 def main() -> None:
-    """Measure the committed charts."""
+    """Measure errors and speed of the committed charts."""
     console, charts = Console(), catalogue.committed()
     times = nanoseconds(charts)
     found: dict[str, Any] = {}

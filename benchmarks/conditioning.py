@@ -1,9 +1,9 @@
-"""How many digits of a vector a pose knows: docs/conditioning.png, by ``python -m benchmarks.conditioning``.
+"""Conditioning of vectors from poses: docs/conditioning.png, by ``python -m benchmarks.conditioning``.
 
-Poses of known angle and axis, each the product of two in doubles, go through ``from_pose``; the result is compared
-with φ(α + 2πk) u to 30 digits. Lines are what a rotation off by eps may do: it moves the axis by ``1/(2 sin(α/2))`` eps
-and the angle by eps, so v_k by ``|φ_k|/(2 sin(α/2))`` and ``φ_k′`` of them. Errors are relative to |v_k|, or to φ′(0)
-where it is shorter.
+Poses of known angle and axis, each a product of two in doubles, go through ``from_pose``; results are compared with
+φ(α + 2πk) u to 30 digits. Lines show the effect of an error of eps in the rotation. The axis moves by
+``1/(2 sin(α/2))`` eps and the angle by eps, so v_k moves by ``|φ_k|/(2 sin(α/2))`` and ``φ_k′`` eps. Errors are
+relative to |v_k|, or to φ′(0) if that is larger.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ AXES = 16
 EPS = float(np.finfo(float).eps)
 FLOOR = 0.1
 
-# Colours of Okabe and Ito, told apart without colour by marker.
+# Colours of Okabe and Ito; markers differ as well.
 PANELS = {
     "rotation angle α": [
         (3, 0, "#000000", "o"), (3, 1, "#0072B2", "s"), (5, 1, "#E69F00", "^"), (8, 3, "#009E73", "D"),
@@ -37,14 +37,14 @@ PANELS = {
 
 
 def rotation(alpha: mpmath.mpf, axis: np.ndarray) -> mpmath.matrix:
-    """Rodrigues' formula."""
+    """Return a rotation matrix by Rodrigues' formula."""
     a, b, c = map(mpmath.mpf, axis)
     skew = mpmath.matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]]) / mpmath.sqrt(a * a + b * b + c * c)
     return mpmath.eye(3) + mpmath.sin(alpha) * skew + (1 - mpmath.cos(alpha)) * skew**2
 
 
 def computed_poses(alpha: mpmath.mpf, axes: np.ndarray) -> np.ndarray:
-    """Rotations by an angle, products of two rounded ones."""
+    """Return rotations by an angle about axes, as products of two rounded rotations."""
     poses = np.zeros((len(axes), 4, 4))
     poses[:, 3, 3] = 1
     for pose, axis, other in zip(poses, axes, np.roll(axes, 1, axis=0), strict=True):
@@ -55,7 +55,7 @@ def computed_poses(alpha: mpmath.mpf, axes: np.ndarray) -> np.ndarray:
 
 
 def relative_error(order: int, branch: int, alpha: mpmath.mpf, axes: np.ndarray) -> float:
-    """The largest of all axes, in eps."""
+    """Return the largest error over all axes, in eps."""
     size = mpmath.tan((alpha + 2 * mpmath.pi * branch) / (2 * order))
     found = kernels.load(order).from_pose(computed_poses(alpha, axes), branch)[:, :3]
     errors = []
@@ -66,12 +66,12 @@ def relative_error(order: int, branch: int, alpha: mpmath.mpf, axes: np.ndarray)
 
 
 def unit(order: int, size: mpmath.mpf) -> mpmath.mpf:
-    """Return the length that errors of a vector are relative to: its own, or φ′(0) if that is larger."""
+    """Return the reference length for errors of a vector: the vector's length, or φ′(0) if larger."""
     return max(abs(size), mpmath.mpf(1) / (2 * order))
 
 
 def condition(order: int, branch: int, alpha: mpmath.mpf) -> float:
-    """How far v_k moves, in that unit, when the rotation moves by 1."""
+    """Return the change of v_k, in the unit of `unit`, for a change of the rotation by 1."""
     size = mpmath.tan((alpha + 2 * mpmath.pi * branch) / (2 * order))
     moved = max((1 + size**2) / (2 * order), abs(size) / (2 * mpmath.sin(alpha / 2)))
     return float(moved / unit(order, size))
@@ -89,7 +89,7 @@ def draw(axes: Axes, label: str, angles: list[mpmath.mpf], directions: np.ndarra
 
 
 def main() -> None:
-    """Draw the figure."""
+    """Draw the figure on conditioning."""
     from matplotlib.figure import Figure
 
     directions = sampling.unit_vectors(sampling.generator("conditioning"), (AXES,))

@@ -1,6 +1,6 @@
-"""Derivatives as one has them without the closed forms: by SymPy, by JAX, by complex steps of kernels.
+"""Derivatives without the closed forms: by SymPy, by JAX, by complex steps of kernels.
 
-A function here is by its name among the kernels; its arguments are v, and w and z as the function takes them.
+Functions are named as in the kernels; arguments are v, and w and z if the function takes them.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from derive.maps.polynomials import x
 from tests.support import packages
 
 STEP = 1e-40
-"""Complex step: nothing is subtracted, so it may be far below a unit of rounding."""
+"""Complex step, which may be far below a unit of rounding because nothing is subtracted."""
 
 Symbols = Sequence[sympy.Symbol]
 Parts = tuple[sympy.Matrix, sympy.Matrix]
@@ -31,13 +31,13 @@ Parts = tuple[sympy.Matrix, sympy.Matrix]
 
 
 def applied(parts: Parts, w: Symbols) -> sympy.Matrix:
-    """A dual tensor applied to a dual vector, six components."""
+    """Apply a dual tensor to a dual vector; return six components."""
     real, dual = sympy.Matrix(w[:3]), sympy.Matrix(w[3:])
     return sympy.Matrix.vstack(parts[0] * real, parts[0] * dual + parts[1] * real)
 
 
 def along(matrix: sympy.Matrix, v: Symbols, rates: Sequence[Any]) -> sympy.Matrix:
-    """The derivative of a matrix as v goes at these rates."""
+    """Return the derivative of a matrix as v changes at these rates."""
     return sum((matrix.diff(c) * rate for c, rate in zip(v, rates, strict=True)), start=matrix * 0)
 
 
@@ -87,13 +87,13 @@ COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
 """Generators of SymPy components, by measured function."""
 
 ARGUMENTS = {name: 3 if name == "rate_dot" else 2 for name in COMPONENTS}
-"""How many dual vectors each takes."""
+"""Number of dual vectors that each function takes."""
 
 # --- complex steps ------------------------------------------------------------------------------------------------
 
 
 def stepped(module: Any, function: str) -> Callable[..., Any] | None:
-    """A derivative by complex steps of the kernels; None of those that choose branches, and take no complex numbers."""
+    """Return a derivative by complex steps of kernels; None for kernels that choose branches, which must be real."""
     name = function.partition("_")[0]
     whole = getattr(module, name)
     if function.endswith("_jacobians"):
@@ -114,7 +114,7 @@ def _by_columns(whole: Callable[..., Any], v: Any, w: Any) -> Any:
 
 
 def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
-    """The derivative at one pose by JAX, in forward mode, of our functions as printed for arrays of any library."""
+    """Return the derivative at one pose by JAX in forward mode, of our functions printed for any array library."""
     module = array_module(order)
     name = function.partition("_")[0]
     whole = getattr(module, name)
@@ -143,13 +143,13 @@ def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> 
     single = given[0].ndim == 1
     fast = jax.jit(one if single else jax.vmap(one))
     calls: dict[str, Call] = {"jitted": lambda: jax.block_until_ready(fast(*given))}
-    calls["jitted"]()  # which compiles, once
+    calls["jitted"]()  # the first call compiles
     return calls | {"called": lambda: jax.block_until_ready(one(*given))} if single else calls
 
 
 @cache
 def array_module(order: int) -> Any:
-    """The kernels of an order for any array library, made once and kept no longer than the process."""
+    """Return the kernels of an order for any array library, printed once per process into a temporary folder."""
     with tempfile.TemporaryDirectory(prefix="dualcay-arrays-") as name:
         folder = Path(name) / f"dualcay_arrays{order}"
         packages.write([order], "array-api", folder)

@@ -1,12 +1,12 @@
-"""The README's pictures: ``python -m benchmarks.figures``.
+"""Pictures of the README: ``python -m benchmarks.figures``.
 
 ======== ====================================================================================================
-accuracy error against angle, ours beside other libraries': the panels of docs/accuracy.md that tell most
+accuracy error against angle, of our kernels and other libraries: the main panels of docs/accuracy.md
 charts   |v| against the angle, chart by chart, and where each is singular
 screw    a body on a screw motion, by ``from_screw``
 ======== ====================================================================================================
 
-Backgrounds are transparent, and colours are told from white and from black.
+Backgrounds are transparent, and colours are visible on white and on black.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ PANELS = {
 
 
 def save(figure: Figure, name: str) -> None:
-    """No version of the library in the file: the same data give the same bytes."""
+    """Save a figure without matplotlib's version, so that equal data give equal bytes."""
     FOLDER.mkdir(exist_ok=True)
     figure.savefig(FOLDER / f"{name}.png", dpi=110, metadata={"Software": None})
 
@@ -95,7 +95,7 @@ def charts() -> Figure:
 
 
 def draw_chart(axes: Axes, chart: Compared, colour: str, line: str) -> None:
-    """The curve as far as the picture goes, its name at the end, circles where T is singular, a line where it ends."""
+    """Draw the curve of a chart with its name, circles where T is singular, and a line where |v| is infinite."""
     end = min(chart.edge, LAST)
     first = stretch(chart.chart.phi, 0.0).along
     angles = np.linspace(0, end * (1 - 1e-9), 401)
@@ -113,7 +113,7 @@ def draw_chart(axes: Axes, chart: Compared, colour: str, line: str) -> None:
 
 
 def screw() -> Figure:
-    """Frames along a screw about an axis that does not meet the origin."""
+    """Draw frames along a screw about an axis that does not meet the origin."""
     angle, through, along = np.array([2.2 * np.pi, 3.4]), np.array([1.0, 0.4, 0]), np.array([0.28, 0, 0.96])
     line = np.concatenate([along, np.cross(through, along)])
     figure = Figure(figsize=(5.5, 4.6))
@@ -136,7 +136,7 @@ def screw() -> Figure:
 
 
 def main() -> None:
-    """Draw all of them."""
+    """Draw all pictures."""
     matplotlib.use("Agg")
     with matplotlib.rc_context(STYLE):
         save(charts(), "charts")

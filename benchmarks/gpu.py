@@ -1,9 +1,9 @@
-"""The array-api kernels on a GPU: CuPy, PyTorch and JAX against the card's own memory speed.
+"""Array-api kernels on a GPU: CuPy, PyTorch and JAX against the memory speed of the card.
 
     python benchmarks/gpu.py [--device gpu|cpu] [--poses 1e6,1e7,1e8] [-n 3] [--dtype float32|float64]
 
-Each row is one library and number of poses: nanoseconds per pose of the map, of a copy that moves as many bytes (the
-floor), and their ratio. Libraries which are missing, or see no such device, are named. Nothing is written.
+Rows are libraries and numbers of poses. Columns are nanoseconds per pose of the map and of a copy that moves as many
+bytes (the floor), and their ratio. Libraries that are missing or see no such device are named. No file is written.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ from derive.codegen import generate
 REPEATS = 7
 BYTES = {"float32": 4, "float64": 8}
 MAPS = {"quaternion": (6, 8), "pose": (6, 16), "rate": (12, 6), "from_pose": (16, 6)}
-"""Numbers read and written for a pose."""
+"""Numbers read and written per pose, by map."""
 
 
 class Missing(Exception):
-    """A library is not installed, or sees no device of this kind."""
+    """Error of a library that is not installed, or sees no device of this kind."""
 
 
 @dataclass(frozen=True)
 class Library:
-    """How a library makes an array on its device, compiles a function, and waits for results."""
+    """Functions of a library that make an array on its device, compile a function, and wait for results."""
 
     name: str
     array: Callable[[np.ndarray], Any]
@@ -92,7 +92,7 @@ def _module(name: str) -> ModuleType:
 
 
 def kernels(order: int) -> ModuleType:
-    """The array-api module of an order, generated anew."""
+    """Generate the array-api module of an order and return it."""
     folder = Path(tempfile.mkdtemp(prefix="dualcay-"))
     generate([order], "array-api", folder / "portable")
     sys.path.insert(0, str(folder))
@@ -100,7 +100,7 @@ def kernels(order: int) -> ModuleType:
 
 
 def arguments(module: ModuleType, library: Library, name: str, count: int, dtype: str) -> list[Any]:
-    """On the device, components first: the layout of least traffic."""
+    """Return arguments on the device with components first, the layout of least memory traffic."""
     rng = np.random.default_rng(0)
     v, w = (library.array(rng.random((6, count), np.dtype(dtype)) - np.dtype(dtype).type(0.5)) for _ in range(2))
     if name == "from_pose":
@@ -109,7 +109,7 @@ def arguments(module: ModuleType, library: Library, name: str, count: int, dtype
 
 
 def seconds(run: Callable[[], Any], wait: Callable[[Any], Any]) -> float:
-    """Median over repeats, after two calls which compile and warm up."""
+    """Return the median time over repeats, after two calls that compile and warm up."""
     times = []
     for repeat in range(REPEATS + 2):
         begin = time.perf_counter()
@@ -124,7 +124,7 @@ def rows(module: ModuleType, library: Library, counts: list[int], dtype: str) ->
         for count in counts:
             values = arguments(module, library, name, count, dtype)
             function = library.compiled(lambda *a, name=name: getattr(module, name)(*a, axis=0))
-            # as many bytes go through memory: half of them read, half written
+            # the copy moves as many bytes: half of them are read, half written
             copied = library.array(np.ones(count * (read + written) // 2, dtype))
             copy = library.compiled(lambda a: a + 1)
             spent = seconds(lambda f=function, v=values: f(*v), library.wait) / count * 1e9
@@ -135,7 +135,7 @@ def rows(module: ModuleType, library: Library, counts: list[int], dtype: str) ->
 
 
 def measure(device: str, counts: list[int], order: int, dtype: str, console: Console) -> int:
-    """Print the table; return how many rows it has."""
+    """Print the table; return its number of rows."""
     table = Table(title=f"n = {order}, {dtype}, {device}: ns per pose", title_justify="left")
     for heading in ("library", "map", "poses", "map, ns", "copy, ns", "ratio", "copy, GB/s"):
         table.add_column(heading, justify="left" if heading in ("library", "map") else "right")

@@ -1,6 +1,6 @@
 """Speed of the kernels against peers: every case interleaved in one process, medians, ratios, gates.
 
-Run ``python -m benchmarks.kernels`` from the checkout. Nothing fails: a gate that is missed is named.
+Run ``python -m benchmarks.kernels`` from the checkout. Missed gates are named, and the run does not fail.
 """
 
 from __future__ import annotations
@@ -31,29 +31,29 @@ from benchmarks.timing import ROUNDS, Call, markdown, medians
 ORDERS = (2, 3)
 SIZES = (1, 100, 10_000, 1_000_000)
 GATED = (1, 10_000)
-"""Numbers of poses that gates of libraries are about."""
+"""Numbers of poses at which gates against libraries hold."""
 
 FAMILIES = ("exponential", "orthographic", "lambert", "breusing", "wiener_milenkovic")
-"""Charts that are measured besides, against libraries."""
+"""Further charts that are measured against libraries."""
 
 OF_ALGEBRAIC = {
     "pose": (10, 5), "quaternion": (10, 20), "from_pose": (10, 7), "from_quaternion": (10, 30), "compose": (10, 15),
 }  # fmt: skip
 OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
-"""By function, how many times faster than SciPy it has to be on one pose and on 10^4."""
+"""Least ratios of SciPy's time to ours, on one pose and on 10^4, by function."""
 
 FORWARD = ("pose", "quaternion")
-"""Functions with gates also at n ≥ 3, where inverse maps take an arc tangent."""
+"""Functions with gates also at n ≥ 3, where inverse maps need an arc tangent and have none."""
 
 LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
-"""Number of poses from which calls are slow, and the smaller number of rounds for them."""
+"""Number of poses from which calls are slow, and the smaller number of rounds for these calls."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gate:
-    """A ratio, peer's time to ours, that has to reach a bound (or, for a slower-by bound, to stay above 1/bound).
+    """Ratio of a peer's time to ours that has to reach `least`, which is below 1 if ours may be slower.
 
-    It can become no larger than that to a copy of the result.
+    The ratio cannot exceed `largest`, the peer's time over a copy of the result.
     """
 
     what: str
@@ -82,7 +82,7 @@ def measured(calls: dict[str, Call | None], size: int, kept: bool = True) -> dic
 
 
 def fresh(module: Any, function: str, poses: Poses) -> Call:
-    """Our function on poses of components last, into a new array."""
+    """Return a call of our function on poses with components last, into a new array."""
     arguments = {
         "from_pose": (poses.T,), "from_quaternion": (poses.q,), "compose": (poses.w, poses.v),
     }.get(function, (poses.v,))  # fmt: skip
@@ -91,24 +91,24 @@ def fresh(module: Any, function: str, poses: Poses) -> Call:
 
 
 def label(module: Any) -> str:
-    """A chart in tables: of a Cayley map its order."""
+    """Return the name of a chart in tables; for a Cayley map it is the order."""
     return chart(module).removeprefix("cayley")
 
 
 def chart(module: Any) -> str:
-    """The name of a module's chart."""
+    """Return the name of a module's chart."""
     return str(module.__name__.rpartition(".")[2])
 
 
 def least_of(module: Any) -> Mapping[str, tuple[float, float]]:
-    """The gates of a chart against SciPy."""
+    """Return the gates of a chart against SciPy."""
     if chart(module) == "exponential":
         return OF_EXPONENTIAL
     return {name: least for name, least in OF_ALGEBRAIC.items() if module.ORDER <= 2 or name in FORWARD}
 
 
 def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """One line of the table for each function, and the gates it decides."""
+    """Yield one line of the table for each function, and the gates it decides."""
     poses = Poses.draw(module, size)
     named = f"n = {label(module)}" if label(module).isdigit() else label(module)
     for function in OF_ALGEBRAIC:
@@ -129,13 +129,13 @@ def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...],
 
 
 def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Rows, into a given array: against lambdify, the C form and the copy floor."""
+    """Yield lines of functions on rows into a given array, against lambdify, the C form and the copy floor."""
     poses = Poses.draw(module, size)
     for function, count in ROWS.items():
         call = getattr(module, function)
         rows = (poses.v_rows, poses.w_rows, poses.z_rows)[:count]
         out = call(*rows, axis=0)
-        given = {} if isinstance(out, tuple) else {"out": out}  # two results are always new
+        given = {} if isinstance(out, tuple) else {"out": out}  # two results are always new arrays
         times = measured({
             "ours": partial(call, *rows, axis=0, **given),
             "lambdify": lambdify_call(module.ORDER, function, rows),
@@ -155,7 +155,7 @@ def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate
 
 
 def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Derivatives, components last, into a new array: against JAX in forward mode, and complex steps of kernels."""
+    """Yield lines of derivatives with components last, against JAX in forward mode and complex steps of kernels."""
     poses = Poses.draw(module, size)
     jax = load("jax")
     for function, count in derivatives.ARGUMENTS.items():
@@ -174,24 +174,24 @@ def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], li
 
 
 def per_pose(seconds: float, size: int) -> str:
-    """Nanoseconds of one."""
+    """Return nanoseconds per pose."""
     return f"{seconds / size * 1e9:.1f}"
 
 
 def against(times: dict[str, float], peer: str, size: int) -> str:
-    """A peer's time and how many times ours it is."""
+    """Return a peer's time per pose and its ratio to ours."""
     if peer not in times:
         return "–"
     return f"{per_pose(times[peer], size)} ({_times(times[peer] / times['ours'])})"
 
 
 def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] = FAMILIES) -> tuple[str, list[Gate]]:
-    """All tables as Markdown, and all gates."""
+    """Return all tables as Markdown, and all gates."""
     modules = [importlib.import_module(f"dualcay.cayley{order}") for order in orders]
     further = [importlib.import_module(f"dualcay.{name}") for name in families]
     gates: list[Gate] = []
     tables = []
-    head = ("n", "function", "N", "ours, ns per pose")  # or the name of a chart that has no order
+    head = ("n", "function", "N", "ours, ns per pose")  # charts without order have their name in the first column
     every = range(1, 10**9)
     for title, part, peers, measured_at in (
         ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), every),
@@ -210,7 +210,7 @@ def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] 
 
 
 def missing() -> list[str]:
-    """Peers that could not be measured."""
+    """Return the peers that could not be measured."""
     names = [what for name, what in INSTALL.items() if load(name) is None]
     scipy = load("scipy.spatial.transform")
     if scipy is not None and not hasattr(scipy, "RigidTransform"):
@@ -221,7 +221,7 @@ def missing() -> list[str]:
 def section(
     sizes: Sequence[int] = SIZES, orders: Sequence[int] = ORDERS, families: Sequence[str] = FAMILIES
 ) -> str:
-    """All tables, and what falls short or could not be measured."""
+    """Return all tables, the gates missed, and the peers that could not be measured."""
     text, gates = report(orders, sizes, families)
     absent = [f"Not measured, because it is missing: {name}." for name in missing()]
     missed = [gate for gate in gates if not gate.met]

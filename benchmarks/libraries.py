@@ -1,7 +1,7 @@
-"""Poses from vectors, vectors from poses, and products, from one to a million, beside every library that is installed.
+"""Times of poses from vectors, vectors from poses, and products, for one to a million poses, beside other libraries.
 
 All libraries take exponential coordinates, as our exponential chart does. The chart n = 2 takes its own vector.
-SymForce's vector of a pose joins that of the rotation and the unchanged translation, which is less work. Libraries
+SymForce's vector of a pose is a vector of the rotation and the unchanged translation, which is less work. Libraries
 without functions on arrays are called in a loop, up to a thousand poses. The plot is docs/benchmarks.png.
 """
 
@@ -30,7 +30,7 @@ from derive.maps.chart import Chart
 PLOT = Path(__file__).parents[1] / "docs" / "benchmarks.png"
 SIZES = (1, 10, 100, 1_000, 10_000, 100_000, 1_000_000)
 LOOPED = 1_000
-"""The most poses for what is called in a loop."""
+"""Largest number of poses for libraries called in a loop."""
 
 FUNCTIONS = {"pose": ("v",), "from_pose": ("T",), "compose": ("w", "v")}
 CHARTS = (Cayley(2), family("exponential"))
@@ -45,7 +45,7 @@ def _swapped(screws: Any) -> Any:
 
 
 def ours(packages: Mapping[str, str], function: str, size: int) -> Iterator[tuple[str, Call]]:
-    """Calls of every chart in every form."""
+    """Yield calls of every chart in every form."""
     for chart in CHARTS:
         poses = Poses.draw(importlib.import_module(f"dualcay.{chart.name}"), size)
         arguments = [getattr(poses, name) for name in FUNCTIONS[function]]
@@ -55,12 +55,12 @@ def ours(packages: Mapping[str, str], function: str, size: int) -> Iterator[tupl
 
 
 def label(chart: Chart) -> str:
-    """What a chart is called here."""
+    """Return the label of a chart in lines and tables."""
     return f"n = {chart.order}" if chart.cayley else chart.name
 
 
 def libraries(function: str, size: int) -> Iterator[tuple[str, Call | None]]:
-    """Calls of libraries, on the same poses."""
+    """Yield calls of libraries, on the same poses."""
     poses = Poses.draw(importlib.import_module("dualcay.exponential"), size)
     for name, make in LIBRARIES.items():
         yield name, make(function, poses)
@@ -81,7 +81,7 @@ def _pytransform3d(function: str, poses: Poses) -> Call | None:
 
 
 def _jaxlie(function: str, poses: Poses) -> Call | None:
-    """Compiled, on arrays that are JAX's already."""
+    """Return a compiled call on arrays already converted to JAX."""
     if load("jaxlie") is None:
         return None
     import jax
@@ -100,7 +100,7 @@ def _jaxlie(function: str, poses: Poses) -> Call | None:
 
 
 def _looped(count: int, one: Callable[..., object], *arrays: Any) -> Call | None:
-    """Pose by pose, as long as they are few."""
+    """Return a call pose by pose, or None if there are more than `LOOPED`."""
     if arrays[0].ndim == count:
         return lambda: one(*arrays)
     return (lambda: [one(*each) for each in zip(*arrays, strict=True)]) if len(arrays[0]) <= LOOPED else None
@@ -120,7 +120,7 @@ def _pinocchio(function: str, poses: Poses) -> Call | None:
 
 def _symforce(function: str, poses: Poses) -> Call | None:
     sym = load("sym")
-    if sym is None or function == "from_pose":  # it makes no pose of a matrix
+    if sym is None or function == "from_pose":  # SymForce makes no pose of a matrix
         return None
     make = sym.Pose3.from_tangent
     if function == "pose":
@@ -136,16 +136,16 @@ LIBRARIES: Mapping[str, Callable[[str, Poses], Call | None]] = {
 FLOOR = "copying the result"
 
 MARGIN = 1.15
-"""Ratios carry over to within some 15 %: a library is called faster from there on."""
+"""Least ratio at which a library is called faster: ratios carry over to within some 15 %."""
 
 
 def lines(packages: Mapping[str, str], function: str, sizes: Sequence[int]) -> Lines:
-    """Every line of a function."""
+    """Measure every line of a function."""
     found: Lines = {}
     for size in sizes:
         calls: dict[str, Call | None] = dict(ours(packages, function, size))
         calls |= dict(libraries(function, size))
-        results = [call() for call in calls.values() if call]  # the first call of some compiles
+        results = [call() for call in calls.values() if call]  # the first call may compile
         made: Any = results[0]
         calls[FLOOR] = partial(np.copyto, np.empty_like(made), made)
         for name, seconds in measured(calls, size).items():
@@ -153,18 +153,18 @@ def lines(packages: Mapping[str, str], function: str, sizes: Sequence[int]) -> L
     return found
 
 
-# --- what is said ---------------------------------------------------------------------------------------------------
+# --- text and figure ------------------------------------------------------------------------------------------------
 
 
 def table(function: str, found: Lines, sizes: Sequence[int]) -> str:
-    """Nanoseconds of one pose."""
+    """Return a table of nanoseconds per pose."""
     head = ("", *(f"N = {size:,}" for size in sizes))
     body = [(name, *(per_pose(at[n], n) if n in at else "–" for n in sizes)) for name, at in found.items()]
     return markdown(f"{TITLES[function].capitalize()} ({function}), ns per pose", head, body)
 
 
 def faster(function: str, found: Lines, forms: Sequence[str]) -> Iterator[str]:
-    """Where a library is faster than the exponential chart in one of its forms, in words."""
+    """Yield sentences on each library that is faster than the exponential chart in one of its forms."""
     for form in forms:
         mine = found[f"{form}, exponential"]
         for name in LIBRARIES:
@@ -175,7 +175,7 @@ def faster(function: str, found: Lines, forms: Sequence[str]) -> Iterator[str]:
 
 
 def draw(every: Mapping[str, Lines], path: Path) -> None:
-    """The picture, where matplotlib is installed."""
+    """Draw the picture, if matplotlib is installed."""
     figure = load("matplotlib.figure")
     if figure is None:
         return
@@ -204,14 +204,14 @@ LOOKS = {
     "pinocchio, pose by pose": ("#7F7F7F", ":", "d"), "SymForce, pose by pose": ("#000000", ":", "*"),
     FLOOR: ("#BBBBBB", "-", ""),
 }  # fmt: skip
-"""Colour, line and mark: ours by form and chart, libraries dotted."""
+"""Colour, line and marker by name of line: ours differ by form and chart, libraries are dotted."""
 
 
 def section(sizes: Sequence[int] = SIZES, plot: Path = PLOT) -> str:
-    """Tables, the picture, and where a library is faster."""
+    """Return tables, the picture, and sentences on faster libraries."""
     with tempfile.TemporaryDirectory(prefix="dualcay-numba-") as folder, ExitStack() as stack:
         packages = {"NumPy": "dualcay", **_numba(Path(folder))}
-        with suppress(AssertionError):  # which the section of compiled functions tells
+        with suppress(AssertionError):  # the section of compiled functions reports it
             packages["compiled"] = stack.enter_context(compiled())
         every = {function: lines(packages, function, sizes) for function in FUNCTIONS}
     draw(every, plot)
@@ -232,7 +232,7 @@ def section(sizes: Sequence[int] = SIZES, plot: Path = PLOT) -> str:
 
 
 def _numba(folder: Path) -> dict[str, str]:
-    """A package of the charts that Numba compiles, where it is installed."""
+    """Generate a package of the charts for Numba, if it is installed; return its name by form."""
     if load("numba") is None:
         return {}
     generate([2], "numba", folder / "dualcay_numba_measured", families=["exponential"])

@@ -1,6 +1,6 @@
-"""Compiled functions beneath the kernels, against libraries and against a loop in C over the same arrays.
+"""Speed of the compiled functions behind the kernels, against libraries and a loop in C over the same arrays.
 
-Run ``python -m benchmarks.native`` from the checkout. The package is generated and compiled for it, in minutes.
+Run ``python -m benchmarks.native`` from the checkout. The package is generated and compiled first, which takes minutes.
 """
 
 from __future__ import annotations
@@ -27,35 +27,35 @@ from tests.support.native import build, found
 
 ORDERS = (2, 3)
 CHARTS = (*map(Cayley, ORDERS), family("exponential"))
-"""What is built, for this section and others."""
+"""Charts that are built, for this section and others."""
 
 SIZES = (1, 10, 100, 1_000, 10_000, 1_000_000)
 FUNCTIONS = {
     "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
     "compose": ("w", "v"),
 }  # fmt: skip
-"""What is measured, and what of the poses it takes."""
+"""Measured functions, each with the attributes of `Poses` that it takes."""
 
 COMPARED = ("pose", "quaternion", "from_pose", "compose")
-"""Functions of `FUNCTIONS` that SciPy has too."""
+"""Functions that are compared with SciPy."""
 
 SMALL = 1_000
 LEAST = {"SciPy RigidTransform": (20, 12), "pytransform3d": (10, 6)}
 """Least ratios of a library's time to ours: up to `SMALL` poses, and beyond."""
 
 ALONE = 1.2e-6
-"""Seconds of a call on one pose."""
+"""Largest time of a call on one pose, in seconds."""
 
 LOOP = 1 / 1.15
-"""The time of a C loop to ours, at least, from 10^4 poses on."""
+"""Least ratio of the time of a C loop to ours, from 10^4 poses on."""
 
 THREADED = 10_000
 THREADS, LINEAR = 2, 1.8
-"""Number of threads, and least ratio of their throughput to that of one; each thread has its own poses."""
+"""Number of threads, and least ratio of their throughput to one thread's; each has its own poses."""
 
 
 def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """One line of the table for each function, and the gates it decides."""
+    """Yield one line of the table for each function, and the gates it decides."""
     poses = Poses.draw(numpy, size)
     for function, names in FUNCTIONS.items():
         arguments = [getattr(poses, name) for name in names]
@@ -85,7 +85,7 @@ def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], 
 
 
 def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call | None:
-    """A loop in C over the same arrays, pose after pose; None where there is no C compiler."""
+    """Return a loop in C over the same arrays, pose after pose; None without a C compiler."""
     form = c_form(order)
     if form is None:
         return None
@@ -94,7 +94,7 @@ def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call
 
 
 def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
-    """Return the gate on wall-clock throughput of several threads against one: calls release the interpreter's lock."""
+    """Return the gate on throughput of several threads against one, in wall-clock time: calls release the GIL."""
     poses = [Poses.draw(native, THREADED).v for _ in range(THREADS)]
     results = [native.pose(v) for v in poses]
 
@@ -117,12 +117,12 @@ def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
 
 @contextmanager
 def compiled() -> Iterator[str]:
-    """The name of a package of kernels that finds compiled functions of the charts.
+    """Yield the name of a package of kernels with compiled functions of the charts.
 
     Raises
     ------
     AssertionError
-        If they could not be built, with what was said.
+        If the functions could not be built; the message is the build's output.
     """
     with found("dualcay_native_measured", Path(_built().name, "site")) as package:
         yield package
@@ -130,14 +130,14 @@ def compiled() -> Iterator[str]:
 
 @cache
 def _built() -> tempfile.TemporaryDirectory[str]:
-    """Built once, in a folder that goes when the process does."""
+    """Build the functions once, in a folder that is removed when the process ends."""
     folder = tempfile.TemporaryDirectory(prefix="dualcay-native-")
     build(Path(folder.name), CHARTS)
     return folder
 
 
 def section(sizes: Sequence[int] = SIZES) -> str:
-    """The tables and what falls short, or a line that says why nothing was measured."""
+    """Return the tables and missed gates, or a line on the reason why nothing was measured."""
     with ExitStack() as stack:
         try:
             package = stack.enter_context(compiled())

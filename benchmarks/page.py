@@ -10,7 +10,7 @@ ORDER = ("kernels", "native", "libraries", "recorded")
 
 
 def sections(page: str) -> dict[str, str]:
-    """Return the sections of a page by name; what stands above the first is named ''."""
+    """Return the sections of a page by name; the text above the first section has the name ''."""
     places = sorted((page.index(_mark(name)), name) for name in ORDER if _mark(name) in page)
     ends = [*(place for place, _ in places), len(page)]
     found = {"": page[: ends[0]].strip()}
@@ -20,7 +20,7 @@ def sections(page: str) -> dict[str, str]:
 
 
 def joined(head: str, texts: dict[str, str]) -> str:
-    """Return a page of a head and of the sections there are."""
+    """Return a page from its head and its sections."""
     marked: Iterable[str] = (f"{_mark(name)}\n\n{texts[name].strip()}" for name in ORDER if name in texts)
     return "\n\n".join([head, *marked]) + "\n"
 

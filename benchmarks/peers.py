@@ -1,4 +1,4 @@
-"""Peers that the kernels are measured against; each is optional, and named where it is missing."""
+"""Peers that kernels are measured against; each is optional, and missing ones are named."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from benchmarks.timing import Call
 from derive.maps import Cayley
 
 INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d", "jax": "jax"}
-"""What provides the module of a peer."""
+"""Distributions by the modules of peers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Poses:
-    """The same N poses in every layout the peers want; ``_rows`` have components first."""
+    """One sample of N poses in every layout that peers take; ``_rows`` have components first."""
 
     v: Any
     w: Any
@@ -36,7 +36,7 @@ class Poses:
 
     @classmethod
     def draw(cls, module: Any, size: int) -> Poses:
-        """Poses of angle up to 3 rad, v and w of the same as exponential coordinates; one pose stands alone."""
+        """Draw poses of angle up to 3 rad, as vectors v, w and exponential coordinates; one pose has no batch axis."""
         rng = np.random.default_rng(2011)
         batch = () if size == 1 else (size,)
 
@@ -53,7 +53,7 @@ class Poses:
 
 
 def load(name: str) -> Any:
-    """A peer's module, or None."""
+    """Return a peer's module, or None."""
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -61,7 +61,7 @@ def load(name: str) -> Any:
 
 
 def scipy_call(function: str, poses: Poses) -> Call | None:
-    """What SciPy's ``RigidTransform`` does for a function of ours."""
+    """Return the call of SciPy's ``RigidTransform`` that corresponds to a function of ours."""
     transform = load("scipy.spatial.transform")
     rigid = getattr(transform, "RigidTransform", None)
     if rigid is None:
@@ -78,7 +78,7 @@ def scipy_call(function: str, poses: Poses) -> Call | None:
 
 
 def pytransform3d_call(function: str, poses: Poses) -> Call | None:
-    """What pytransform3d does for ``pose``."""
+    """Return the call of pytransform3d that corresponds to ``pose``."""
     trajectories = load("pytransform3d.trajectories")
     if trajectories is None or function != "pose":
         return None
@@ -92,13 +92,13 @@ COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
     "tangent": lambda cayley, v: _parts(cayley.tangent.matrix(v)),
     "rate": lambda cayley, v, w: iter(derivatives.applied(cayley.tangent_inv.matrix(v), w)),
 } | derivatives.COMPONENTS
-"""A function's components by SymPy."""
+"""Components by SymPy, by function."""
 
 ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2} | derivatives.ARGUMENTS
 """Functions measured on rows, with their number of arguments."""
 
 DERIVED = {"compose_jacobians": 2}
-"""The largest order at which SymPy derives a function in some ten seconds, where there is one."""
+"""Largest order at which SymPy derives a function in some ten seconds; other functions have no limit."""
 
 ROOM = 4e9
 """Memory limit in bytes: SymPy's functions keep all intermediate values until they return."""
@@ -106,7 +106,7 @@ ROOM = 4e9
 
 @cache
 def lambdified(order: int, function: str) -> Callable[..., Any]:
-    """SymPy's ``lambdify(cse=True)`` of a function's components, on six rows for each argument."""
+    """Return SymPy's ``lambdify(cse=True)`` of a function's components, on six rows for each argument."""
     symbols = [sympy.symbols(f"{letter}1:7") for letter in "vwz"[: ROWS[function]]]
     components = COMPONENTS[function](Cayley(order), *symbols)
     arguments = [symbol for vector in symbols for symbol in vector]
@@ -134,7 +134,7 @@ def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
 
 
 def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
-    """The same program in C on the same rows; None where there is no C compiler."""
+    """Return a call of the C form on the same rows; None without a C compiler."""
     form = c_form(order)
     if form is None:
         return None
@@ -149,12 +149,12 @@ def _arrays(out: Any) -> tuple[Any, ...]:
 
 @cache
 def c_form(order: int) -> Any:
-    """The kernels of an order, compiled once."""
+    """Return the C kernels of an order, compiled once."""
     return load_c(order)
 
 
 def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
-    """Every row of the result written once, every row of the arguments read."""
+    """Return a call that writes every row of the result once and reads rows of the arguments."""
     targets = [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
     sources = np.concatenate(rows)
     pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]

@@ -1,7 +1,7 @@
-"""Processor time of the road by order: prove, print, check, with python-flint and with SymPy alone.
+"""Processor time of proving, printing and checking by order, with python-flint and with SymPy alone.
 
-Checking is validation on exact numbers; replay on floats and compiled tests are left out. Each row is a fresh process,
-so that nothing is cached; the import of the toolkit is not counted.
+Checking is validation on exact numbers, without replay on floats and compiled tests. Each row is a fresh process, so
+that nothing is cached; the import of the toolkit is not counted.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CASES = (
     ("numpy", (64,), 8.0, None),
     ("c", (3,), None, None),
 )
-"""Target, orders, largest number of seconds with python-flint and with SymPy alone."""
+"""Target, orders, and largest numbers of seconds with python-flint and with SymPy alone."""
 
 REPEATS = 3
 
@@ -49,7 +49,7 @@ print(*spent.values(), end - start)
 
 
 def run(backend: str, target: str, orders: tuple[int, ...]) -> list[float]:
-    """Return seconds proving, printing, checking and in all: medians of fresh processes."""
+    """Return seconds of proving, of printing, of checking and in total: medians of fresh processes."""
     rows = []
     for _ in range(REPEATS):
         command = [sys.executable, "-c", ROAD, backend, target, *map(str, orders)]
@@ -64,7 +64,7 @@ def judged(seconds: float, limit: float | None) -> str:
 
 
 def main() -> None:
-    """Print the table, and which limit falls short."""
+    """Print the table, with limits that are exceeded."""
     backends = [name for name in ("flint", "sympy") if name == "sympy" or importlib.util.find_spec("flint")]
     stages = ("proving", "printing", "checking", "all (s)")
     table = Table("target", "n", "backend", "functions", *stages, "limit")

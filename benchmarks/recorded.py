@@ -1,4 +1,4 @@
-"""Times of this checkout's NumPy kernels relative to those of another checkout, function by function.
+"""Times of this checkout's NumPy kernels relative to another checkout's, function by function.
 
 Run ``python -m benchmarks.recorded --against OTHER/generated/dualcay`` from the checkout. Both packages are imported
 side by side and run in turn on the same arrays; a ratio below 1 means that the present kernels are faster.
@@ -32,7 +32,7 @@ SIZES = (1, 100, 10_000, 1_000_000)
 RUNS = 3
 SECONDS = 0.005  # least time in one round, short so that both packages meet the same disturbances
 
-MEDIAN_GATE, LARGEST_GATE = 1.05, 1.15  # of the ratios of one chart and size
+MEDIAN_GATE, LARGEST_GATE = 1.05, 1.15  # limits of the ratios of one chart and size
 
 Array = NDArray[Any]
 
@@ -50,7 +50,7 @@ MADE: dict[str, Callable[[ModuleType, Array], Array]] = {
 
 
 def load(folder: Path, name: str, chart: str) -> ModuleType:
-    """Import the package at a folder anew under another name; return the module of a chart."""
+    """Import the package in a folder afresh under another name; return the module of a chart."""
     for known in [known for known in sys.modules if known.partition(".")[0] == name]:
         del sys.modules[known]
     root = folder / "__init__.py"

@@ -1,7 +1,7 @@
-"""How everything is timed here: calls in turn, in one process, but for JAX on one core, by the clock of the processor.
+"""Timing of calls by processor time: in turn, in one process, on one core except for JAX.
 
-Times are of the processor, so that other processes count little, and belong to the machine; ratios carry over to within
-some 15 %, those of two forms of the same program (`paired_ratio`) to a few hundredths.
+Other processes hardly affect processor time. Times depend on the machine; ratios carry over to within some 15 %, ratios
+of two forms of one program (`paired_ratio`) to a few hundredths.
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ Call = Callable[[], object]
 
 ROUNDS = 9
 SECONDS = 0.02
-"""Seconds that one call, repeated, takes in a round."""
+"""Total seconds of the repeats of one call in a round."""
 
 
 def medians(calls: Sequence[Call], count: int = ROUNDS, kept: bool = True) -> list[float]:
-    """Median seconds of each call; ``kept`` to one core, or not where a library hands work to threads of its own."""
+    """Return median seconds of each call; set ``kept`` (on one core) to False for libraries with their own threads."""
     with one_core() if kept else nullcontext():
         return [statistics.median(times) for times in _rounds(calls, count, SECONDS)]
 
 
 def paired_ratio(former: Call, present: Call, count: int = ROUNDS, seconds: float = SECONDS) -> float:
-    """Median over the rounds of the present call's time to the former's beside it: drift cancels."""
+    """Return the median ratio of the present call's time to the former's in the same round: drift cancels."""
     before, after = rounds((former, present), count, seconds)
     return statistics.median(now / past for past, now in zip(before, after, strict=True))
 
 
 def rounds(calls: Sequence[Call], count: int = ROUNDS, seconds: float = SECONDS) -> list[list[float]]:
-    """Seconds of each call in every round, one round of all calls after another, forth and back in turn."""
+    """Return seconds of each call in every round; a round runs all calls, every other round in reverse order."""
     with one_core():
         return _rounds(calls, count, seconds)
 
@@ -47,7 +47,7 @@ def _rounds(calls: Sequence[Call], count: int, seconds: float) -> list[list[floa
 
 @contextmanager
 def one_core() -> Iterator[None]:
-    """Keep the process on one core, where the system has a way to: moving costs its caches."""
+    """Keep the process on one core if the system supports it: a move to another core would lose caches."""
     if not hasattr(os, "sched_setaffinity"):
         yield
         return
@@ -60,7 +60,7 @@ def one_core() -> Iterator[None]:
 
 
 def _repeats(call: Call, seconds: float) -> int:
-    """How often a call is repeated in a round."""
+    """Return the number of repeats of a call in a round."""
     repeats, spent = 1, 0.0
     while spent < seconds / 4:
         spent = _seconds(call, repeats) * repeats
@@ -77,6 +77,6 @@ def _seconds(call: Call, repeats: int) -> float:
 
 
 def markdown(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A section that is a table."""
+    """Return a section that consists of a table."""
     lines = [f"## {title}", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows), ""])

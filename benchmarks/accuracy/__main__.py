@@ -18,18 +18,18 @@ DOCS = Path(__file__).parents[2] / "docs"
 
 
 def progress(console: Console) -> Progress:
-    """A bar on a terminal, nothing elsewhere."""
+    """Return a progress bar, which shows on terminals only."""
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     return Progress(*columns, console=console, disable=not console.is_terminal)
 
 
 def search(folder: Path, seconds: float, bar: Progress) -> None:
-    """Try random inputs until the time is over, and keep the worst."""
+    """Measure random inputs until the time is over, and keep the worst."""
     kept, seed = cases.read()
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
         seed += 1
-        # In an order of its own, so that a short search does not always try the same orders.
+        # Tasks are shuffled, so that a short search does not always try the same orders.
         tasks = measure.sample_tasks(folder, seed)
         sampling.generator("search", seed=seed).shuffle(tasks)
         row = bar.add_task(f"searching, seed {seed}", total=len(tasks))

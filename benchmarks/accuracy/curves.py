@@ -1,8 +1,8 @@
-"""Error against angle, ours and other libraries' in doubles: what the figures show.
+"""Errors against angle in doubles, of our kernels and other libraries: the data of the figures.
 
-At every angle the same screws ξ (rotation α u, translation of size one) for all. Forward maps and Jacobians start
-from each map's own vector rounded to doubles, those of Cayley maps from v = tan(α/2n) u, and are compared with the
-exact map of that rounded vector. Inverse maps all start from the same matrix, exp ξ rounded to doubles.
+All libraries are given the same screws ξ at every angle (rotation α u, translation of size one). Forward maps and
+Jacobians start from the vector of each map rounded to doubles, for Cayley maps v = tan(α/2n) u. They are compared with
+the exact map of the rounded vector. Inverse maps all start from one matrix, exp ξ rounded to doubles.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ WHOLE = np.linspace(0, 2 * np.pi, 65)[1:-1]
 TO_PI = 10.0 ** np.linspace(-12, 0, 49)
 ANGLES = {"small": SMALL, "whole": WHOLE, "to pi": np.pi - TO_PI}
 
-# (part of the figure, library) to error in eps
+# Error in eps by (part of the figure, library).
 Point = dict[tuple[str, str], float]
 
 
@@ -42,19 +42,19 @@ def libraries() -> list[peers.Peer]:
 
 
 def exponentials() -> list[peers.Peer]:
-    """Ours, then those of libraries."""
+    """Return our exponential map, then the exponential maps of libraries."""
     return [peers.ours(), *libraries()]
 
 
 def screws(panel: str, index: int) -> np.ndarray:
-    """Exponential coordinates (SAMPLES, 6)."""
+    """Draw exponential coordinates of shape (SAMPLES, 6)."""
     rng = sampling.generator("curve", panel, index)
     axis, shift = (sampling.unit_vectors(rng, (SAMPLES,)) for _ in range(2))
     return np.concatenate([ANGLES[panel][index] * axis, shift], axis=-1)
 
 
 def homogeneous(tensor: Any) -> np.ndarray:
-    """[Q ρ; 0 1] of a dual tensor (I + ε skew ρ) Q."""
+    """Return [Q ρ; 0 1] of a dual tensor (I + ε skew ρ) Q."""
     q, q_dual = pack(tensor)
     rho = vect(matmul(q_dual, transpose(q)))
     zero = q[0][0] * 0
@@ -63,26 +63,26 @@ def homogeneous(tensor: Any) -> np.ndarray:
 
 
 def blocks(jacobian: np.ndarray) -> np.ndarray:
-    """Dual tensor (2, 3, 3) of a 6x6 Jacobian [[A, 0], [B, A]]."""
+    """Return the dual tensor (2, 3, 3) of a 6x6 Jacobian [[A, 0], [B, A]]."""
     return np.stack([jacobian[:3, :3], jacobian[3:, :3]])
 
 
 class Errors:
-    """The largest error of every curve at one angle."""
+    """Largest error of every curve at one angle."""
 
     def __init__(self) -> None:
         self.point: Point = {}
         self.oracle = oracle_of(1, DIGITS)
 
     def add(self, parts: tuple[str, ...], name: str, got: Any, exact: Any, scale: Nil) -> None:
-        """One part for both errors, or one each."""
+        """Add errors of one result, to one part for both errors or to one part each."""
         found = errors.errors(got, exact, scale, self.oracle)
         for part, error in zip(parts, found if len(parts) == 2 else [max(found)], strict=True):
             self.point[part, name] = max(error, self.point.get((part, name), 0.0))
 
 
 def forward(xi: np.ndarray, result: Errors) -> None:
-    """v or ξ to pose, T and T⁻¹."""
+    """Measure the forward maps, from v or ξ to pose, T and T⁻¹."""
     unpack = result.oracle.unpack
     exact = [exponential(unpack(row)) for row in xi]
     allowed = [ExponentialScales(row) for row in xi]
@@ -128,11 +128,11 @@ def inverse_maps(xi: np.ndarray, result: Errors) -> None:
 
 
 def point(task: tuple[str, int]) -> tuple[str, int, Point]:
-    """Run in a worker process."""
+    """Return the errors at one angle of a panel; this runs in a worker process."""
     panel, index = task
     result, xi = Errors(), screws(panel, index)
     with warnings.catch_warnings():
-        # What a library warns of shows in its error.
+        # Warnings are ignored, since their causes show as errors.
         warnings.simplefilter("ignore")
         if panel != "to pi":
             forward(xi, result)
@@ -142,7 +142,7 @@ def point(task: tuple[str, int]) -> tuple[str, int, Point]:
 
 
 Curves = dict[tuple[str, str, str], np.ndarray]
-"""(panel, part, name) to errors at ANGLES[panel]."""
+"""Errors at ANGLES[panel], by (panel, part, name)."""
 
 
 def curves(report: Callable[[int, int], None]) -> Curves:
@@ -166,7 +166,7 @@ COMPARED = ("Q", "ρ", "log", "log°")
 
 @dataclass(frozen=True)
 class Behind:
-    """An angle at which our exponential is off by more than `MAY_BE` and more than the best library."""
+    """Angle at which our exponential has an error above `MAY_BE` and above the best library's."""
 
     panel: str
     part: str
@@ -198,14 +198,14 @@ def _points(tasks: list[tuple[str, int]]) -> Iterator[tuple[str, int, Point]]:
 
 @dataclass(frozen=True)
 class Drawn:
-    """(file name, caption) of each figure, and lines about the exponential."""
+    """File name and caption of each figure, and lines about the exponential."""
 
     captions: Sequence[tuple[str, str]]
     standing: Sequence[str]
 
 
 def standing(found: Curves) -> list[str]:
-    """How our exponential map and logarithm stand beside those of libraries."""
+    """Return lines that compare our exponential map and logarithm with libraries."""
     largest = {
         part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
         for part in COMPARED

@@ -1,4 +1,4 @@
-"""docs/accuracy_*.png: error against angle, ours beside other libraries'."""
+"""Figures docs/accuracy_*.png: error against angle, of our kernels and other libraries."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from rich.progress import Progress
 
 from benchmarks.accuracy import curves, peers
 
-FLOOR = 1e-2  # errors below are drawn there: they are zero for this purpose
+FLOOR = 1e-2  # smaller errors, which count as zero, are drawn at this value
 
-# Colours of Okabe and Ito, told apart without colour by line and marker; ours solid, others dashed.
+# Colours of Okabe and Ito; lines and markers differ as well. Our curves are solid, others dashed.
 Styles = dict[str, tuple[str, str]]
 STYLES: Styles = {
     "n = 1": ("#56B4E9", "o"),
@@ -32,7 +32,7 @@ STYLES: Styles = {
 
 
 def is_ours(label: str) -> bool:
-    """Whether a curve is of a kernel of this project."""
+    """Return whether a curve belongs to a kernel of this project."""
     return label not in peers.MAKERS
 
 
@@ -45,7 +45,7 @@ X_AXES = {
 
 @dataclass(frozen=True)
 class Picture:
-    """One file: a row for each part, a column for each panel."""
+    """Contents of one file: a row for each part, a column for each panel."""
 
     file: str
     title: str
@@ -84,7 +84,7 @@ PICTURES = (
 
 
 def panel(axes: Axes, found: curves.Curves, name: str, part: str, styles: Styles = STYLES) -> None:
-    """All curves of one part over one range of angles."""
+    """Draw all curves of one part over one range of angles."""
     angles = curves.TO_PI if name == "to pi" else curves.ANGLES[name]
     for i, (label, (colour, marker)) in enumerate(styles.items()):
         row = found.get((name, part, label))
@@ -126,12 +126,12 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     lines = [handles[label] for label in order]
     figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
     figure.suptitle(what.title, fontsize=12)
-    # No version of the library in the file: the same data give the same bytes.
+    # The file does not name matplotlib's version, so that equal data give equal bytes.
     figure.savefig(path, dpi=120, metadata={"Software": None})
 
 
 def missing(console: Console) -> None:
-    """Say which libraries are left out."""
+    """Print which libraries are left out."""
     for name, version in peers.versions().items():
         if version is None:
             console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)

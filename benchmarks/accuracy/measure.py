@@ -1,4 +1,4 @@
-"""Errors of kernel functions: by function, order, regime and type, on seeded samples, kept cases and by search."""
+"""Errors of kernel functions by function, order, regime and type, on seeded samples, kept cases and random inputs."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Group:
 
 
 FEW, SOME = 3, (1, 2, 3, 8)
-"""Samples and orders of functions whose exact values take long, and of those that run the same programs."""
+"""Samples and orders for functions with slow exact values, and for rotations, which run the same programs."""
 
 GROUPS = (
     Group(POSES.name, FUNCTIONS),
@@ -60,7 +60,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Measurement:
-    """The worst of one function in one regime: errors in eps of (real, dual) parts, their gates, and the input."""
+    """Worst case of one function in one regime: errors in eps of (real, dual) parts, their gates, and the input."""
 
     function: str
     order: int
@@ -78,21 +78,21 @@ class Measurement:
 
 
 def vectors(function: str, given: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
-    """Return those arguments of a function that are vectors of poses."""
+    """Return the arguments of a function that are vectors of poses."""
     row = POSES.functions.get(function)
     both = row is not None and row.arguments[-1].name in RODRIGUES
     return given if both else given[:1]
 
 
 def measured(trial: Trial, function: str, table: str = POSES.name) -> Measurement | None:
-    """The largest errors of a function in a trial, each part on its own; None if it has no samples there."""
+    """Return the largest errors of a function in a trial, for each part separately; None without samples."""
     worst, errors, gates, given, left_out = -1.0, [0.0, 0.0], None, None, 0
     for result in getattr(trial, function)():
         gates = result.gates
         if not all(ranges.in_range(trial.order, v) for v in vectors(function, result.given)):
             left_out += 1
             continue
-        # NaN and a lost type are errors without bound.
+        # NaN and a wrong type count as infinite errors.
         kept = result.got.dtype == trial.dtype
         nearest = min(trial.in_eps(result), key=lambda pair: max(pair[0] / gates[0], pair[1] / gates[1]))
         found = [error if kept else float("inf") for error in nearest]
@@ -108,9 +108,9 @@ def measured(trial: Trial, function: str, table: str = POSES.name) -> Measuremen
 
 
 def work(task: Task) -> list[Measurement]:
-    """Run in a worker process."""
+    """Return the measurements of a task; this runs in a worker process."""
     with warnings.catch_warnings():
-        # Overflow shows in the error itself.
+        # The error itself shows overflow.
         warnings.simplefilter("ignore", RuntimeWarning)
         if task.kept:
             modules = ((case, kernels.load(task.order, task.folder, case.table)) for case in task.kept)
@@ -124,13 +124,13 @@ def work(task: Task) -> list[Measurement]:
 
 
 def types() -> list[str]:
-    """Long double only where it is longer than double."""
+    """Return the names of types, with long double only if it is longer than double."""
     longer = np.finfo(np.longdouble).eps < np.finfo(np.float64).eps
     return [name for name in DTYPES if longer or name != "longdouble"]
 
 
 def sample_tasks(folder: Path, seed: int = 0) -> list[Task]:
-    """Slow ones first, so that the processes end together."""
+    """Return tasks on seeded samples, slow ones first, so that processes end together."""
     return [
         Task(folder, order, group, regime, dtype, seed)
         for order in reversed(ORDERS)
@@ -151,8 +151,8 @@ def replay_tasks(folder: Path, kept: Iterable[Case], size: int = 20) -> list[Tas
 
 
 def run(tasks: list[Task], advance: Callable[[], None], deadline: float | None = None) -> Iterator[Measurement]:
-    """Measure in parallel; past the deadline (of `time.monotonic`) whatever is not done is left out."""
-    # Fresh processes: forked ones would inherit the threads of the libraries compared.
+    """Measure in parallel; stop at the deadline (of `time.monotonic`) and leave out remaining tasks."""
+    # Processes are spawned, since forked ones would inherit threads of the compared libraries.
     context = multiprocessing.get_context("spawn")
     with context.Pool(PROCESSES) as pool:
         for found in pool.imap(work, tasks):

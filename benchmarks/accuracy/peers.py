@@ -1,4 +1,4 @@
-"""Exponential maps of rigid displacements in double precision: ours, and those of other libraries, each optional.
+"""Exponential maps of rigid displacements in double precision: ours, and maps of other libraries, each optional.
 
 All take and give batches in one convention: screws (N, 6) with the rotation first, homogeneous matrices (N, 4, 4),
 left (space) Jacobians (N, 6, 6) in the order of the screws.
@@ -18,7 +18,7 @@ Map = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Peer:
-    """Its maps; None for one it does not have. `through_log`: its inverse Jacobian is that of log, so ends at π."""
+    """Maps of one library, or None. `through_log`: the inverse Jacobian is the Jacobian of log, so ends at π."""
 
     name: str
     exp: Map
@@ -45,7 +45,7 @@ def ours() -> Peer:
     )  # fmt: skip
 
 
-# Translation first to rotation first, or back.
+# Permutation between translation first and rotation first.
 SWAP = np.array([3, 4, 5, 0, 1, 2])
 
 
@@ -86,7 +86,7 @@ def jaxlie() -> Peer:
     def log(poses: np.ndarray) -> np.ndarray:
         return np.asarray(SE3.from_matrix(poses).log())[:, SWAP]
 
-    # The Jacobian of log on the right, in the body frame, of exp(−ξ): the left one of ξ.
+    # The right Jacobian of log (in the body frame) at exp(−ξ) is the left one at exp ξ.
     right = jax.jit(jax.vmap(lambda screw: SE3.exp(screw).jlog()))
 
     def jacobian_inv(screws: np.ndarray) -> np.ndarray:
@@ -119,11 +119,11 @@ MAKERS: dict[str, tuple[str, Callable[[], Peer]]] = {
     "jaxlie": ("jaxlie", jaxlie),
     "pinocchio": ("pin", pinocchio),
 }
-"""Name, distribution, and what makes the peer."""
+"""Distribution and function that makes the peer, by name."""
 
 
 def versions() -> dict[str, str | None]:
-    """Version of each library, None where it is missing."""
+    """Return the version of each library, None for a missing one."""
     found: dict[str, str | None] = {}
     for name, (distribution, _) in MAKERS.items():
         try:

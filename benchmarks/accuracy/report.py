@@ -1,4 +1,4 @@
-"""docs/accuracy.md: the worst error of every function, order and type, with its regime, against its gate."""
+"""Page docs/accuracy.md: the worst error of every function, order and type, with its regime and gate."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.support.cases import DTYPES
 from tests.support.ranges import largest
 from tests.support.sampling import OUTSIDE, PRINCIPAL
 
-# Parts of results that have names, and gates, of their own; other functions show the larger of the two.
+# Results whose parts have separate names and gates; other functions show the larger of the two errors.
 PARTS = {
     "pose": ("pose: Q", "pose: ρ"),
     "tensor": ("tensor: Q", "tensor: ρ× Q"),
@@ -61,7 +61,7 @@ DERIVED = ("tangent_dot", "twist_dot", "rate_dot", "twist_jacobian", "rate_jacob
 DERIVATIVES = tuple(name for name in EVERY if name.removeprefix("body_") in DERIVED)
 OTHERS = tuple(name for name in CALCULUS if name not in (*DERIVATIVES, "adjoint"))
 
-# What the gates are called, the rows they hold for, and whether inside the principal range.
+# Name of each gate, the rows it holds for, and whether inside the principal range.
 GATES = (
     ("rotation Q", ("pose: Q", "tensor: Q"), True),
     ("displacement ρ", ("pose: ρ",), True),
@@ -82,12 +82,12 @@ ROWS = {
     POSES.name: tuple(row for name in EVERY for row in PARTS.get(name, (name,))),
     ROTATIONS.name: tuple(ROTATIONS.sources[name].name for name in rotations.FUNCTIONS),
 }
-"""The rows of the tables of both kinds of modules."""
+"""Rows of the tables, for modules of poses and of rotations."""
 
 
 @dataclass(frozen=True)
 class Worst:
-    """The largest error of one row and order."""
+    """Largest error of one row and order."""
 
     row: str
     order: int
@@ -108,12 +108,12 @@ class Worst:
 
 
 def split(measurement: Measurement) -> Iterator[Worst]:
-    """The rows a measurement counts in."""
+    """Yield the errors of a measurement with their rows."""
     m = measurement
     if m.case is None:
         return
     if m.table == ROTATIONS.name:
-        # Their dual parts are none.
+        # Rotations have no dual parts.
         name = ROTATIONS.sources[m.function].name
         yield Worst(name, m.order, m.dtype, m.regime, m.errors[0], m.gates[0])
     elif m.function in PARTS:
@@ -128,20 +128,20 @@ Rows = dict[tuple[str, str, str, bool], dict[int, Worst]]
 
 
 def table(measurements: Iterable[Measurement]) -> Rows:
-    """The worst by (table of functions, type, row, inside the principal range) and order."""
+    """Return the worst errors by (table of functions, type, row, inside the principal range) and order."""
     found: Rows = {}
     for measurement in measurements:
         for worst in split(measurement):
             row = found.setdefault((measurement.table, worst.dtype, worst.row, measurement.inside), {})
             old = row.get(worst.order)
-            # Equal errors by name, so that the order in which workers finish does not show.
+            # The regime's name decides between equal errors, so that the order of workers does not show.
             if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
                 row[worst.order] = worst
     return found
 
 
 def short_of_gate(measurements: Iterable[Measurement]) -> list[str]:
-    """A line for every gate that is missed."""
+    """Return a line for every missed gate."""
     rows = table(measurements)
     missed = [(TITLES[kind], w) for (kind, *_), row in rows.items() for w in row.values() if w.fraction > 1]
     missed.sort(key=lambda found: (found[0], found[1].row, found[1].dtype, found[1].order))
@@ -167,7 +167,7 @@ def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 
 def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """One table per kind of module, type and range."""
+    """Yield one table per kind of module, type and range."""
     rows = table(measurements)
     for kind, title in TITLES.items():
         for dtype in types():
@@ -186,7 +186,7 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
 
 
 def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
-    """Gate by gate, all types and orders together: the error nearest to its gate."""
+    """Yield a table with the error nearest to its gate, for each gate over all types and orders."""
     rows = table(measurements)
     body = []
     for title, names, inside in GATES:
@@ -207,7 +207,7 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
 
 
 def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
-    """How many poses of a type and order were left out because powers of 1 + x overflow."""
+    """Return the number of poses left out because powers of 1 + x overflow, by type and order."""
     counts: dict[tuple[str, int], int] = {}
     for m in measurements:
         if m.function == "pose" and m.left_out:
@@ -224,7 +224,7 @@ def verdict(measurements: Sequence[Measurement]) -> list[str]:
 
 
 def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """Where powers of 1 + x overflow, and the samples left out for it."""
+    """Yield the section on overflow of powers of 1 + x, with the numbers of samples left out."""
     counts = left_out(measurements)
     yield "## Range"
     yield ""
@@ -250,7 +250,7 @@ BESIDE = "## Beside other libraries"
 
 
 def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
-    """The whole page."""
+    """Return the whole page."""
     lines = [
         "# Accuracy",
         "",
@@ -289,7 +289,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
 
 
 def beside(page: str, figures: Drawn) -> str:
-    """The page with other figures: the last section."""
+    """Return the page with its last section, the figures, replaced."""
     tables, _, _ = page.partition(BESIDE)
     lines = [f"{tables}{BESIDE}", "", *figures.standing, ""]
     for name, caption in figures.captions:

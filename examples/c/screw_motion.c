@@ -1,7 +1,7 @@
-// A body under a constant twist, integrated in Rodrigues dual vectors v = tan(alpha/6) u, against the exact motion.
+// Motion of a body under a constant twist, in Rodrigues dual vectors v = tan(alpha/6) u, against the exact motion.
 //
-// v' = dcay_inv(v) omega is integrated by the classical Runge-Kutta method over one turn. Past Re alpha = pi each step
-// goes on from the principal vector of the same pose, so the chart's singular angles are never met. After one turn the
+// v' = dcay_inv(v) omega is integrated by the classical Runge-Kutta method over one turn. Each step is followed by the
+// change to the principal vector of the same pose, so the chart's singular angles are never met. After one turn the
 // rotation is the identity and the displacement is pitch times axis.
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ int main(void)
     const double pi = 3.14159265358979323846;
     const double omega[6] = {0.6, 0.0, 0.8, 0.3, -0.2, 0.4}; // |angular velocity| = 1 rad/s
     const double pitch = omega[0] * omega[3] + omega[1] * omega[4] + omega[2] * omega[5];
-    static double history[6 * STEPS], poses[16 * STEPS]; // components first: what the loops over rows take
+    static double history[6 * STEPS], poses[16 * STEPS]; // components first, as loops over rows need
     double v[6] = {0};
 
     for (int step = 0; step < STEPS; ++step) {

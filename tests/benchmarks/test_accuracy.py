@@ -1,4 +1,4 @@
-"""Parts of the accuracy suite: kept inputs are the same numbers, the worst are kept, missed gates are named."""
+"""Tests of the accuracy suite: inputs are kept bit for bit, the worst ones are kept, missed gates are named."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_worst_inputs_of_each_function_are_kept() -> None:
 
 
 def measurements(scale: float) -> list[measure.Measurement]:
-    """Return errors of this fraction of the gates, for every function of poses and of rotations in two regimes."""
+    """Return measurements at a fraction of the gates, for every function of poses and of rotations in two regimes."""
     return [
         measure.Measurement(
             name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3, table
@@ -122,7 +122,7 @@ def test_error_of_a_constant_map_is_the_angle(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_page_names_where_the_exponential_is_less_accurate() -> None:
-    """By 2 eps at least, and behind the best library there is."""
+    """Errors are named if they exceed 2 eps and the error of the best library."""
     count = len(curves.TO_PI)
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}
     found = {("to pi", part, name): np.full(count, size) for name, size in rows.items() for part in curves.COMPARED}

@@ -1,4 +1,4 @@
-"""The figure on conditioning says what kernels do: errors are of the size its lines give."""
+"""Check of the figure on conditioning: errors of kernels have the size of its lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support import sampling
     ("order", "branch", "near_half_turn"), [(3, 0, False), (3, 1, False), (8, 3, False), (2, 0, True), (1, 0, True)]
 )
 def test_errors_are_of_the_size_of_the_condition(order: int, branch: int, near_half_turn: bool) -> None:
-    """Within a factor of 20 below 1e-6: some roundings, in directions that differ."""
+    """Errors agree within a factor of 20 at distances up to 1e-6: they are some roundings, in different directions."""
     directions = sampling.unit_vectors(sampling.generator("conditioning"), (4,))
     with mpmath.workdps(30):
         for distance in ("1e-6", "1e-10"):

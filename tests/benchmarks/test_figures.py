@@ -1,4 +1,4 @@
-"""The README's pictures: small files, and what is marked in them is where the charts say."""
+"""Checks of the README's pictures: files are small, and marks lie where the charts are singular or end."""
 
 from __future__ import annotations
 

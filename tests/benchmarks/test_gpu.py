@@ -1,4 +1,4 @@
-"""The GPU script on the path that needs no GPU."""
+"""Test of the GPU script on the CPU."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 pytestmark = pytest.mark.thorough
 
 QUICKLY = {"XLA_FLAGS": "--xla_backend_optimization_level=0"}
-"""What is tested is that maps are compiled and timed, not how well."""
+"""Options of XLA for tests that need maps to be compiled and timed, not to be fast."""
 
 SCRIPT = Path(__file__).parents[2] / "benchmarks" / "gpu.py"
 

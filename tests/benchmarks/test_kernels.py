@@ -1,4 +1,4 @@
-"""What kernels are timed against computes the same; gates that are missed are named."""
+"""Checks of the benchmarks: peers compute the same results as kernels, and missed gates are named."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from tests.support.kernels import load
 ORDER = 1
 """Order at which SymPy derives every function in a second."""
 CLOSE = {"rtol": 1e-12, "atol": 1e-12}
-"""Both are sums of some hundred terms of size 1 to 10, away from poles."""
+"""Tolerances for sums of some hundred terms of size 1 to 10, away from poles."""
 FUNCTIONS = tuple(derivatives.ARGUMENTS)
 
 
 def given(function: str, size: int = 20) -> tuple[np.ndarray, ...]:
-    """Vectors about the origin, of which no two make half a turn: there SymPy's composition takes no side."""
+    """Draw vectors near the origin; no two compose to half a turn, for which SymPy's composition takes no side."""
     poses = Poses.draw(load(ORDER), size)
     return tuple(0.1 * a for a in (poses.v, poses.w, poses.other))[: derivatives.ARGUMENTS[function]]
 
@@ -74,7 +74,7 @@ def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_missed_speed_gates_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With clocks of their own: ours takes a unit, JAX 30 units as it is called, 10 compiled."""
+    """Replace measured times: ours takes one unit, JAX 30 units when called, 10 when compiled."""
     units = {"ours": 1.0, "called": 30.0, "jitted": 10.0, "steps": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {name: units[name] for name in calls})
     monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
@@ -99,7 +99,7 @@ def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyP
 
 
 def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The exponential has two, a chart of order 3 those of forward maps; ratios that are measured decide."""
+    """Exponential coordinates have two gates, a chart of order 3 the gates of forward maps; measured ratios decide."""
     units = {"ours": 1.0, "scipy": 7.0, "pytransform3d": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {k: units[k] for k, call in calls.items() if call})
     decided = {}
@@ -114,7 +114,7 @@ def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("name", kernels.FAMILIES)
 def test_vectors_of_a_chart_are_the_poses_that_libraries_are_given(name: str) -> None:
-    """Compare both vectors of a composition. At 3 rad, sin(α/2) has an angle that is off by 14 roundings."""
+    """Compare both vectors of a composition. At 3 rad, the angle from sin(α/2) has an error of 14 roundings."""
     module = importlib.import_module(f"dualcay.{name}")
     poses = Poses.draw(module, 5)
     np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)

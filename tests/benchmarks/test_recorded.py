@@ -1,4 +1,4 @@
-"""Times against another checkout: every function is compared, drift cancels, slower kernels miss the gates."""
+"""Tests of times against another checkout: every function is compared, drift cancels, slower kernels miss gates."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Compiled functions are timed beside what they replace; sections of the page that are not measured are kept."""
+"""Tests of the page's sections: compiled functions have lines and gates, and sections not measured are kept."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_threads_are_timed_against_one() -> None:
 
 
 @pytest.mark.usefixtures("hasty")
-def test_libraries_have_lines_a_picture_and_words_where_they_are_faster(
+def test_section_on_libraries_has_tables_a_picture_and_faster_ones(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(libraries, "compiled", lambda: nullcontext("dualcay"))
@@ -46,7 +46,7 @@ def test_libraries_have_lines_a_picture_and_words_where_they_are_faster(
     monkeypatch.setattr(libraries, "LIBRARIES", few)
     text = libraries.section((1, 3), tmp_path / "lines.png")
     assert "](lines.png)" in text
-    if importlib.util.find_spec("matplotlib"):  # of an extra
+    if importlib.util.find_spec("matplotlib"):  # it belongs to an extra
         assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")
     for title in libraries.TITLES.values():
         table = text.partition(f"## {title.capitalize()}")[2].partition("\n\n## ")[0]

@@ -13,5 +13,5 @@ order = orders(ORDERS)
 
 @pytest.fixture
 def kernel(order: int) -> ModuleType:
-    """The kernel module of `order`."""
+    """Return the kernel module of `order`."""
     return load(order)

@@ -1,4 +1,4 @@
-"""Every kernel function against the 50-digit oracle: orders x regimes x float types."""
+"""Comparison of every kernel function with the 50-digit oracle: orders x regimes x float types."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_double_precision(order: int, regime: str) -> None:
         Trial(load(order), order, regime).check(name)
 
 
-# The other types run the same programs: the orders and regimes in which they have once been different elsewhere.
+# Other types run the same programs, so few cases are enough: orders and regimes in which types have differed once.
 OTHER = [(n, r) for n, r in CASES if n in (2, 3) and r in ("uniform", "middle band", "below pi", "shadow")]
 OTHER_CASE = pytest.mark.parametrize(("order", "regime"), OTHER, ids=[f"n={n}, {regime}" for n, regime in OTHER])
 
@@ -34,7 +34,7 @@ def test_other_float_types(order: int, regime: str, dtype: type) -> None:
 
 
 COMPLEX_MAPS = ("quaternion", "tensor", "tangent", "tangent_inv", "twist", "rate", "body_twist", "body_rate")
-# A complex product has an error of at most √5 u where a real one has u.
+# The error of a complex product is at most √5 u, of a real product u.
 COMPLEX = errors.GENERAL * np.sqrt(5)
 
 
@@ -53,6 +53,6 @@ def test_complex_vectors_are_the_analytic_continuation(name: str, dtype: type, o
     for argument, got in zip(arguments, results, strict=True):
         exact = getattr(oracle, name)(*argument)
         re, du = errors.parts(exact)
-        # No cancellation to speak of: the dual part's terms are bounded by both norms.
+        # Terms of the dual part hardly cancel: both norms bound them.
         scale = Nil(errors.norm(re), errors.norm(du) + errors.norm(re))
         assert max(errors.errors(got, exact, scale, oracle)) <= COMPLEX

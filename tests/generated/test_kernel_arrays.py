@@ -1,4 +1,4 @@
-"""Arrays of every form: batches, both layouts, broadcasting, strides, NaN in one element, wrong shapes."""
+"""Kernels on arrays of every form: batches, both layouts, broadcasting, strides, NaN in one element, wrong shapes."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ def test_nan_and_infinity_stay_in_their_element(kernel: ModuleType, order: int, 
     arguments, kinds = inputs(kernel, name, order, (9,)), SIGNATURES[name].arguments
     undisturbed = np.delete(getattr(kernel, name)(*arguments), 4, axis=0)
     for i, kind in enumerate(kinds):
-        for component in range(12 if kind == "T" else int(np.prod(SHAPES[kind]))):  # the last row of T is known
+        for component in range(12 if kind == "T" else int(np.prod(SHAPES[kind]))):  # the last row of T is constant
             for bad in (np.nan, np.inf, -np.inf):
                 spoiled = [a.copy() for a in arguments]
                 spoiled[i].reshape(9, -1)[4, component] = bad
@@ -202,7 +202,7 @@ WRONG = {
 def test_wrong_component_axes_are_named(kernel: ModuleType, order: int, name: str) -> None:
     function, kinds = getattr(kernel, name), SIGNATURES[name].arguments
     for i, kind in enumerate(kinds):
-        for shape in WRONG[kind] if SHAPES[kind] else ():  # every shape is one of numbers
+        for shape in WRONG[kind] if SHAPES[kind] else ():  # an argument without components accepts every shape
             arguments = [np.zeros(SHAPES[k]) for k in kinds]
             arguments[i] = np.zeros(shape)
             for form in (arguments, [a.tolist() for a in arguments]):

@@ -1,4 +1,4 @@
-"""Derivatives, group operations, steps and motions, and rotations alone, against the 50-digit oracle."""
+"""Comparison of derivatives, group operations, steps, motions, and rotations alone with the 50-digit oracle."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.calculus import CALCULUS, EVERY, CalculusTrial
 from tests.support.kernels import load
 from tests.support.rotations import RotationTrial
 
-# Products of several operators: all functions, but not in all orders and regimes, for exact values take long.
+# Products of several operators run in some orders and regimes only, since exact values take long.
 SEVERAL = [(1, "uniform"), (2, "shadow"), (3, "angle 1e-12"), (3, "at pi"), (8, "pure translation"), (8, "below pi")]
 ALONE = [(1, "below pi"), (2, "above pi"), (3, "shadow"), (8, "identity")]
 
@@ -44,7 +44,7 @@ def test_trials_cover_every_public_function() -> None:
 def test_relative_error_of_1e_12_fails_the_trial(kind: type[Trial]) -> None:
     module = load(3, table=ROTATIONS.name if kind is RotationTrial else "")
     off = SimpleNamespace(**{name: slightly_off(getattr(module, name)) for name in module.__all__ if name.islower()})
-    trial = kind(off, 3, "uniform", count=2)  # of which no two are alike
+    trial = kind(off, 3, "uniform", count=2)  # no two of its results are alike
     for name in rotations.FUNCTIONS if kind is RotationTrial else EVERY:
         assert trial.worst(name) > 1, name
 

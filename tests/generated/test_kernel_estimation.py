@@ -1,4 +1,4 @@
-"""Derivatives in use: a consistent Kalman filter and a pose graph that converges quadratically."""
+"""Uses of derivatives: a consistent Kalman filter and a pose graph that converges quadratically."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def transposed(a: np.ndarray) -> np.ndarray:
 
 
 def filtered(kernel: ModuleType, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Errors and covariances of all runs after the last step: twists are measured, and where known points are seen."""
+    """Return errors and covariances of all runs at the end; twists and positions of known points are measured."""
     twist = np.array([0.6, -0.4, 0.8, 1.0, 0.2, -0.6])
     scale = kernel.rate(np.zeros(6), np.ones(6))[0]  # φ′(0): a chart's unit of v
     P = np.broadcast_to((SPREAD * scale) ** 2 * np.eye(6), (RUNS, 6, 6))
@@ -44,7 +44,7 @@ def filtered(kernel: ModuleType, rng: np.random.Generator) -> tuple[np.ndarray, 
 
 
 def sixfold(tensor: np.ndarray) -> np.ndarray:
-    """The real matrix of a dual tensor."""
+    """Return the real matrix of a dual tensor."""
     re, du = tensor[:, 0], tensor[:, 1]
     return np.block([[re, 0 * re], [du, re]])
 
@@ -55,13 +55,13 @@ def test_a_kalman_filter_is_consistent(kernel: ModuleType, order: int) -> None:
     total = np.einsum("ri,rij,rj->", error, np.linalg.inv(P), error)
     low, high = chi2.ppf((0.005, 0.995), 6 * RUNS)
     assert low < total < high
-    # the interval is narrow enough to notice a covariance that is off by a fourth
+    # the interval is narrow enough to show an error of a fourth in the covariance
     assert not low < total / 1.25 < high
     assert not low < total * 1.25 < high
 
 
 def test_a_pose_graph_converges_quadratically(kernel: ModuleType, order: int) -> None:
-    """A ring of six poses, each measured from the one before; the first is held."""
+    """Ring of six poses, each measured relative to the previous one; the first is held fixed."""
     count = 6
     rng = sampling.generator("graph", order)
     scale = kernel.rate(np.zeros(6), np.ones(6))[0]
@@ -80,14 +80,14 @@ def test_a_pose_graph_converges_quadratically(kernel: ModuleType, order: int) ->
         v[1:] += step.reshape(-1, 6)
         steps.append(np.linalg.norm(step) / scale)
     assert np.abs(v - truth).max() < 1e-11 * scale
-    # of no residual at the solution Gauss-Newton is Newton's method: each step is of the order of the last one's square
+    # without residual at the solution Gauss-Newton is Newton's method: a step is of the order of the last one squared
     first, second, third = steps[:3]
     assert second < 5 * first**2
     assert third < max(5 * second**2, 1e-13)
 
 
 def test_jacobians_follow_the_chain_rule(kernel: ModuleType, order: int) -> None:
-    """Composition with what undoes it is the identity: so are products of Jacobians; to 1e-12, of conditions < 100."""
+    """Jacobians of a composition and of its undoing multiply to the identity, to 1e-12 at conditions below 100."""
     v2, v1 = (0.3 / order * sampling.dual_vectors(f"chain {i}") for i in (1, 2))
     v = kernel.compose(v2, v1)
     by_v2, by_v1 = kernel.compose_jacobians(v2, v1)
@@ -110,7 +110,7 @@ def test_steps_are_taken_on_the_branch_of_v_and_found_again(kernel: ModuleType, 
 
 
 def test_powers_do_not_depend_on_the_chart(kernel: ModuleType, order: int) -> None:
-    """τ·v̇ of a generalized force is the power of its wrench; in the body the same of what the adjoint takes there."""
+    """Power τ·v̇ of a generalized force equals the power of its wrench; the body wrench gives the same force."""
     v, v_dot, z = (sampling.dual_vectors(f"power {i}") / (order if i == 1 else 1) for i in (1, 2, 3))
     tau, omega = kernel.cotangent(v, z), kernel.twist(v, v_dot)
     power = (z[:, 3:] * omega[:, :3] + z[:, :3] * omega[:, 3:]).sum(-1)

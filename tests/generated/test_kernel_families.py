@@ -1,4 +1,4 @@
-"""Families other than Cayley's against first principles, on floats: every function, from no angle to the edge."""
+"""Comparison of families other than Cayley's with first principles, on floats, at angles from 0 to the edge."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from derive.codegen.signatures import PUBLIC
 from tests.support import families, sampling
 
 GATE = 8
-"""Eps of the size and condition of a result: `make accuracy` found half of it."""
+"""Largest error in eps of the size and condition of a result; `make accuracy` found half of it."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
-"""Angles; the last are shares of the edge."""
+"""Ranges of angles; the last range is in shares of the edge."""
 
 
 @pytest.fixture(params=FAMILIES)
@@ -37,12 +37,12 @@ def angles(name: str, regime: int) -> tuple[float, float]:
 
 
 def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """One regime of angles per function; the next function and the next family take the next regime."""
+    """Test a function in one regime of angles; the next function and the next family take the next regime."""
     oracle, start = families.oracle_of(name), FAMILIES.index(name)
     for place, function in enumerate(PUBLIC):
         regime = (start + place) % len(REGIMES)
         if function in ("to_screw", "angle") and not regime:
-            regime = 1  # at 1e-300 v° over |v| overflows, and the oracle takes the angle for none
+            regime = 1  # at 1e-300, v°/|v| overflows, and the oracle takes the angle for zero
         v = families.vectors(oracle, *angles(name, regime), 1)
         branch = 0 if PUBLIC[function].branch else None
         error = families.worst(kernels, oracle, function, v, branch)
@@ -50,13 +50,13 @@ def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleT
 
 
 def test_every_function_meets_all_regimes():
-    """Families start at different regimes."""
+    """Families start at different regimes, so that together they meet all."""
     met = {(place, (start + place) % len(REGIMES)) for start in range(len(FAMILIES)) for place in range(len(PUBLIC))}
     assert len(met) == len(REGIMES) * len(PUBLIC)
 
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)
-"""Shares of the way to the edge that are left."""
+"""Remaining shares of the way to the edge."""
 
 
 EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name != "exponential" for k in (0, 2)]
@@ -64,10 +64,10 @@ EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name !=
 
 @pytest.mark.parametrize(("name", "left"), EDGES)
 def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
-    """Each chart at two distances.
+    """Steps are tested at two distances from the edge of each chart.
 
-    Where φ′ = 0, x says little of the angle there, and T is all but singular. At a pole it is the angle, as it is
-    rounded, that says little of v: steps by it are off by 0.2 eps over the share.
+    At an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. At a pole the rounded angle hardly
+    determines v: steps that use it have errors of 0.2 eps over the share.
     """
     oracle = families.oracle_of(name)
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
@@ -77,7 +77,7 @@ def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType,
 
 
 def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):
-    """At Re v = 0 the pose is a translation by v°/φ′(0)."""
+    """Pose at Re v = 0 is a translation by v°/φ′(0)."""
     v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
     slope = families.slope_of(name)
     rho = kernels.pose(v)[:3, 3]
@@ -87,7 +87,7 @@ def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleTy
 
 
 def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
-    """Tolerance 1e-12: 40 eps times a condition below 100. Shadows of shadows lead back."""
+    """Tolerance is 1e-12: 40 eps times a condition below 100. The opposite branch of a shadow is v again."""
     v = families.vectors(families.oracle_of(name), 0.3, 2.5)
     for branch in range(1, families.oracle_of(name).order):
         there = kernels.shadow(v, branch)
@@ -97,7 +97,7 @@ def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
 
 
 def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
-    """The derivative of the quaternion along v̇ is ω q/2, down to no rotation at all."""
+    """Derivative of the quaternion along v̇ is ω q/2, also without rotation."""
     rng = np.random.default_rng(7)
     for size in (0.0, 1e-12, 1e-3, 0.4):
         v, v_dot = rng.normal(size=6), rng.normal(size=6)
@@ -109,7 +109,7 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 
 
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
-    """The exponential has no singular angle; its list ends at two turns."""
+    """Exponential coordinates have no edge; their list of singular angles ends at two turns."""
     found = kernels.singular_angles()
     edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
     assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
@@ -123,7 +123,7 @@ def test_wiener_milenkovic_is_scaled2():
 
 
 def test_exponential_has_a_branch_for_every_turn():
-    """α + 2πk, to 8 eps of the larger angle; at the identity there is no axis to turn about."""
+    """Branch k has the angle α + 2πk, to 8 eps of the larger angle; the identity has no axis and no branches."""
     from dualcay import exponential
 
     v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
@@ -131,7 +131,7 @@ def test_exponential_has_a_branch_for_every_turn():
     for k in (-3, -1, 1, 2, 50):
         there = exponential.shadow(v, k)
         np.testing.assert_allclose(there[:3], v[:3] + 2 * math.pi * k * u, rtol=8 * np.finfo(float).eps)
-        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° goes with the square of |v|
+        close = {"rtol": 0, "atol": 8 * np.finfo(float).eps * (1 + 7 * abs(k)) ** 2}  # v° grows with the square of |v|
         np.testing.assert_allclose(exponential.principal(there), v, **close)
         np.testing.assert_allclose(exponential.pose(there), exponential.pose(v), **close)
     assert np.isnan(exponential.shadow(np.zeros(6), 1)).all()
@@ -142,7 +142,7 @@ def test_exponential_has_a_branch_for_every_turn():
 
 @pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
 def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
-    """The rotation against SciPy's, to 8 eps of the angle."""
+    """Rotation agrees with SciPy's to 8 eps of the angle."""
     from scipy.spatial.transform import Rotation
 
     from dualcay import exponential
@@ -154,7 +154,7 @@ def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
-    """R Rᵀ = I to 16 eps of the type, where α itself is off by many turns."""
+    """Tolerance of R Rᵀ = I is 16 eps of the type, although rounding of α amounts to many turns."""
     from dualcay import exponential
 
     sizes = 10.0 ** np.arange(0, 0.9 * np.log10(np.finfo(dtype).max) / 2)
@@ -167,7 +167,7 @@ def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
 
 @pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
 def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
-    """Complex steps of the rotation, where tan(α/2) has a pole: dR = ω × R, to 64 eps of ω."""
+    """Complex steps of the rotation near the pole of tan(α/2) give dR = ω × R, to 64 eps of ω."""
     from dualcay import exponential
 
     v, v_dot = (math.pi - left) * np.array([2, -3, 6, 0, 0, 0]) / 7, np.array([1.0, 2, 3, 0, 0, 0])
@@ -177,7 +177,7 @@ def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
 
 
 def test_series_and_closed_form_agree_where_they_meet():
-    """Tolerance: 8 eps and the truncation error of the series."""
+    """Tolerance is 8 eps, for rounding and for truncation of the series."""
     from dualcay import exponential
 
     limit = math.sqrt(6.0)

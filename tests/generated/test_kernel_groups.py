@@ -1,4 +1,4 @@
-"""Composition, screws and the action on points and lines."""
+"""Tests of composition, screws and the action on points and lines."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def dual_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def pose_scale(order: int, *vectors: np.ndarray) -> Nil:
-    """Scale of a product of tensors, each moved by the rounding of its own vector."""
+    """Return the scale of a product of tensors, each with the error from rounding its vector."""
     scale = Nil(1.0, 0.0)
     for v in vectors:
         local = errors.scales(order, v)
@@ -50,7 +50,7 @@ def test_composition_is_the_product_of_tensors_v1_first(kernel: ModuleType, orde
 @REGIME
 def test_composition_with_the_inverse_and_the_identity(kernel: ModuleType, order: int, regime: str) -> None:
     v = reached(order, regime)
-    # −v is the inverse, closed form and all.
+    # −v is the vector of the inverse, also in the closed form.
     inverse = dual_product(kernel.tensor(v), kernel.tensor(-v))
     back, same = kernel.compose(v, -v), kernel.compose(v, np.zeros(6))
     for i in range(len(v)):
@@ -115,7 +115,7 @@ def test_screw_of_a_translation_and_of_the_identity(kernel: ModuleType, order: i
 
 
 @REGIME
-def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
+def test_points_move_by_the_homogeneous_matrix(kernel: ModuleType, order: int, regime: str) -> None:
     v, r = reached(order, regime), sampling.points("points", count=6)
     pose = kernel.pose(v)
     for i, moved in enumerate(kernel.transform_point(v, r)):
@@ -125,7 +125,7 @@ def test_points_move_as_by_the_homogeneous_matrix(kernel: ModuleType, order: int
 
 
 @REGIME
-def test_lines_move_as_by_the_dual_tensor_and_as_their_points_do(kernel: ModuleType, order: int, regime: str) -> None:
+def test_lines_move_by_the_dual_tensor_and_with_their_points(kernel: ModuleType, order: int, regime: str) -> None:
     v = reached(order, regime)
     first, second = sampling.points("first", count=6), sampling.points("second", count=6)
 

@@ -1,4 +1,4 @@
-"""Kernels import with NumPy alone, and by both names."""
+"""Imports of kernels need NumPy alone, and work by both names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The package of kernels in use: import, listing, missing modules, ``python -m dualcay``."""
+"""Interface of the package of kernels: import, listing, missing modules, ``python -m dualcay``."""
 
 from __future__ import annotations
 

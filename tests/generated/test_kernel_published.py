@@ -1,7 +1,7 @@
-"""Rotations alone against published numbers: those by which Basilisk's library of attitude kinematics is tested.
+"""Comparison of rotations alone with published numbers, from the tests of Basilisk's library of attitude kinematics.
 
-Source: AVSLab, Basilisk, `src/architecture/utilitiesSelfCheck/avsLibrarySelfCheck.c` (ISC License), whose definitions
-are those of H. Schaub and J. L. Junkins, *Analytical Mechanics of Space Systems*: C = [BN] takes space to body
+Source: AVSLab, Basilisk, `src/architecture/utilitiesSelfCheck/avsLibrarySelfCheck.c` (ISC License). Definitions
+are from H. Schaub and J. L. Junkins, *Analytical Mechanics of Space Systems*: C = [BN] takes space to body
 coordinates, ω is in the body frame, σ̇ = ¼ B(σ) ω and q̇ = ½ B(q) ω. Every number is computed here a second time, from
 first principles at 50 digits: neither the printed number nor the kernel stands alone.
 """
@@ -19,7 +19,7 @@ from tests.support import families
 from tests.support.oracle import Oracle, oracle_of
 
 PRINTED = 1e-12
-"""The numbers there have 13 digits and more after the point; the tests there allow 1e-10."""
+"""Tolerance for published numbers, which have 13 digits or more after the point; Basilisk's tests allow 1e-10."""
 ROUNDING = 1e-15
 """Rounding error of results of size 5 at most."""
 
@@ -54,7 +54,7 @@ PUBLISHED = {
     "BinvMRP": (MRP, "body_tangent", (SIGMA,), B_INV_MRP * 4),
     "BmatGibbs": (GIBBS, "body_tangent_inv", (SIGMA,), B_GIBBS / 2),
     "BinvGibbs": (GIBBS, "body_tangent", (SIGMA,), B_INV_GIBBS * 2),
-    # C(q) = C(q2) C(q1), whose transposes are our tensors: the first turn acts last
+    # C(q) = C(q2) C(q1); our tensors are the transposes of C, so the first turn acts last
     "addMRP": (MRP, "compose", (LONG, SHORT), [0.58667769962764, -0.34919321472900, 0.43690525444766]),
     "addGibbs": (GIBBS, "compose", (LONG, SHORT), [0.61290322580645, 0.17741935483871, 0.82258064516129]),
     "subMRP": (MRP, "between", (LONG, SHORT), [-0.005376344086021518, 0.04301075268817203, -0.4408602150537635]),
@@ -70,7 +70,7 @@ PUBLISHED = {
 
 
 def by_first_principles(oracle: Oracle, name: str, arguments: tuple[np.ndarray, ...]) -> np.ndarray:
-    """The real part of the oracle's result at dual parts 0."""
+    """Return the real part of the oracle's result at dual parts 0."""
     row = ROTATIONS.public[name]
     dual = zip(row.pose.arguments, row.embedded([a.ravel() for a in arguments], 0.0), strict=True)
     found: Any = getattr(oracle, row.source)(*(np.reshape(values, array.shape) for array, values in dual))
@@ -91,7 +91,7 @@ def test_published_numbers(published: str) -> None:
 
 
 def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
-    """Ḃ of σ and σ̇, column by column: ¼ Ḃ ω is the Jacobian of σ̇ by σ, applied to σ̇."""
+    """Compare Ḃ(σ, σ̇) column by column: ¼ Ḃ ω is the Jacobian of σ̇ by σ, applied to σ̇."""
     from dualcay.rotation import cayley2
 
     sigma_dot = np.array([0.015, 0.045, -0.005]) / DEGREE
@@ -107,7 +107,7 @@ def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
 
 
 def test_composition_of_two_half_turns_is_the_identity() -> None:
-    """addMRP of two vectors of half a turn: σ = 0."""
+    """Sum (addMRP) of two vectors of half a turn is σ = 0."""
     from dualcay.rotation import cayley2
 
     half = np.array([0.0, 0.0, 1.0])

@@ -1,4 +1,4 @@
-"""Rotations alone: the real parts of the functions of poses, and the formulas of the textbooks for n = 1 and n = 2."""
+"""Rotations alone, compared with real parts of functions of poses and with textbook formulas for n = 1 and n = 2."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MODULES = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
 EPS = np.finfo(float).eps
 
 def pair(name: str) -> tuple[ModuleType, ModuleType]:
-    """The module of a chart for rotations, and that for poses."""
+    """Return the modules of a chart for rotations and for poses."""
     return importlib.import_module(f"dualcay.rotation.{name}"), importlib.import_module(f"dualcay.{name}")
 
 
@@ -46,7 +46,7 @@ def test_rotations_are_the_real_parts_of_pose_functions(chart: str) -> None:
 
 
 @pytest.mark.parametrize("chart", MODULES)
-def test_angular_velocity_is_that_of_the_matrix_and_rates_go_back(chart: str) -> None:
+def test_angular_velocity_agrees_with_the_matrix_and_rate_inverts_it(chart: str) -> None:
     rotations, _ = pair(chart)
     v, v_dot = rotations.random(7, max_angle=2.5, rng=3), np.random.default_rng(4).uniform(-1, 1, (7, 3))
     moved = rotations.tensor(v + 1e-30j * v_dot)  # a complex step: no digits are lost
@@ -102,17 +102,17 @@ SIGMA, OMEGA = exact("1/5", "-2/7", "3/8"), exact("1", "-5/3", "1/2")
 
 
 def test_rates_of_modified_rodrigues_parameters_are_those_of_the_textbooks_exactly() -> None:
-    """σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame: Schaub & Junkins, Analytical Mechanics, MRPs."""
+    """Rate σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame: Schaub & Junkins, Analytical Mechanics."""
     m, identity = dualcay.rotation.cayley2, exact(*"100010001").reshape(3, 3)
     B = (1 - SIGMA @ SIGMA) * identity + 2 * skew(SIGMA) + 2 * np.outer(SIGMA, SIGMA)
     assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 4)
     assert np.all(m.body_tangent_inv(SIGMA) == B / 4)
-    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in space the sign of the cross product is the other
+    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in space the cross product has the opposite sign
     assert np.all(m.shadow(SIGMA.astype(float)) == pytest.approx(-SIGMA.astype(float) / float(SIGMA @ SIGMA)))
 
 
 def test_rates_of_gibbs_vectors_are_those_of_the_textbooks_exactly() -> None:
-    """ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame; Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
+    """Rate ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame; Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
     m, identity = dualcay.rotation.cayley1, exact(*"100010001").reshape(3, 3)
     B = identity + skew(SIGMA) + np.outer(SIGMA, SIGMA)
     assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 2)
@@ -121,7 +121,7 @@ def test_rates_of_gibbs_vectors_are_those_of_the_textbooks_exactly() -> None:
     assert np.all(m.tensor(SIGMA) == Q)
 
 
-def test_vectors_are_those_of_scipy() -> None:
+def test_vectors_agree_with_scipy() -> None:
     turned = Rotation.random(200, rng=7)
     q, rotvec = turned.as_quat(scalar_first=True), turned.as_rotvec()
     angle = turned.magnitude()
@@ -142,8 +142,8 @@ def test_vectors_are_those_of_scipy() -> None:
     np.testing.assert_allclose(product, (after * of_scipy).as_mrp(), **near)
 
 
-def test_mrp_rates_are_those_of_a_body_that_turns() -> None:
-    """Central differences of SciPy's MRP, which are off by the step squared, 1e-10, and by rounding over the step."""
+def test_mrp_rates_agree_with_central_differences() -> None:
+    """Central differences of SciPy's MRP have errors of the step squared, 1e-10, and of rounding over the step."""
     v, omega, step = np.array([0.2, -0.3, 0.1]), np.array([0.5, 0.7, -0.4]), 1e-5
     here = Rotation.from_mrp(v)
     later, sooner = ((here * Rotation.from_rotvec(s * step * omega)).as_mrp() for s in (1, -1))

@@ -1,4 +1,4 @@
-"""Single poses: agreement with batches; IEEE results without exception or warning at singular points."""
+"""Single poses: agreement with batches, and IEEE results at singular points without exceptions or warnings."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ SPECIAL["R"] = [np.stack([t[:3, :3], 0 * t[:3, :3]]) for t in SPECIAL["T"][:4]] 
 def test_special_arguments_give_no_warning_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
     kinds = SIGNATURES[name].arguments
     for first in SPECIAL[kinds[0]]:
-        # a third argument goes through the same values, the other way
+        # a third argument takes the same values in reverse order
         for rest in zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:]))) if kinds[1:] else [()]:
             arguments = [first, *rest]
             for branch in ({}, {"branch": 1}) if name in BRANCHED else ({},):
@@ -117,7 +117,7 @@ def test_special_screws_give_no_warning(kernel: ModuleType, order: int) -> None:
 
 
 def test_error_state_of_the_caller_is_kept() -> None:
-    """Warnings are silenced inside, whatever the caller has set, and the setting survives."""
+    """Kernels silence warnings internally for any setting of the caller, and restore the setting."""
     kernel = load(4)
     with np.errstate(all="raise"):
         kernel.tangent_inv(np.array([1.0, 0, 0, 0, 0, 0]))
@@ -141,7 +141,7 @@ def test_single_precision_overflow_gives_no_warning(kernel: ModuleType, order: i
 
 @pytest.mark.parametrize("order", [n for n in ORDERS if n in (4, 8)])
 def test_poles_are_not_finite(order: int) -> None:
-    """|v| = 1 is Re α = 2π at n = 4 and 4π (and a zero of q_8) at n = 8: no inverse exists there."""
+    """Inverses do not exist at |v| = 1: Re α is 2π for n = 4; for n = 8 Re α is 4π, also a zero of q_8."""
     kernel = load(order)
     v = np.array([[0, 0, 1.0, 0, 0, 0], [0.1, 0, 0, 0, 0, 0]])
     for got in (kernel.tangent_inv(v), np.stack([kernel.tangent_inv(row) for row in v])):
@@ -161,6 +161,6 @@ def test_order_one_has_no_vector_at_pi() -> None:
 
 
 def test_special_arguments_are_not_written_to() -> None:
-    """The inputs above are shared by all tests of this module."""
+    """Inputs above are shared by all tests of this module."""
     for kind, values in SPECIAL.items():
         assert all(value.shape == SHAPES[kind] for value in values)

@@ -1,4 +1,4 @@
-"""The recorder: every operation, selection by bits and booleans, constants, shared entries, order and rows."""
+"""Recorder of programs: every operation, selection by bits and booleans, constants, shared entries, order and rows."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ REAL = DTYPES[:3]
 
 
 def run(program: Program, *arguments: NDArray[Any], outputs: int) -> list[NDArray[Any]]:
-    """Return the outputs of a program, run in fresh memory that holds NaN."""
+    """Run a program in fresh memory filled with NaN; return its outputs."""
     shape, dtype = arguments[0].shape, program.dtype
     found = [np.full(shape, np.nan, dtype) for _ in range(outputs)]
     scratch = [np.full(shape, np.nan, dtype) for _ in range(program.scratch)]
@@ -32,7 +32,7 @@ def run(program: Program, *arguments: NDArray[Any], outputs: int) -> list[NDArra
 
 
 def recorded(text: Text, dtype: Any, *arguments: Any, outputs: int = 1) -> list[NDArray[Any]]:
-    """Return what a text of single numbers computes when it is recorded."""
+    """Record a program of single numbers; return its results on arrays."""
     arrays = [np.array(a, dtype) for a in arguments]
     program = record(lambda m, *groups: text(m, *(a for (a,) in groups)), [1] * len(arrays), np.dtype(dtype))
     return run(program, *arrays, outputs=outputs)
@@ -89,7 +89,7 @@ CONDITIONS: dict[str, Callable[[Any, Any], Any]] = {
     "a == 1": lambda a, b: a == 1,
     "(a < b) & (0 < a)": lambda a, b: (a < b) & (a > 0),
     "(a < b) | (a == 3)": lambda a, b: (a < b) | (a == 3),
-    "(a < b) & (0 < 1)": lambda a, b: (a < b) & (0 < 1),  # comparisons of constants, as a text has them
+    "(a < b) & (0 < 1)": lambda a, b: (a < b) & (0 < 1),  # programs may compare constants
     "(a < b) | (0 < 0)": lambda a, b: (a < b) | (0 < 0),
     "(0 < 0) & (a < b)": lambda a, b: (0 < 0) & (a < b),
 }
@@ -131,7 +131,7 @@ def test_equal_operations_are_entered_once() -> None:
 
 
 def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Random texts agree with NumPy; rows freed one step early are noticed."""
+    """Random programs agree with NumPy; some disagree if rows are freed one step early."""
     assert all(_agrees(seed) for seed in range(60))
     release = _program.Rows._release
 

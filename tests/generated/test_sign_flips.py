@@ -1,4 +1,4 @@
-"""Control of the kernel tests: one sign flipped in a program of the order 3, and a law fails."""
+"""Control of the kernel tests: with one sign flipped in a program of order 3, a law fails."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ PROGRAMS = programs(_geometry) | programs(cayley3)
 
 
 def signs(program: ast.FunctionDef) -> list[int]:
-    """Return the places of + and − in the walk of a program.
+    """Return the places of + and − in a walk through the syntax tree of a program.
 
-    Left out are those that only select a side or NaN, and the constants 0 and 1, which the order 3 does not use.
+    Signs that only select a side or NaN are left out, as are the constants 0 and 1, which order 3 does not use.
     """
     selecting: list[ast.AST] = [
         node
@@ -56,8 +56,8 @@ def signs(program: ast.FunctionDef) -> list[int]:
 
 
 def flipped(program: ast.FunctionDef, place: int) -> ast.FunctionDef:
-    """Return the program with the sign at a place the other way."""
-    changed: ast.FunctionDef = pickle.loads(pickle.dumps(program))  # a deep copy, faster
+    """Return the program with the sign at a place flipped."""
+    changed: ast.FunctionDef = pickle.loads(pickle.dumps(program))  # faster than `copy.deepcopy`
     node = list(ast.walk(changed))[place]
     if isinstance(node, ast.BinOp):
         node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
@@ -67,7 +67,7 @@ def flipped(program: ast.FunctionDef, place: int) -> ast.FunctionDef:
 
 
 def kernels_with(program: ast.FunctionDef | None) -> Any:
-    """Return the kernels of order 3 with one program replaced, also where other programs call it."""
+    """Return the kernels of order 3 with one program replaced, also in calls from other programs."""
     spaces = {module: dict(vars(module)) for module in (_geometry, cayley3)}
     for space in spaces.values():
         for name in PROGRAMS.keys() & space.keys():
@@ -100,9 +100,9 @@ READ = {name: names_read(k.plain.__code__) | {k.plain.__name__} for name, k in c
 
 
 def users(program: str) -> list[str]:
-    """Return functions of the interface that run a program, its namesake first."""
+    """Return the interface functions that run a program, with its namesake first."""
     kernels = sorted((name for name, read in READ.items() if program in read), key=lambda name: name != program)
-    shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # branches are told by turns
+    shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # turns distinguish branches
     return [name for name in dict.fromkeys(shown) if name in FUNCTIONS]
 
 
@@ -126,7 +126,7 @@ def seen_by_oracle(kernels: Any, names: list[str]) -> bool:
 
 
 def seen_at_full_turns(kernels: Any) -> bool:
-    """Return whether the side taken at a multiple of 2π is wrong, which shows nowhere else."""
+    """Return whether the side chosen at a multiple of 2π is wrong, an error that no other law shows."""
     law = rules.test_full_turns_are_translations_along_the_axis
     duals = [1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]
     with pytest.MonkeyPatch.context() as patch:

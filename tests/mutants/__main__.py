@@ -1,7 +1,7 @@
-"""Mutation test of the whole road: ``python -m tests.mutants`` (``make mutants``).
+"""Mutation test of the whole toolkit: ``python -m tests.mutants`` (``make mutants``).
 
-A mutant is one small change that should be refused. Each room draws a sample of its mutants, tries every one in a
-process of its own, lists the survivors and prints its score. Nothing is written into the tree.
+A mutant is one small change that tests should refuse. Each room draws a sample of its mutants, tries each one in a
+separate process, lists the survivors and prints its score. Nothing is written into the tree.
 
 ========== ==========================================================================================================
 statements true statements of the papers with one mark changed: executing them must fail

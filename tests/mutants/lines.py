@@ -24,14 +24,14 @@ SWAPPED = {
     "condition": {" and ": " or ", " or ": " and ", "if not ": "if ", "True": "False", "False": "True"},
     "sibling": {"sin(": "cos(", "cos(": "sin(", "min(": "max(", "max(": "min(", ".re": ".du", ".du": ".re"},
 }
-"""Tokens by operator, each with its replacement."""
+"""Tokens and their replacements, by operator."""
 
 TOKENS = {token: (operator, other) for operator, table in SWAPPED.items() for token, other in table.items()}
 TOKEN = re.compile("|".join(map(re.escape, sorted(TOKENS, key=len, reverse=True))) + r"|(?<![\w.\"'])\d+(?![\w.\"'])")
 PROSE = re.compile(
     r'r?"""[\s\S]*?"""|\{#[\s\S]*?#\}|(?<![\w"\'])#.*|//[^/\n]*$|"(?:[^"\\\n]|\\.)*"|/\*[\s\S]*?\*/', re.M
 )
-"""Docstrings, comments and strings, which are left as they are."""
+"""Pattern of docstrings, comments and strings, which are not changed."""
 
 SOURCES = {
     "maps": ("derive/maps",),
@@ -39,14 +39,14 @@ SOURCES = {
     "lowering": ("derive/codegen/lowering", "derive/codegen/programs", "derive/codegen/targets"),
     "templates": ("templates/numpy",),
 }
-"""Folders by room; the tests are those of the same folder, of templates those of codegen."""
+"""Folders by room; tests of the room's own folder are run, for templates the tests of codegen."""
 
 CHARTS = ("-n", "1-4", "--family", "exponential,orthographic,scaled2,sine3,breusing")
 STAGES = {
     "generate": ("-m", "derive", "generate", *CHARTS, "-o", "generated/dualcay", "--force"),
     "tests": ("-m", "pytest", "-q", "-x", "--tb=no", "-p", "no:cacheprovider", "-m", "not thorough"),
 }
-"""Commands that have to refuse a mutant; the tests run on the kernels which the first has written."""
+"""Commands that should refuse a mutant; the tests run on the kernels that the first command writes."""
 
 
 def changes(text: str) -> Iterator[tuple[int, str, str, str]]:
@@ -85,7 +85,7 @@ def _compiles(text: str) -> bool:
 
 
 def _trial(room: str, name: str | None, text: str) -> Verdict:
-    """Run the stages in a copy of the tree with one file changed."""
+    """Run the commands in a copy of the tree with one file changed."""
     tests = f"tests/derive/{room}" if (ROOT / "tests/derive" / room).is_dir() else "tests/derive/codegen"
     with tempfile.TemporaryDirectory(prefix="dualcay-mutant-") as folder:
         for part in COPIED:

@@ -1,4 +1,4 @@
-"""A mutant, its verdict, how a sample is drawn, and how mutants are tried in processes of their own."""
+"""Mutants and verdicts: samples are drawn, and each mutant is tried in a separate process."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """One change at a place, its operator, and the function that tries it."""
+    """One change at a place, with its operator and the function that tries it."""
 
     place: str
     operator: str
@@ -43,7 +43,7 @@ class Mutant:
 
 
 Room = Callable[[], Iterable[Mutant]]
-"""Yields the unchanged tree, whose trial must survive, then every mutant."""
+"""Function that yields the unchanged tree, whose trial must survive, then every mutant."""
 
 
 def sampled(mutants: Iterable[Mutant], count: int, seed: int) -> list[Mutant]:
@@ -93,7 +93,7 @@ def _run(mutant: Mutant, sender: Connection) -> None:
 
 
 def _ended(receiver: Connection, process: BaseProcess, answered: bool) -> Verdict:
-    """Return the verdict of a process, and end all that it started."""
+    """Return the verdict of a process, and kill its process group."""
     try:
         verdict = receiver.recv() if answered else Verdict(KILLED, "time limit")
     except EOFError:

@@ -13,7 +13,7 @@ from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
 
 
 def mutants() -> Iterator[Mutant]:
-    """Yield every statement found true, with one mark of it or of its domain changed."""
+    """Yield every true statement with one mark changed, in the statement or its domain."""
     yield Mutant("papers", "none", "unchanged", partial(Verdict, SURVIVED))
     for paper in PAPERS:
         for entry in paper.entries():

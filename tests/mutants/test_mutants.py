@@ -1,4 +1,4 @@
-"""Operators change what they name, samples are stable, and every trial ends with a verdict."""
+"""Tests of mutants: operators change the named tokens, samples are stable, and every trial ends with a verdict."""
 
 from __future__ import annotations
 

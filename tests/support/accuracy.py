@@ -1,4 +1,4 @@
-"""Every kernel function against the oracle in one regime: results, exact values, scales and gates.
+"""Comparison of every kernel function with the oracle in one regime: results, exact values, scales and gates.
 
 `Trial(module, order, regime).check(name)` raises AssertionError with the worst input if the function of that name
 misses its gate; `worst(name)` is the largest error as a fraction of the gate. The module is an argument, so that
@@ -27,7 +27,7 @@ class Trial(ForwardTrial):
     # ---- inverse maps ------------------------------------------------------------------------------------------
 
     def _inverse(self, name: str) -> Iterator[Result]:
-        """Yield a map back from a rounded quaternion, tensor or pose; entries are those of `errors.branch_scale`."""
+        """Yield results of an inverse map from rounded quaternions, tensors or poses, on some branches."""
         forward = getattr(self.oracle, name.removeprefix("from_"))
         entries = self.quaternion_entries if name == "from_quaternion" else self.tensor_entries
         inputs = np.stack([rounded(forward(v), self.dtype) for v in self.v])
@@ -47,7 +47,7 @@ class Trial(ForwardTrial):
     from_pose = partialmethod(_inverse, "from_pose")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:
-        """Half the principal angle and the axis; both signs of q̂ where the angle is π to within rounding."""
+        """Return half the principal angle and the axis, for both signs of q̂ if the angle is π to within rounding."""
         q = self.oracle.unit(self.oracle.unpack(v))
         if q[0].re < 0:
             q = tuple(-c for c in q)
@@ -64,7 +64,7 @@ class Trial(ForwardTrial):
         return scale
 
     def translation_shadow_scale(self, branch: int, length: float) -> Nil:
-        """tan(kπ/n + ε |v°|) u: the tangent operator has no inverse there, but u is exact."""
+        """Return the scale of tan(kπ/n + ε |v°|) u, where the tangent operator has no inverse but u is exact."""
         tangent = math.tan(branch * math.pi / self.order)
         return Nil(abs(tangent), (1 + tangent**2) * length)
 
@@ -81,7 +81,7 @@ class Trial(ForwardTrial):
         return errors.entry_twists(rotation), np.array(pack(rotation), dtype=float).reshape(2, 9)
 
     def round_trip(self) -> Iterator[Result]:
-        """v -> pose -> v, against v's own principal shadow: 8 eps for n ≥ 2 by the measured figures, 20 for n = 1."""
+        """Yield v -> pose -> v, compared with the principal shadow of v: 8 eps for n ≥ 2 as measured, 20 for n = 1."""
         gate = errors.ROUND_TRIP if self.order > 1 else errors.GENERAL
         inputs = self.module.pose(self.v)
         for v, got in zip(self.v, self.module.from_pose(inputs), strict=True):
@@ -89,7 +89,7 @@ class Trial(ForwardTrial):
             operators, entries = [self.oracle.operator_by_spin(r) for r in results], self.tensor_entries(v)
             scales = [errors.branch_scale(t, r, *entries) for t, r in zip(operators, results, strict=True)]
             if not self.inside:
-                # The pose of a shadow is right in norm, not entry by entry: near 2π its small entries are differences.
+                # A shadow's pose is accurate in norm, not entry by entry: near 2π its small entries are differences.
                 gate, local = errors.shadow_gate(self.order), errors.scales(self.order, v)
                 backs = [inverse(t) for t in operators]
                 lost = Nil(local.tensor.re, local.position)
@@ -125,7 +125,7 @@ class Trial(ForwardTrial):
             yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, (v,), "axis")
 
     def shadow_scale(self, v: Any, result: Any) -> Nil:
-        """The exact Jacobian of a shadow is T(v_k)⁻¹ T(v)."""
+        """Return the scale of a shadow, whose exact Jacobian is T(v_k)⁻¹ T(v)."""
         here, there = (self.oracle.operator_by_spin(self.oracle.unpack(w)) for w in (v, result))
         return errors.size(result) + errors.through(matmul(inverse(there), here), errors.size(v))
 
@@ -158,7 +158,7 @@ class Trial(ForwardTrial):
                 yield Result(got, [exact], [scale], self.gates("general"), (a, b))
 
     def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
-        """The exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
+        """Return the scale of a product, whose exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
         unpack, operator = self.oracle.unpack, self.oracle.operator_by_spin
         back = inverse(operator(unpack(result)))
         left = matmul(back, operator(unpack(v2)))

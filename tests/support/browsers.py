@@ -1,4 +1,4 @@
-"""The browser that the report is looked at in."""
+"""Search for the browser in which the report is opened."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Single changes of C text, of the kinds a printer or a template could make by mistake.
+"""Mutants of C text: single changes that a printer or a template could make by mistake.
 
-They are made in preprocessed text, function by function. A mutant is an excerpt with the functions that its kernel
-calls, which is read in milliseconds.
+Changes are made in preprocessed text, function by function. A mutant is an excerpt with the functions that its kernel
+calls; a compiler reads it in milliseconds.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ KINDS: Mapping[str, tuple[str, str | None]] = {
     "call": (r"\bsqrt\(", "("),
     "digit": (r"\b0\.\d{20}(\d)", None),
 }  # fmt: skip
-"""Pattern and replacement, by kind; without a replacement the number found grows by one."""
+"""Pattern and replacement by kind of mutant; without a replacement, the number found is increased by one."""
 
 _DEFINITION = re.compile(r"^static inline [\w ]*?\b(\w+)\([^{;]*\)\s*\{[\s\S]*?^\}$", re.MULTILINE)
 
@@ -53,7 +53,7 @@ class Mutant:
 
 
 class Excerpts:
-    """The functions of a preprocessed text, and what they need of each other."""
+    """Functions of a preprocessed text, with the calls between them."""
 
     def __init__(self, preprocessed: str) -> None:
         text = re.sub(r"^#.*$", "", preprocessed, flags=re.MULTILINE)
@@ -61,7 +61,7 @@ class Excerpts:
         self.rest = _DEFINITION.sub("", text)
 
     def needed(self, name: str) -> set[str]:
-        """Return a function and those it calls, directly or not."""
+        """Return the names of a function and of all functions it calls, directly or not."""
         found, new = set(), {name}
         while new:
             found |= new
@@ -70,12 +70,12 @@ class Excerpts:
         return found
 
     def text(self, roots: Collection[str], changed: Mapping[str, str]) -> str:
-        """Return the text of some functions and those they call, some of it changed."""
+        """Return the text of some functions and of the functions they call, with changed ones replaced."""
         needed = set().union(*map(self.needed, roots))
         return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
 
     def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
-        """Yield every mutant of a function, in the excerpt for the functions through which it is called."""
+        """Yield every mutant of a function, each in an excerpt with the root functions that call it."""
         original = self.functions[name]
         body = original.index("{")
         for kind, (pattern, replacement) in KINDS.items():
@@ -98,7 +98,7 @@ def _next(found: re.Match[str]) -> str:
 
 
 def sample(mutants: Collection[Mutant], each: int, seed: int) -> list[Mutant]:
-    """Return some mutants of each kind."""
+    """Draw at most ``each`` mutants of every kind."""
     draw = random.Random(seed)
     by_kind: dict[str, list[Mutant]] = {}
     for mutant in mutants:

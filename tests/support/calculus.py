@@ -1,7 +1,7 @@
-"""Derivatives and maps of several steps against the oracle; tolerances follow from roundings of exact factors.
+"""Comparison of derivatives and composite maps with the oracle; tolerances follow from roundings of exact factors.
 
-Such a result is a product of exact dual tensors, or a vector whose exact Jacobian is one. Its tolerance is the effect
-of a unit of rounding in each factor, or in each argument. The factors are the oracle's.
+A result is a product of dual tensors, or a vector whose Jacobian is such a product. Its tolerance is the effect of a
+unit of rounding in each factor, or in each argument. The oracle computes the exact factors.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def product(*tensors: Tensor) -> Tensor:
 
 
 class CalculusTrial(Trial):
-    """`Trial` with all functions of the table."""
+    """Trial of all functions of the table."""
 
     # ---- exact factors -----------------------------------------------------------------------------------------
 
@@ -44,7 +44,7 @@ class CalculusTrial(Trial):
         return self.oracle.rotation(self.oracle.unpack(v))
 
     def _step(self, delta: Any) -> tuple[Tensor, Tensor]:
-        """exp(δ) as a dual tensor, and dexp(δ)."""
+        """Return exp(δ) as a dual tensor, and dexp(δ)."""
         small = self.oracle.unpack(delta)
         q = self.oracle.step(small)
         turned = transpose([hamilton(hamilton(q, (0, *e)), conjugate(q))[1:] for e in E])
@@ -64,7 +64,7 @@ class CalculusTrial(Trial):
     body_cotangent_jacobian = partialmethod(ForwardTrial._jacobian, "body_cotangent_jacobian")
 
     def transform_point_jacobians(self) -> Iterator[Result]:
-        """∂(Q r + ρ): by v° it is T, by v that of Q r and that of ρ = T v°; by r it is Q."""
+        """Yield derivatives of Q r + ρ: T by v°, derivatives of Q r and of ρ = T v° by v, and Q by r."""
         points = self.second(sampling.points, "transform_point_jacobians")
         by_v, by_r = self.module.transform_point_jacobians(self.v, points)
         for v, r, one, other in zip(self.v, points, by_v, by_r, strict=True):
@@ -85,7 +85,7 @@ class CalculusTrial(Trial):
             yield from self._both(got, exact, sizes, (v, line))
 
     def _both(self, got: Any, exact: Any, sizes: Any, given: tuple[np.ndarray, ...]) -> Iterator[Result]:
-        """Two Jacobians of one function."""
+        """Yield both Jacobians of one function."""
         for note, *one in zip(("first", "second"), got, exact, sizes, strict=True):
             matrix, wanted, size = one
             yield Result(matrix, [wanted], [size], self._gates, given, note)
@@ -113,7 +113,7 @@ class CalculusTrial(Trial):
 
     @staticmethod
     def _moved(exact: Any, *arguments: tuple[Tensor, Any]) -> Nil:
-        """Return the scale of one rounding of the result and of each argument, by its Jacobian."""
+        """Return the scale of one rounding of the result and, through their Jacobians, of its arguments."""
         scale = errors.size(exact)
         for jacobian, argument in arguments:
             scale = scale + through(jacobian, errors.size(argument))
@@ -122,7 +122,7 @@ class CalculusTrial(Trial):
     # ---- two poses ---------------------------------------------------------------------------------------------
 
     def _of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
-        """`jacobians(v2, v1, result)` are exact, but for signs."""
+        """Yield results of a function of two vectors; `jacobians(v2, v1, result)` are exact up to sign."""
         for v1 in self.partners():
             for a, b, got in zip(self.v, v1, getattr(self.module, name)(self.v, v1), strict=True):
                 exact = getattr(self.oracle, name)(a, b)
@@ -152,12 +152,12 @@ class CalculusTrial(Trial):
         return self._of_two("body_local", self.body_local_by)
 
     def inverted(self, result: Any, moved: Nil) -> Nil:
-        """Return the scale of T⁻¹ at a result with an error of ``moved``, which enters by T⁻¹ DT T⁻¹."""
+        """Return the scale of T⁻¹ at a result with error ``moved``; the error enters through T⁻¹ DT T⁻¹."""
         here, back = errors.scales(self.order, result), errors.majorant(inverse(self._operator(result)))
         return back * (1 + here.condition) + back * back * (here.slope * moved)
 
     def _jacobians_of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
-        """T⁻¹ [R] T of v = `name` of both, as `jacobians` gives them."""
+        """Yield both Jacobians of a function of two vectors: T⁻¹ T or T⁻¹ R T, with T⁻¹ at the result."""
         for v1 in self.partners():
             found = getattr(self.module, f"{name}_jacobians")(self.v, v1)
             for a, b, *got in zip(self.v, v1, *found, strict=True):
@@ -180,10 +180,10 @@ class CalculusTrial(Trial):
         return self._jacobians_of_two("between", self.between_by)
 
     def shadow_jacobian(self) -> Iterator[Result]:
-        """T(v_k)⁻¹ T(v), and exactly I for no branch."""
+        """Yield T(v_k)⁻¹ T(v), which is exactly I on branch 0."""
         for branch in self.branches():
             if branch and self.regime == "pure translation":
-                continue  # no rotation, no derivative
+                continue  # without rotation, a shadow has no derivative
             for v, got in zip(self.v, self.module.shadow_jacobian(self.v, branch), strict=True):
                 sides = (branch, -branch) if self.tie else (branch,)
                 there = [self.oracle.shadow(v, k) for k in sides]
@@ -234,10 +234,10 @@ class CalculusTrial(Trial):
     body_retract_jacobians = partialmethod(_retract_jacobians, "body_retract")
 
     def interpolate(self) -> Iterator[Result]:
-        """ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
+        """Yield interpolations; their twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
 
-        Its branch is that of the angle, which is rounded, too. Not about 2π, where the axis may swing round between two
-        steps of the oracle, and the branch it follows is open.
+        Rounding of the angle may also change the branch. The regime near 2π is left out: the axis may swing round
+        between two steps of the oracle, and the branch is undecided.
         """
         if self.regime == "near 2 pi":
             return
@@ -267,6 +267,6 @@ CALCULUS = (
     "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
     "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians",
 )  # fmt: skip
-"""The functions that `Trial` has not."""
+"""Functions missing in `Trial`."""
 
 EVERY = (*FUNCTIONS, *CALCULUS)

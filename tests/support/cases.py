@@ -1,7 +1,7 @@
 """Inputs with the largest error of each kernel function, kept in benchmarks/worst_cases.json.
 
-A case names the function, the order, the type, the regime (which decides the gate) and the arguments in hexadecimal,
-so that it is the same number everywhere. All branches of the function are tried on it.
+A case holds function, order, type, regime (which decides the gate) and arguments. Arguments are in hexadecimal, so that
+they are the same numbers everywhere. All branches of the function are tried on it.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from tests.support.rotations import RotationTrial
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
 KEPT = 2
-"""Cases kept of each function, inside and outside the principal range."""
+"""Number of cases kept per function, both inside and outside the principal range."""
 
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
-"""Trials by the table of functions."""
+"""Classes of trials by table of functions."""
 
 Key = tuple[str, str, bool]
 
@@ -57,7 +57,7 @@ def decode(text: str, dtype: Any) -> Any:
 
 @dataclass(frozen=True)
 class Case:
-    """One input; `fraction` is its error over the gate when it was found."""
+    """One input; `fraction` is the ratio of its error to the gate when it was found."""
 
     function: str
     order: int
@@ -77,7 +77,7 @@ class Case:
 
     @property
     def key(self) -> Key:
-        """Cases of one key compete: the principal range has gates of its own."""
+        """Key of cases that compete; cases inside the principal range compete separately, since their gates differ."""
         return self.table, self.function, self.regime in sampling.PRINCIPAL
 
     def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:
@@ -87,7 +87,7 @@ class Case:
 
 
 def read(path: Path = FILE) -> tuple[list[Case], int]:
-    """The cases, and how many seeds have been searched."""
+    """Return the cases, and the number of seeds searched."""
     if not path.exists():
         return [], 0
     content = json.loads(path.read_text(encoding="utf-8"))
@@ -108,7 +108,7 @@ def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
 
 
 def worst(cases: Iterable[Case], count: int = KEPT) -> list[Case]:
-    """Return the cases nearest to their gates, so many of each key, one of an input."""
+    """Return the cases with the largest fractions: up to `count` for each key, one for each input."""
     inputs = {(case.key, case.arguments): case for case in sorted(cases, key=lambda case: case.fraction)}
     found: dict[Key, list[Case]] = {}
     for case in sorted(inputs.values(), key=lambda case: -case.fraction):

@@ -1,4 +1,4 @@
-"""The command ``dualcay`` as a person runs it, in this process or in one of its own."""
+"""Runs of the command ``dualcay``, in this process or in a new one."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Done:
 
 
 def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
-    """Run the entry point here, on pipes of its own; what it does not catch, fails the test."""
+    """Run the entry point in this process with captured output; an exception it does not catch fails the test."""
     out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", newline="\n") for _ in range(2))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", ["dualcay", *arguments])
@@ -44,7 +44,7 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
 
 
 def in_a_process(*arguments: str, code: str | None = None, errors: str = "strict", **variables: str) -> Done:
-    """Run ``python -m derive``, or some code in its place, as a process with these environment variables."""
+    """Run ``python -m derive``, or the given code instead, in a new process with these environment variables."""
     start = ["-m", "derive"] if code is None else ["-c", code]
     env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1", **variables}
     command = [sys.executable, *start, *arguments]

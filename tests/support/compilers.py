@@ -1,4 +1,4 @@
-"""The C compiler that headers and NumPy functions in C are tried with, found as the toolkit finds it."""
+"""Search for the C compiler of the tests, by the rules of the toolkit."""
 
 from __future__ import annotations
 

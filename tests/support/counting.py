@@ -1,4 +1,4 @@
-"""A target that can be sent to worker processes: it prints NumPy kernels and counts what would be executed."""
+"""Target that can be sent to worker processes: it prints NumPy kernels and only counts validations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps.chart import Chart
 
 
 class Counting(Numpy):
-    """Target whose charts named in ``failing`` fail validation, the first of them last."""
+    """Target that fails validation of the charts in ``failing``, the first of them after a pause."""
 
     def __init__(self, failing: tuple[str, ...] = ()) -> None:
         self.failing = failing

@@ -1,9 +1,9 @@
-"""How errors are measured and what is allowed: every norm, scale and tolerance of the kernel tests.
+"""Error measures of the kernel tests: norms, scales and tolerances.
 
-Errors are normwise, in eps of the result's type, the larger of two: real part ‖Δ‖ / ‖Re‖, dual part ‖Δ‖ / (sum of the
-norms of the terms it is made of). The dual part of F at v + ε v° is DF(v)[v°], so the terms' norms are those of the
-exact Jacobian times those of v°: ‖DF(v)‖ ‖v°‖, a number that no formula under test enters. Where a map is ill
-conditioned the scale is the exact Jacobian of the result applied to relative perturbations of its inputs.
+Errors are normwise, in eps of the result's type. An error is the larger of two: ‖Δ‖ / ‖Re‖ for the real part, and
+‖Δ‖ / (sum of the norms of its terms) for the dual part. The dual part of F at v + ε v° is DF(v)[v°], so this sum is
+‖DF(v)‖ ‖v°‖ with the exact Jacobian: no formula under test enters it. For an ill-conditioned map, the scale is the
+exact Jacobian of the result applied to relative perturbations of its inputs.
 
 A scale is a pair (re, du) of norms held in a `Nil`, so that the scale of a product of dual quantities is the product
 of their scales: |ab|° ≤ |a| |b|° + |a|° |b|.
@@ -24,54 +24,54 @@ from tests.support.oracle import Oracle
 
 Array = Any  # object arrays of mpmath numbers
 
-# Gates in eps, inside the principal range. With u = eps/2 one rounding: x = v·v carries 3u, each Horner or pair step
-# of p and q 2u, and the norm p² + x q² is taken of the computed p and q, so their common error cancels and what is
-# left is the error of one ratio (4u to 6u), of its products and sums (3u), and of x's derivative in the dual part.
+# Gates in eps, inside the principal range. One rounding is u = eps/2: x = v·v carries 3u, each Horner or pair step of
+# p and q carries 2u. The norm p² + x q² is formed from the computed p and q, so their common error cancels. The rest is
+# the error of one ratio (4u to 6u), of its products and sums (3u), and of the derivative of x in the dual part.
 QUATERNION = 4  # p/N, q v/N: a ratio, a root, a product; measured 2.8
 ROTATION = 10  # I + 2pq/N² skew + 2q²/N² skew²: three roundings more, summed over nine entries; measured 6.5
 POSITION = 6  # T v°: coefficients as in T, then three products summed; measured 3.1
 TANGENT = 6  # as the tensor, without the unit entries' own rounding; measured 2.5
-DERIVED = 4  # derivatives of T and T⁻¹: a few more of such terms than there, of which one leads; measured 1.9
+DERIVED = 4  # derivatives of T and T⁻¹: a few more terms than in T, with one dominant term; measured 1.9
 RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
 ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
 GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
-CONDITIONED = 8  # the rest of the calculus, of its condition: of a chain, what its worst factor allows (6) and one more
-THREE = 30  # derivatives of inverse maps beyond the first pole: T⁻¹, the derivative of T, T⁻¹ in a chain
+CONDITIONED = 8  # rest of the calculus, relative to its condition: the gate of the worst factor in a chain (6), plus 2
+THREE = 30  # derivatives of inverse maps beyond the first pole: a chain of T⁻¹, the derivative of T, and T⁻¹
 
 
 def shadow_gate(order: int) -> int:
-    """q̂, Q, ρ on shadows: there p and q are sums of alternating terms as large as (1+x)^n; measured ≤ 41 at n = 64."""
+    """Return the gate of q̂, Q, ρ on shadows: p, q sum alternating terms up to (1+x)^n; measured ≤ 41 at n = 64."""
     return max(16, 2 * order)
 
 
 def tangent_shadow_gate(order: int) -> int:
-    """The tangent operator on shadows, relative to its norm: its coefficients hold p′, q′; measured 126 at n = 64."""
+    """Return the gate of T on shadows, relative to its norm: its coefficients hold p′, q′; measured 126 at n = 64."""
     return max(40, 10 * order)
 
 
 def derived_shadow_gate(order: int) -> int:
-    """Return the gate of its derivative there; p″ and q″ grow over p′ and q′ as those over p and q (144 at n = 11)."""
+    """Return the gate of derivatives of T on shadows: p″/p′ and q″/q′ grow like p′/p and q′/q (144 at n = 11)."""
     return 5 * tangent_shadow_gate(order)
 
 
-PRODUCTS = 4  # that a slope of a slope of f, g or h is a sum of: its numerator, e times slopes (twice), e² times itself
+PRODUCTS = 4  # summed in a second slope of f, g or h: its numerator, e times slopes (twice), e² times f, g or h
 
 
 def underflow(v: Any, dtype: Any) -> Nil:
-    """Return the loss of the derivative of T where slopes of f, g, h are subnormal.
+    """Return the underflow error of derivatives of T where slopes of f, g, h are subnormal.
 
-    Each product that a slope is a sum of loses half the smallest number of the type; sums are exact. In T slopes
-    stand before up to |v|³; slopes of slopes, in the dual part, before v·v°. For n = 2 they go like |v|⁻⁶ and |v|⁻⁸:
-    in float32 they are subnormal from |v| = 4e6 and 1e5 on, at 1e-6 and 4e-5 from 2π.
+    Each product in a slope loses half the smallest number of the type; sums are exact. In T, slopes are multiplied by
+    up to |v|³; second slopes, in the dual part, by v·v°. For n = 2 they decay like |v|⁻⁶ and |v|⁻⁸: in float32 they
+    are subnormal from |v| = 4e6 and 1e5 on, at angles 1e-6 and 4e-5 from 2π.
     """
     lost, length = PRODUCTS / 2 * float(np.finfo(dtype).smallest_subnormal), size(v)
     return lost * (length + length * length + length * length * length) * Nil(1.0, length.re * length.du)
 
 
-# Agreement of two computed quantities, both within their gates: the sum of the two, rounded up.
+# Agreement of two computed quantities, each within its gate: the sum of both gates, rounded up.
 AGREE = 40
-# Central differences of step h: h² from the third derivative and eps/h from the function: 1e-10 at h = 1e-5; times
-# the scale of third derivatives of the map (n³ at order n).
+# Error of central differences of step h: h² from the third derivative and eps/h from the function, 1e-10 at h = 1e-5,
+# times the scale of third derivatives of the map (n³ at order n).
 STEP = 1e-5
 
 
@@ -80,7 +80,7 @@ def difference_tolerance(order: int) -> float:
 
 
 def norm(a: Any) -> float:
-    """Frobenius norm of anything array-like, mpmath numbers included; squares neither overflow nor vanish."""
+    """Return the Frobenius norm of an array, also of mpmath numbers; squares neither overflow nor vanish."""
     entries = [abs(e) for e in np.asarray(a, dtype=object).flat]
     largest = max(entries, default=0)
     if not largest or not math.isfinite(largest):
@@ -89,7 +89,7 @@ def norm(a: Any) -> float:
 
 
 def parts(array: Any) -> tuple[Any, Any]:
-    """Real and dual part of a packed dual vector, quaternion, tensor or Jacobian; Q and ρ of a homogeneous matrix."""
+    """Split a packed dual vector, quaternion, tensor or Jacobian into real and dual part, a matrix (4, 4) into Q, ρ."""
     array = np.asarray(array)
     if array.shape == (6, 6):
         return array[:3, :3], array[3:, :3]
@@ -102,14 +102,14 @@ def parts(array: Any) -> tuple[Any, Any]:
 
 
 def ratio(difference: float, scale: float) -> float:
-    """0/0 is no error: where all terms vanish the result must be exactly zero. NaN is the largest error."""
+    """Return difference over scale: 0 without difference, infinity for NaN and for a difference at scale 0."""
     if difference == 0:
         return 0.0
     return difference / scale if scale > 0 and not math.isnan(difference) else math.inf
 
 
 def errors(got: Any, exact: Any, scale: Nil, oracle: Oracle) -> tuple[float, float]:
-    """(real, dual) error of one result in eps of its type."""
+    """Return the (real, dual) error of one result in eps of its type."""
     re, du = zip(parts(got), parts(exact), (scale.re, scale.du), strict=True)
     return error(*re, oracle), error(*du, oracle)
 
@@ -127,7 +127,7 @@ def assert_close(got: Any, expected: Any, scale: Nil, tolerance: float = AGREE *
 
 
 def size(a: Any) -> Nil:
-    """The scale of an input: its own norms."""
+    """Return the scale of an input: the norms of its parts."""
     re, du = parts(a)
     return Nil(norm(re), norm(du))
 
@@ -146,7 +146,7 @@ class Scales:
     position: float
     tangent: Nil
     tangent_inv: Nil
-    slope: float  # of the tangent operator: ‖DT‖
+    slope: float  # norm of the derivative of the tangent operator: ‖DT‖
     condition: float  # relative condition number of inverting the tangent operator: ‖T⁻¹‖ ‖DT‖ ‖v‖
     near_pole: Nil  # tangent_inv times its condition: T⁻¹ once, its derivative −T⁻¹ DT T⁻¹ twice
 
@@ -180,7 +180,7 @@ def _scales(order: int, vector: tuple[float, ...]) -> Scales:
 
 @dataclass(frozen=True)
 class Slopes:
-    """Scales of the derivatives of the tangent operator and its inverse by v; near poles with the condition."""
+    """Scales of derivatives of T and T⁻¹ with respect to v; ``near_pole`` includes the condition."""
 
     tangent: Nil
     tangent_inv: Nil
@@ -210,7 +210,7 @@ def _slopes(order: int, vector: tuple[float, ...]) -> Slopes:
 
 
 def part(tensor: Array, of: Any) -> np.ndarray:
-    """Return a part of every entry of a tensor, as floats."""
+    """Return one part of every entry of a tensor, picked by ``of``, as floats."""
     return np.array([of(entry) for entry in tensor.flat], float).reshape(tensor.shape)
 
 
@@ -228,12 +228,12 @@ def through(jacobian: Any, argument: Nil) -> Nil:
 
 
 def branch_scale(operator: Any, result: Any, directions: Any, entries: Any) -> Nil:
-    """Scale of an inverse map: v̇ = T(v)⁻¹ ω, ω the twist per unit of each input entry, times that entry.
+    """Return the scale of an inverse map, v̇ = T(v)⁻¹ ω: ω is the twist per unit of an input entry, times the entry.
 
     `operator` is T at the `result` v.
 
-    `directions` is (2, 3, m), the dual twists of the m entries, `entries` (2, m) their real and dual values. Entry by
-    entry, not in norm: a small rotation is known from small entries to full relative precision, and must be found so.
+    `directions` (2, 3, m) holds the dual twists of the m entries, `entries` (2, m) their real and dual values. Scales
+    are taken entry by entry, not in norm: small entries determine a small rotation to full relative precision.
     """
     re, du = np.array(pack(inverse(operator)), dtype=float)
     turn, shift = re @ directions[0], du @ directions[0] + re @ directions[1]
@@ -252,7 +252,7 @@ def angle_scale(order: int, alpha: Nil, axis: Any) -> Nil:
 
 
 def entry_twists(rotation: Any) -> np.ndarray:
-    """(2, 3, 9): the dual twist vect(E Rᵀ) of changing each entry of R."""
+    """Return the dual twists vect(E Rᵀ) of changes of each entry of R, in shape (2, 3, 9)."""
     back = transpose(rotation)
     columns = []
     for i in range(3):

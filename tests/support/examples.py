@@ -1,4 +1,4 @@
-"""Sessions in docstrings and pages, run as they are printed."""
+"""Runs of the example sessions in docstrings and pages."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Any
 
 
 def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
-    """Return the differences of the examples in a text, run one after the other; '' if all agree.
+    """Run the examples in a text in turn; return differences from their printed results, '' if all agree.
 
     Parameters
     ----------
     text, name : str
-        The text, and what it is called in what is returned.
+        Text, and its name in the returned differences.
     names : dict, optional
-        What the examples know; what they assign stays in it.
+        Names that the examples may use; names that they assign are added.
     """
     test = doctest.DocTestParser().get_doctest(text, names or {}, name, None, 0)
     said: list[str] = []
@@ -29,5 +29,5 @@ def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
 
 
 def of_docstrings(functions: Iterable[Any], names: Mapping[str, Any] | None = None) -> str:
-    """Return the failures of the docstrings of functions, each run by itself with the names that examples assume."""
+    """Return the failures in the docstrings of functions; each docstring runs alone, with the given names."""
     return "".join(failures(inspect.getdoc(one) or "", one.__qualname__, dict(names or {})) for one in functions)

@@ -1,6 +1,6 @@
-"""The exponential map from screws to poses by its power series, for number types with as many digits as asked for.
+"""Exponential map from screws to poses by its power series, for number types of any precision.
 
-A screw is the dual vector ξ = ω + ε t of exponential coordinates, of Euclidean length α, the dual angle. With
+A screw is the dual vector ξ = ω + ε t of exponential coordinates; its length is the dual angle α. With
 S = skew(ξ) the pose is Σ Sᵏ/k! and the tangent operator, ω = T ξ̇, is Σ Sᵏ/(k+1)!.
 """
 
@@ -24,7 +24,7 @@ def skew(a: Any) -> tuple[Any, ...]:
 
 
 def exponential(screw: Any) -> tuple[Any, Any]:
-    """(dual tensor, tangent operator) of a vector of dual numbers, summed until the terms change nothing."""
+    """Return (dual tensor, tangent operator) of a dual vector; series are summed until terms change nothing."""
     matrix, zero = skew(screw), screw[0].re * 0
     term = tuple(tuple(Nil(zero + (i == j), zero) for j in range(3)) for i in range(3))
     rotation = operator = term
@@ -42,14 +42,14 @@ def _added(total: Any, term: Any, divisor: int) -> Any:
 
 
 def rodrigues(order: int, screw: Any, field: Any) -> tuple[Any, ...]:
-    """v = tan(α/2n) u of a screw with ω ≠ 0."""
+    """Return v = tan(α/2n) u of a screw with ω ≠ 0."""
     alpha = field.sqrt(dot(screw, screw))
     factor = field.tan(alpha / (2 * order)) / alpha
     return tuple(factor * c for c in screw)
 
 
 class ExponentialScales:
-    """Scales of errors of the exponential map at one screw of floats (6,), as `errors.Scales`."""
+    """Scales of errors of the exponential map at one screw of six floats, named as in `errors.Scales`."""
 
     def __init__(self, screw: Any) -> None:
         floats, size = [float(c) for c in screw], norm(screw[3:])

@@ -1,6 +1,6 @@
-"""Oracles of families, and errors of results by their condition, for charts of any kind.
+"""Oracles of chart families, and errors of results relative to their condition.
 
-As in `oracle`, nothing of the code under test is used: a family is what |v| makes of θ = α/2n, and back.
+As in `oracle`, no code under test is used: a family is given by |v| as a function of θ = α/2n, and its inverse.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tests.support.oracle import Oracle, SineOracle
 
 
 class ScaledOracle(Oracle):
-    """v = 2n tan θ u."""
+    """Oracle of v = 2n tan θ u."""
 
     def base(self, v: Any) -> Any:
         return v[0] * 0 + 2 * self.order
@@ -29,7 +29,7 @@ class ScaledOracle(Oracle):
 
 
 class BreusingOracle(Oracle):
-    """v = sin θ/√cos θ u, cos θ > 0 by adding half turns to θ: cos² θ + x cos θ = 1."""
+    """Oracle of v = sin θ/√cos θ u; half turns are added to θ until cos θ > 0, and cos² θ + x cos θ = 1."""
 
     def cosine(self, v: Any) -> Any:
         x = dot(v, v)
@@ -45,7 +45,7 @@ class BreusingOracle(Oracle):
 
 
 class ExponentialOracle(Oracle):
-    """v = 2θ u, θ = α/2."""
+    """Oracle of v = 2θ u, θ = α/2."""
 
     def base(self, v: Any) -> Any:
         return angle_by_tangent(self.field, dot(v, v))
@@ -55,7 +55,7 @@ class ExponentialOracle(Oracle):
 
 
 def angle_by_tangent(field: Any, square: Any) -> Any:
-    """α/tan(α/2) of α², nilpotent parts and all; by its series where a root would lose them."""
+    """Return α/tan(α/2) from α² with all nilpotent parts; near 0 by its series, since a root would lose them."""
     if abs(_real(square)) < 1e-30:
         return 2 - square / 6 - square * square / 360 - square * square * square / 15120
     angle = field.sqrt(square)
@@ -73,20 +73,20 @@ ORACLES = {
     "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
     **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
 }  # fmt: skip
-"""Oracle and order by module."""
+"""Class of the oracle, and its order, by module."""
 
 
 DIGITS = 60
 VECTORS = ("v1", "v2", "delta")
-"""Arguments, beside the first, that are vectors of the chart or near the identity."""
+"""Arguments after the first that are vectors of the chart, or steps near the identity."""
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Products of operators."""
+"""Functions whose results are products of operators."""
 STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
 @functools.cache
 def oracle_of(name: str) -> Oracle:
-    """The oracle of a family, one for all tests: it remembers results."""
+    """Return the oracle of a family; all tests share one, which remembers results."""
     kind, order = ORACLES[name]
     return kind(order, DIGITS)
 
@@ -134,10 +134,10 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
-    """Return how far T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) move when their factors are rounded.
+    """Return the changes of T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) when their factors are rounded.
 
-    Each is computed for itself, so each is off by a rounding of its own norm. Where a factor is all but singular, at
-    whole turns and at an edge with φ′ = 0, their product is not: it is near I, and so is that of moved arguments.
+    Each factor is computed separately, with an error relative to its norm. At whole turns, and at an edge with φ′ = 0,
+    a factor is nearly singular but the product is near I. Moving the arguments does not show this error.
     """
     body = name.startswith("body")
     result = (oracle.body_retract if body else oracle.retract)(v, delta)
@@ -150,14 +150,14 @@ def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray
 
 
 def parts(result: Any) -> list[Any]:
-    """Real and dual part of a result; those of each where there are several; a moved point as it is."""
+    """Return the real and dual part of a result, or of each of several results; a moved point stays whole."""
     if isinstance(result, tuple):
         return [part for array in result for part in errors.parts(array)]
     return [result] if np.shape(result) == (3,) else list(errors.parts(result))
 
 
 def worst(kernels: ModuleType, oracle: Oracle, name: str, v: np.ndarray, branch: int | None = None) -> float:
-    """The largest error of a function at vectors, in eps of the scale of each part of its result."""
+    """Return the largest error of a function at vectors, in eps of the scale of each part of its result."""
     return worst_of(kernels, oracle, name, arguments(kernels, name, v), *(() if branch is None else (branch,)))
 
 
@@ -183,19 +183,19 @@ def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndar
 
 
 def edge_of(name: str) -> float:
-    """The angle at which a family ends; for the exponential once round, beyond which its oracle counts no turns."""
+    """Return the angle at which a family ends; for the exponential 2π, since its oracle counts no turns."""
     return 2 * np.pi if name == "exponential" else oracle_of(name).order * np.pi
 
 
 def slope_of(name: str) -> float:
-    """φ′(0)."""
+    """Return φ′(0)."""
     oracle = oracle_of(name)
     tiny = oracle.field.number(2.0**-80)
     return float((oracle.size(_dual_zero(oracle) + tiny).re / tiny) / (2 * oracle.order))
 
 
 def half_product(omega: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """The dual quaternion ω q/2 of a dual vector and a dual quaternion."""
+    """Return the dual quaternion ω q/2 of a dual vector ω and a dual quaternion q."""
 
     def product(w: np.ndarray, p: np.ndarray) -> np.ndarray:
         return np.concatenate([[-w @ p[1:]], p[0] * w + np.cross(w, p[1:])])

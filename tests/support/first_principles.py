@@ -1,10 +1,10 @@
-"""The Cayley maps of any order from first principles, in mpmath with as many digits as asked for.
+"""Cayley maps of any order from first principles, in mpmath at any precision.
 
-Independent of the code under test: no p_n, q_n, no closed form of any coefficient. The dual quaternion is the n-th
-power of 1 + v over its own norm, the tensor is the sandwich of the basis vectors, the tangent operator is
-vect(Ṙ Rᵀ) with R differentiated exactly in nilpotent arithmetic, the inverse maps take half the dual angle by atan2
-and give tan of its n-th part. Where the real part of the vector vanishes (pure translation, identity) axis and angle
-come from the dual part, by a case of their own.
+Nothing is shared with the code under test: there are no p_n, q_n and no closed forms of coefficients. The dual
+quaternion is the normalized n-th power of 1 + v, and the tensor rotates the basis vectors by it. The tangent
+operator is vect(Ṙ Rᵀ), with R differentiated exactly in nilpotent arithmetic. Inverse maps take half the dual angle by
+atan2 and return tan of its n-th part. A vector without real part (pure translation, identity) is a separate case: axis
+and angle come from the dual part.
 
 Arguments are flat arrays as the kernels take them for one pose; results are object arrays of the kernels' shapes.
 """
@@ -35,7 +35,7 @@ DIGITS = 50
 
 
 def pack(value: Any) -> np.ndarray:
-    """Real parts first, then dual parts, along a new leading axis (vectors and quaternions flat)."""
+    """Stack real parts, then dual parts, along a new leading axis (vectors and quaternions flat)."""
     entries = np.array(value, dtype=object)
     parts = [np.array([getattr(e, part) for e in entries.flat], dtype=object) for part in ("re", "du")]
     if entries.ndim == 1:
@@ -44,7 +44,7 @@ def pack(value: Any) -> np.ndarray:
 
 
 def along(v: Any, rate: Any) -> tuple[Nil, ...]:
-    """The vector with its rate beside it."""
+    """Return a vector whose components carry their rates as derivatives."""
     return tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, rate, strict=True))
 
 
@@ -58,7 +58,7 @@ def value_key(value: Any) -> Any:
 
 
 def remembered(method: Any) -> Any:
-    """Keep an oracle's results, for many functions are tested at the same vectors."""
+    """Decorate a method to remember its results, since many functions are tested at the same vectors."""
 
     @functools.wraps(method)
     def kept(self: FirstPrinciples, *arguments: Any) -> Any:
@@ -71,7 +71,7 @@ def remembered(method: Any) -> Any:
 
 
 class FirstPrinciples:
-    """Order n over a field of numbers (50-digit mpmath unless another is given)."""
+    """Cayley maps of order n over a field of numbers (50-digit mpmath unless another is given)."""
 
     def __init__(self, order: int, dps: int = DIGITS, field: Field | None = None) -> None:
         self.order = order
@@ -81,7 +81,7 @@ class FirstPrinciples:
         self.results: dict[Any, Any] = {}
 
     def unpack(self, array: Any) -> tuple[Nil, ...]:
-        """Flat (2m,) array to m dual numbers."""
+        """Convert a flat (2m,) array to m dual numbers."""
         numbers = [self.field.number(a) for a in array]
         half = len(numbers) // 2
         return tuple(Nil(a, b) for a, b in zip(numbers[:half], numbers[half:], strict=True))
@@ -93,17 +93,17 @@ class FirstPrinciples:
     # ---- the chart: v = tan θ u, θ = α/2n --------------------------------------------------------------------
 
     def base(self, v: Any) -> Any:
-        """|v| cot θ."""
+        """Return |v| cot θ."""
         return v[0] * 0 + 1
 
     def size(self, theta: Any) -> Any:
-        """|v| of θ."""
+        """Return |v| as a function of θ."""
         return self.field.tan(theta)
 
     # ---- forward maps, on tuples of dual numbers -------------------------------------------------------------
 
     def spin(self, v: Any) -> tuple[Any, ...]:
-        """(|v| cot θ + v)^n, not normalised."""
+        """Return (|v| cot θ + v)^n, not normalised."""
         return power((self.base(v), v[0], v[1], v[2]), self.order)
 
     @remembered
@@ -114,7 +114,7 @@ class FirstPrinciples:
 
     @remembered
     def rotation(self, v: Any) -> tuple[Any, ...]:
-        """Columns w e w⁻¹ for the basis vectors e."""
+        """Return the tensor with columns w e w⁻¹ for the basis vectors e."""
         w = self.spin(v)
         norm2 = hamilton(w, conjugate(w))[0]
         back = tuple(c / norm2 for c in conjugate(w))
@@ -151,7 +151,7 @@ class FirstPrinciples:
     # ---- inverse maps ---------------------------------------------------------------------------------------
 
     def half_screw(self, q: Any) -> tuple[Any, Any]:
-        """(half the dual angle, unit dual axis) of a dual quaternion as given; axis None at ±1."""
+        """Return (half the dual angle, unit dual axis) of a dual quaternion, its sign kept; axis None at ±1."""
         scalar, vector = q[0], q[1:]
         if any(c.re != 0 for c in vector):
             norm = self.field.sqrt(dot(vector, vector))
@@ -164,7 +164,7 @@ class FirstPrinciples:
         return Nil(zero, size / scalar.re), tuple(Nil(c / size, zero) for c in moment)
 
     def on_branch(self, half: Any, axis: Any, branch: int) -> tuple[Any, ...]:
-        """v of (α + 2kπ)/2n."""
+        """Return v at (α + 2kπ)/2n, on branch k."""
         zero = half.re * 0
         if axis is None:
             value = zero if branch % self.order == 0 else self.field.number(float("nan"))
@@ -178,7 +178,7 @@ class FirstPrinciples:
         return self.on_branch(*self.half_screw(q), branch)
 
     def quaternion_of(self, r: Any) -> tuple[Any, ...]:
-        """Dual quaternion of an orthogonal dual tensor: of four proportional rows the longest; then q° = ρ q / 2."""
+        """Return the dual quaternion of a dual tensor: the longest of four proportional rows, then q° = ρ q / 2."""
         m = [[c.re for c in row] for row in r]
         trace = m[0][0] + m[1][1] + m[2][2]
         skew = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]]
@@ -198,7 +198,7 @@ class FirstPrinciples:
 
     @remembered
     def reduced(self, v: Any) -> tuple[Any, Any]:
-        """(α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
+        """Return (α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
         half, axis = self.half_screw((self.base(v), *v))
         alpha = 2 * self.order * half
         if axis is None or all(c.re == 0 for c in v):
@@ -209,7 +209,7 @@ class FirstPrinciples:
         if abs(abs(alpha.re) - pi) < self.tie:
             return Nil(pi, alpha.du), axis
         if turns and abs(alpha.re) < self.tie:
-            # A whole number of turns: a translation, and its side is the axis.
+            # After whole turns the pose is a translation, and the axis has its direction.
             alpha = Nil(pi * 0, alpha.du)
         if alpha.re < 0 or (alpha.re == 0 and alpha.du < 0):
             return -alpha, tuple(-c for c in axis)

@@ -1,4 +1,4 @@
-"""Forward maps and derivatives of the tangent operator against the oracle in one regime."""
+"""Comparison of forward maps and derivatives of the tangent operator with the oracle in one regime."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ GATES: Mapping[str, Callable[[int], tuple[float, float]]] = {
     "conditioned": lambda n: (errors.CONDITIONED, max(errors.THREE, errors.tangent_shadow_gate(n))),
     "general": lambda n: (errors.GENERAL, errors.GENERAL),
 }
-"""Gates of an order, inside the principal range and outside of it; "moment" is that of skew(ρ) Q, a chain of two."""
+"""Gates by order, inside and outside the principal range; "moment" is the gate of skew(ρ) Q, a chain of two."""
 
 
 class ForwardTrial(Measured):
-    """The functions of one kernel module in one regime that select nothing."""
+    """Trial of the functions that select no branch, for one kernel module in one regime."""
 
     def gates(self, real: str, dual: str = "") -> tuple[float, float]:
         """Return the gates of real and dual part by their names."""
         return tuple(GATES[kind](self.order)[not self.inside] for kind in (real, dual or real))  # type: ignore[return-value]
 
     def _scale(self, v: Any, name: str) -> Nil:
-        """Return a scale at v; that of the inverse operator outside the principal range holds its condition."""
+        """Return a named scale at v; for the inverse operator outside the principal range it includes the condition."""
         kind = "near_pole" if name == "tangent_inv" and not self.inside else name
         found: Nil = getattr(errors.scales(self.order, v), kind)
         return found
@@ -61,7 +61,7 @@ class ForwardTrial(Measured):
 
     def inverse(self) -> Iterator[Result]:
         for v, got in zip(self.v, self.module.inverse(self.v), strict=True):
-            # a sign: nothing is rounded
+            # only signs change, so nothing is rounded
             yield Result(got, [self.oracle.inverse(v)], [errors.size(v)], (0.5, 0.5), (v,))
 
     def _applied(self, name: str, scale: str, gates: str) -> Iterator[Result]:
@@ -115,7 +115,7 @@ class ForwardTrial(Measured):
         points = self.second(sampling.points, "transform_point")
         for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
             local = errors.scales(self.order, v)
-            # One real vector: as the dual part of an otherwise exact result.
+            # The result is one real vector: it is taken as the dual part of an otherwise exact result.
             moved = self.oracle.transform_point(v, r)
             exact = np.concatenate([0 * moved, moved])
             allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)

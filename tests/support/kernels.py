@@ -18,11 +18,11 @@ from tests.support import packages
 ORDERS = (1, 2, 3, 4, 5, 8)
 
 ALIKE = (5,)
-"""The order that stands for all in tests of arrays: call conventions do not depend on the chart, and generation replays
+"""Order used for all others in tests of arrays: call conventions do not depend on the chart, and generation replays
 every module."""
 
 BACKENDS = {"native", "numpy"} if os.environ.get("DUALCAY_NATIVE") == "1" else {"numpy"}
-"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 compiled functions too."""
+"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 also compiled functions."""
 
 
 def orders(chosen: Iterable[int]) -> Any:
@@ -31,14 +31,14 @@ def orders(chosen: Iterable[int]) -> Any:
 
 
 def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:
-    """The committed kernel module of an order; that of another order, for poses, from a folder that `write` filled."""
+    """Return the kernel module of an order: a committed one, or one for poses from a folder that `write` filled."""
     name = ".".join(part for part in ("dualcay", table, f"cayley{order}") if part)
     if order in ORDERS:
         return importlib.import_module(name)
     if name not in sys.modules:
         if folder is None:
             raise ModuleNotFoundError(f"{name} is not committed")
-        # As a member of the committed package, whose runtime all orders share.
+        # It is loaded as a member of the committed package, whose runtime all orders share.
         spec = importlib.util.spec_from_file_location(name, folder / f"cayley{order}.py")
         assert spec is not None
         assert spec.loader is not None
@@ -49,7 +49,7 @@ def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:
 
 
 def write(orders: Iterable[int], folder: Path) -> None:
-    """Derive, prove and write the kernels of those orders that are not committed."""
+    """Derive, prove and write the kernels of orders that are not committed."""
     missing = sorted(set(orders) - set(ORDERS))
     if missing:
         packages.write(missing, "numpy", folder)

@@ -1,10 +1,10 @@
-"""Write files into copies of folders and be killed on the way: before every step in one of the copies.
+"""Write files into copies of folders; the process is killed before each step in turn, in a copy for each.
 
     python killed.py TEXTS NOTICES FOLDER ROOT [FOLDER ROOT ...]
 
-ROOT/0, ROOT/1, ... become copies of FOLDER into which TEXTS were written with NOTICES (JSON), killed before the first
-step, before the second and so on, up to one which was not killed. A step is whatever changes a file or a folder, as
-Python's audit tells, and the middle of writing a text.
+ROOT/0, ROOT/1, ... become copies of FOLDER. TEXTS are written into each with NOTICES (JSON), by a process killed
+before the first step, the second and so on; the last one is not killed. A step is a change of a file or a folder that
+Python's audit hook reports, or the middle of writing a text.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ EVENTS = {"os.rename", "os.mkdir", "os.remove", "os.rmdir", "fcntl.flock", "half
 
 
 def killed(step: int, folder: Path, texts: dict[str, str], notices: dict[str, str]) -> bool:
-    """Return whether there was such a step to be killed at."""
+    """Write in a child process; return whether it reached the step and was killed."""
     child = os.fork()
     if not child:
         _kill_at(step)

@@ -1,9 +1,9 @@
-"""Numbers a + ε b with ε² = 0 over any number type, themselves included, and quaternions and 3x3 matrices over them.
+"""Numbers a + ε b with ε² = 0 over any number type, nested ones included; quaternions and 3x3 matrices of them.
 
-The tests' own arithmetic: nothing here is shared with the code under test. A ``Nil`` over mpf is a dual number; a
+This arithmetic serves tests alone: nothing is shared with the code under test. A ``Nil`` over mpf is a dual number; a
 ``Nil`` over ``Nil`` carries a derivative beside it, so differentiating is exact arithmetic and never a difference
-quotient. The two levels must not be mixed in one operation: every component of one computation has the same depth,
-or is a plain number.
+quotient. Levels must not be mixed in one operation: all components in a computation have the same depth, or are plain
+numbers.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 
 
 class Nil:
-    """a + ε b. Plain numbers mix in as a + ε 0."""
+    """Number a + ε b; plain numbers count as a + ε 0."""
 
     __slots__ = ("du", "re")
 
@@ -106,7 +106,7 @@ class Field:
 
 
 def mp_field(dps: int) -> Field:
-    """Mpmath numbers of `dps` digits in a context of their own; every float, float32 and longdouble enters exactly."""
+    """Return the field of mpmath numbers of `dps` digits, in a new context; floats of any type enter exactly."""
     context = mpmath.MPContext()
     context.dps = dps
 
@@ -127,12 +127,12 @@ def mp_field(dps: int) -> Field:
 
 
 def float_field() -> Field:
-    """Python floats: enough for the norms that errors are divided by."""
+    """Return the field of Python floats, accurate enough for the norms that errors are divided by."""
     return Field(float, math)
 
 
 def exact_field() -> Field:
-    """Fractions, for what needs no root and no trigonometry."""
+    """Return the field of fractions, for computations without roots and trigonometry."""
     return Field(Fraction, None)
 
 
@@ -144,7 +144,7 @@ def dot(a: Any, b: Any) -> Any:
 
 
 def hamilton(a: Any, b: Any) -> tuple[Any, ...]:
-    """Hamilton's product, written out from i² = j² = k² = ijk = −1."""
+    """Return Hamilton's product, written out from i² = j² = k² = ijk = −1."""
     return (
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -158,7 +158,7 @@ def conjugate(a: Any) -> tuple[Any, ...]:
 
 
 def power(a: Any, n: int) -> Any:
-    """The quaternion a multiplied by itself, n ≥ 1 factors."""
+    """Return the n-th power of the quaternion a, n ≥ 1."""
     if n == 1:
         return a
     half = power(a, n // 2)
@@ -180,12 +180,12 @@ def transpose(a: Any) -> tuple[Any, ...]:
 
 
 def vect(a: Any) -> tuple[Any, ...]:
-    """The vector of the skew part: skew(vect(A)) = (A − Aᵀ)/2."""
+    """Return the vector of the skew part: skew(vect(A)) = (A − Aᵀ)/2."""
     return ((a[2][1] - a[1][2]) / 2, (a[0][2] - a[2][0]) / 2, (a[1][0] - a[0][1]) / 2)
 
 
 def inverse(a: Any) -> tuple[Any, ...]:
-    """Inverse of a 3x3 matrix by cofactors; the real part of the determinant must not vanish."""
+    """Return the inverse of a 3x3 matrix by cofactors; the real part of the determinant must not vanish."""
     cross = [
         [
             a[(i + 1) % 3][(j + 1) % 3] * a[(i + 2) % 3][(j + 2) % 3]
@@ -199,7 +199,7 @@ def inverse(a: Any) -> tuple[Any, ...]:
 
 
 def split(value: Any) -> tuple[Any, Any]:
-    """(inner value, inner derivative) of nested tuples of two-level numbers: (a + δ a') + ε (b + δ b')."""
+    """Return (inner value, inner derivative) of nested tuples of two-level numbers: (a + δ a') + ε (b + δ b')."""
     if isinstance(value, tuple):
         parts = [split(entry) for entry in value]
         return tuple(p[0] for p in parts), tuple(p[1] for p in parts)

@@ -1,4 +1,4 @@
-"""The oracle of a φ by ``φ/α`` as a function of α²: analytic at 0, so that no root loses nilpotent parts there."""
+"""Oracle of a φ given by ``φ/α`` as a function of α²: analytic at 0, so that no root loses nilpotent parts."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ Share = Callable[[Field, Any], Any]
 TERMS = 90
 """Terms of series in α² up to (4π)², to 60 digits: 158^90/180! is 1e-131."""
 NESTED = 4
-"""Nilpotent parts in each other: those of dual numbers, and of derivatives."""
+"""Number of nested nilpotent parts, in dual numbers and derivatives."""
 
 
 class OfSquare(Oracle):
-    """v = α share(α²) u; α² follows from x by Newton's method, nilpotent parts with the slope at the real part."""
+    """Oracle of v = α share(α²) u; Newton's method finds α², its nilpotent parts by the slope at the real part."""
 
     def __init__(self, share: Share) -> None:
         super().__init__(1, DIGITS)
@@ -64,7 +64,7 @@ def _real(number: Any) -> Any:
 
 
 def series(u: Any, first: int) -> Any:
-    """``Σ u^k/(2k + first)!``: cosh √u for 0, sinh √u/√u for 1."""
+    """Return ``Σ u^k/(2k + first)!``: cosh √u for 0, sinh √u/√u for 1."""
     total = u * 0
     for k in range(TERMS, 0, -1):
         total = (total + 1) * u / ((2 * k + first) * (2 * k + first - 1))

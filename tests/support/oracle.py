@@ -1,4 +1,4 @@
-"""Derivatives of the oracle: T at a vector that moves along each axis."""
+"""Oracle with derivatives: T is differentiated at a vector that moves along each axis."""
 
 from __future__ import annotations
 
@@ -17,37 +17,37 @@ def scaled(tensor: Any, factor: Any) -> Any:
 
 
 def added(a: Any, b: Any) -> Any:
-    """The sum of vectors, or of tensors."""
+    """Return the sum of vectors, or of tensors."""
     return tuple(added(p, q) if isinstance(p, tuple) else p + q for p, q in zip(a, b, strict=True))
 
 
 def directional(slopes: Any, direction: Any) -> Any:
-    """The derivative of a tensor along a direction, by those along the axes."""
+    """Return the derivative of a tensor along a direction, from its derivatives along the axes."""
     return functools.reduce(added, (scaled(slope, c) for slope, c in zip(slopes, direction, strict=True)))
 
 
 def applied_jacobian(slopes: Any, w: Any) -> np.ndarray:
-    """The derivative of a tensor applied to w as a real matrix."""
+    """Return the derivative of a tensor applied to a fixed w, as a real matrix."""
     return matrix6(pack(transpose([matvec(slope, w) for slope in slopes])))
 
 
 @functools.cache
 def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
-    """The oracle of an order, one for all tests: it remembers results."""
+    """Return the oracle of an order; all tests share one, which remembers results."""
     return Oracle(order, digits)
 
 
 class Oracle(Maps):
-    """The oracle with derivatives of operators and Jacobians."""
+    """Oracle with derivatives of operators and Jacobians."""
 
     def frame_operator(self, v: Any, body: bool) -> Any:
-        """T, or what gives the twist in the body: Rᵀ T."""
+        """Return T, or in the body frame Rᵀ T."""
         operator = self.operator_by_spin(v)
         return matmul(transpose(self.rotation(v)), operator) if body else operator
 
     @remembered
     def gradient(self, v: Any, body: bool) -> tuple[Any, tuple[Any, ...]]:
-        """The operator of a frame, and its derivatives along the three axes."""
+        """Return the operator of a frame, and its derivatives along the three axes."""
         units = [[Nil(a.re * 0 + c, a.re * 0) for a, c in zip(v, e, strict=True)] for e in E]
         values, slopes = zip(*(split(self.frame_operator(along(v, unit), body)) for unit in units), strict=True)
         return values[0], slopes
@@ -87,7 +87,7 @@ class Oracle(Maps):
     # ---- of groups and motions, by their twists ----------------------------------------------------------------------
 
     def shadow_jacobian(self, v: Any, branch: int = 1) -> np.ndarray:
-        """Solve T(v_k) ∂v_k/∂v = T(v): a pose and its shadow have one twist."""
+        """Solve T(v_k) ∂v_k/∂v = T(v): v and its shadow have the same twist."""
         if branch % self.order == 0:
             return np.eye(6)
         back = inverse(self.operator_by_spin(self.unpack(self.shadow(v, branch))))
@@ -101,7 +101,7 @@ class Oracle(Maps):
         return matrix6(pack(matmul(back, self.operator_by_spin(later)))), matrix6(pack(matmul(back, turned)))
 
     def between_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Solve the equation of the twist of R(v1)ᵀ R(v2)."""
+        """Solve the twist equation of R(v1)ᵀ R(v2) for both Jacobians."""
         back = inverse(self.operator_by_spin(self.unpack(self.between(v2, v1))))
         back = matmul(back, transpose(self.rotation(self.unpack(v1))))
         one, other = (matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v))))) for v in (v2, v1))
@@ -109,7 +109,7 @@ class Oracle(Maps):
 
     @remembered
     def step_operator(self, delta: Any) -> tuple[Any, ...]:
-        """dexp(δ): the twist of exp(δ) as δ moves along the axes, ω = 2 vec(ė e⁻¹); I + skew(δ)/2 of a translation."""
+        """Return dexp(δ), the twists 2 vec(ė e⁻¹) of exp(δ) as δ moves along axes; I + skew(δ)/2 for a translation."""
         if all(a.re == 0 for a in delta):
             (x, y, z), one = (a / 2 for a in delta), delta[0] * 0 + 1
             return ((one, -z, y), (z, one, -x), (-y, x, one))
@@ -133,7 +133,7 @@ class Oracle(Maps):
         return matrix6(pack(matmul(back, by_v))), matrix6(pack(matmul(back, by_delta)))
 
     def transform_point_jacobians(self, v: Any, r: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Rates of Q r + vect(R° Qᵀ) as each component of v goes."""
+        """Differentiate Q r + vect(R° Qᵀ) by each component of v, and by r."""
         here, point = self.unpack(v), [self.field.number(c) for c in r]
         zero, columns = here[0].re * 0, []
         for place in range(6):
@@ -160,7 +160,7 @@ class Oracle(Maps):
 
 
 class SineOracle(Oracle):
-    """v = sin θ u, θ = α/2n brought into (−π/2, π/2]."""
+    """Oracle of v = sin θ u, θ = α/2n brought into (−π/2, π/2]."""
 
     def base(self, v: Any) -> Any:
         return self.field.sqrt(1 - dot(v, v))

@@ -1,4 +1,4 @@
-"""The functions of kernels that are no derivatives, from first principles, one pose at a time."""
+"""Kernel functions other than derivatives, from first principles, one pose at a time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.support.nilpotent import Nil, conjugate, dot, hamilton, inverse, matm
 
 
 def matrix6(tensor: np.ndarray) -> np.ndarray:
-    """The real matrix that acts on dual vectors as a dual tensor does."""
+    """Return the real matrix that acts on dual vectors as a dual tensor does."""
     zero = tensor[0] * 0
     return np.block([[tensor[0], zero], [tensor[1], tensor[0]]])
 
@@ -41,7 +41,7 @@ class Maps(FirstPrinciples):
         return pack(inverse(self.operator(self.unpack(v))))
 
     def body_tangent(self, v: Any) -> np.ndarray:
-        """Column j is the body twist of v moving along e_j."""
+        """Return the operator whose column j is the body twist of v moving along e_j."""
         dual = self.unpack(v)
 
         def column(e: Any) -> tuple[Any, ...]:
@@ -55,7 +55,7 @@ class Maps(FirstPrinciples):
         return pack(matmul(inverse(self.operator(dual)), self.rotation(dual)))
 
     def inverse(self, v: Any) -> np.ndarray:
-        """Return the vector of the conjugate of the n-th root that v stands for."""
+        """Return the vector of the inverse pose, by the conjugate of |v| cot θ + v."""
         dual = self.unpack(v)
         theta, axis = self.half_screw(conjugate((self.base(dual), *dual)))
         return pack(dual if axis is None else tuple(self.size(theta) * c for c in axis))
@@ -109,13 +109,13 @@ class Maps(FirstPrinciples):
         return pack((2 * self.order * theta,))
 
     def to_exponential(self, v: Any) -> np.ndarray:
-        """α u of v's own branch."""
+        """Return α u on v's own branch."""
         dual = self.unpack(v)
         theta, axis = self.half_screw((self.base(dual), *dual))
         return pack([2 * self.order * theta * c for c in axis or dual])
 
     def from_exponential(self, w: Any) -> np.ndarray:
-        """Return the branch whose exponential coordinate is w, which lies before the edge."""
+        """Return v on the branch whose exponential coordinates are w, inside the edge."""
         half, axis = self.half_screw(self.step(self.unpack(w)))
         along = sum(float(a.re) * float(b) for a, b in zip(axis or (), w, strict=False))
         return pack(self.on_branch(half, axis, round((along / 2 - float(half.re)) / np.pi)))
@@ -128,7 +128,7 @@ class Maps(FirstPrinciples):
         alpha, axis = self.reduced(dual)
         if axis is None:
             return pack(self.on_branch(alpha, None, branch))
-        # Branches count from where v itself stands: from the multiple of 2π nearest to its angle along the axis.
+        # Branches are counted from v itself: from the multiple of 2π nearest to its angle along the axis.
         coefficient = dot(dual, axis)
         own = self.field.atan2(coefficient, self.base(dual)) + branch * self.field.pi / self.order
         size = self.size(own)
@@ -148,7 +148,7 @@ class Maps(FirstPrinciples):
 
     @remembered
     def step(self, delta: Any) -> tuple[Any, ...]:
-        """exp(δ/2)."""
+        """Return exp(δ/2), the unit dual quaternion of a step."""
         half = tuple(c / 2 for c in delta)
         if all(c.re == 0 for c in half):
             return (Nil(half[0].re + 1, half[0].re), *half)
@@ -156,7 +156,7 @@ class Maps(FirstPrinciples):
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
     def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
-        """Return the branch whose angle is nearest to that of v along the new axis."""
+        """Return the vector on the branch whose angle along the new axis is nearest to the angle of v."""
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
         half, axis = self.half_screw(q)
@@ -175,7 +175,7 @@ class Maps(FirstPrinciples):
         return pack(tuple(2 * half * c for c in axis or (Nil(zero, zero),) * 3))
 
     def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 24) -> np.ndarray:
-        """Follow the motion in steps; at each pose take the exponential coordinate α u nearest to the last one."""
+        """Follow the motion in steps; at each pose take the exponential coordinates α u nearest to the last ones."""
         here, (share,) = self.unpack(v1), np.ravel(t)
         way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))
         half, axis = self.half_screw(tuple(-c for c in way) if way[0].re < 0 else way)

@@ -1,4 +1,4 @@
-"""Packages that tests read or run: their orders, and how they are made where validation is not what is tested."""
+"""Packages that tests read or run, with their orders; they are written without validation."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16
 """Orders of the packages of other targets that tests share."""
 
 EXECUTED = ("validate", "replay", "test")
-"""The members of a target that execute what is emitted."""
+"""Members of a target that execute the emitted text."""
 
 
 class Otherwise:
-    """A target with some of its members replaced."""
+    """Target with some of its members replaced."""
 
     def __init__(self, target: Any, **members: Any) -> None:
         self._target = target
@@ -25,13 +25,13 @@ class Otherwise:
 
 
 def unvalidated(target: Any) -> Any:
-    """Return a target whose text is not executed."""
+    """Return a target that does not execute its text."""
     return Otherwise(target, **{name: lambda *_: 0 for name in EXECUTED})
 
 
 def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
-    """The files of a package, by name: proved and printed, and not validated."""
-    from derive.codegen.build import print_package  # which kernels are tested without
+    """Return the files of a package by name, proved and printed but not validated."""
+    from derive.codegen.build import print_package  # imported here, since kernels are tested without the toolkit
     from derive.codegen.targets import TARGETS
     from derive.maps import Cayley
 

@@ -9,7 +9,7 @@ from derive.maps import Cayley
 
 
 def largest(order: int, dtype: DTypeLike) -> np.longdouble:
-    """Return the largest |Re v| whose powers of 1 + x, times their factors, are finite in a type."""
+    """Return the largest |Re v| at which powers of 1 + x, times their factors, are finite in a type."""
     most = np.longdouble(np.finfo(dtype).max) / (4 * order)
     return np.longdouble(Cayley(order).overflow(most)[1])  # type: ignore[arg-type]  # wider than float
 

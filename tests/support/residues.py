@@ -1,4 +1,4 @@
-"""Rational functions in a prime field, and bounds of their degrees: what tells two of them apart at random points."""
+"""Rational functions in a prime field, and bounds of their degrees: random points tell two of them apart."""
 
 from __future__ import annotations
 
@@ -79,13 +79,13 @@ class Degree:
 
 
 def degree_of(other: Any) -> Degree:
-    """Return a degree; numbers have degree 0."""
+    """Return the degree of an operand; numbers have degree 0."""
     return other if isinstance(other, Degree) else Degree(0)
 
 
 @cache
 def _fraction(expression: sympy.Expr, symbol: sympy.Symbol, order: int) -> tuple[list[int], list[int]]:
-    """Coefficients of numerator and denominator of a derivative, the largest power first."""
+    """Return the coefficients of numerator and denominator of a derivative, highest power first."""
     parts = sympy.fraction(sympy.cancel(sympy.diff(expression, symbol, order)))
     above, below = (sympy.Poly(part, symbol).all_coeffs() for part in parts)
     whole = sympy.ilcm(*(c.q for c in (*above, *below)))
@@ -93,7 +93,7 @@ def _fraction(expression: sympy.Expr, symbol: sympy.Symbol, order: int) -> tuple
 
 
 class Lifting:
-    """Rational functions of one symbol at a number of any kind."""
+    """Evaluation of rational functions of one symbol, and their derivatives, at numbers of any kind."""
 
     def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, at: Any, order: int) -> list[Any]:
         parts = (_fraction(expression, symbol, k) for k in range(order + 1))

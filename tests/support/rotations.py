@@ -1,4 +1,4 @@
-"""Modules of rotations alone against the real part of the oracle, at dual parts 0."""
+"""Comparison of modules of rotations alone with the real part of the oracle, at dual parts 0."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from tests.support.nilpotent import Nil
 from tests.support.trial import Result
 
 FUNCTIONS = tuple(name for name in EVERY if name in ROTATIONS.sources)
-"""Functions that rotations have, by their names among those of poses."""
+"""Functions of rotations, by the names of their counterparts for poses."""
 
 REGIMES = tuple(r for r in sampling.REGIMES if r not in ("translation 1e6", "pure rotation", "pure translation"))
 """Regimes that differ in their real parts."""
 
 
 class Called:
-    """A module of rotations with the interface of poses: it takes the real parts of arguments."""
+    """Module of rotations with the interface for poses; only real parts of arguments are used."""
 
     def __init__(self, module: ModuleType) -> None:
         self.module = module
@@ -39,14 +39,14 @@ class Called:
 
 
 def real(value: Any, pose: Any, rotation: Any) -> Any:
-    """Return the components of an array of poses that rotations have."""
+    """Return the components of an array for poses that its counterpart for rotations has."""
     value = np.asarray(value)
     batch = value.shape[: value.ndim - len(pose.shape)]
     return value.reshape((*batch, pose.size))[..., list(pose.places)].reshape(batch + rotation.shape)
 
 
 class RotationTrial(CalculusTrial):
-    """The trials of poses, with dual parts 0 and results without."""
+    """Trial of pose functions with dual parts 0 in arguments, and none in results."""
 
     def __init__(self, module: ModuleType, *arguments: Any, **options: Any) -> None:
         super().__init__(Called(module), *arguments, **options)

@@ -1,7 +1,7 @@
 """Seeded test poses, regime by regime.
 
-A sample is made of a rotation angle, a unit axis, a translation along it and a random rest in the dual part, so that
-poses are of natural size in every regime: v = tan(α/2n) u, v° the derivative along the screw plus a normal vector.
+A sample is drawn as rotation angle, unit axis, translation along the axis, and a random rest of the dual part. Poses
+have natural sizes in every regime: v = tan(α/2n) u, and v° is the derivative along the screw plus a normal vector.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-# A pose per row. Few, because the oracle is slow; the seeds differ for every (order, regime), so no two share inputs.
+# Number of poses, few because the oracle is slow. Seeds differ for every (order, regime), so no two share inputs.
 COUNT = 3
 
 Angles = Callable[[np.random.Generator, int, int], np.ndarray]
@@ -22,7 +22,7 @@ def _log_uniform(rng: np.random.Generator, low: float, high: float, count: int) 
 
 
 def _shadow_angles(rng: np.random.Generator, order: int, count: int) -> np.ndarray:
-    """Angles past the principal range and away from the multiples of π, where sides and poles are."""
+    """Draw angles beyond the principal range and away from multiples of π, where sides and poles are."""
     if order == 2:
         return rng.uniform(np.pi + 0.2, 2 * np.pi - 0.2, count)
     turns = rng.integers(1, order - 1, count, endpoint=True)
@@ -51,7 +51,7 @@ PRINCIPAL = (
     "uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "coordinate axes", "translation 1e6",
     "pure rotation", "pure translation", "identity",
 )  # fmt: skip
-# Outside it; at 2π and beyond only n ≥ 2 has a v at all, and n = 1 at π has none.
+# Regimes outside the principal range: n = 1 has no v at π, and only n ≥ 2 has one at 2π and beyond.
 OUTSIDE = ("above pi", "at pi", "near 2 pi", "shadow")
 REGIMES = PRINCIPAL + OUTSIDE
 
@@ -67,7 +67,7 @@ def generator(*key: object, seed: int = 0) -> np.random.Generator:
 
 
 def _filled(values: np.ndarray, rng: np.random.Generator, dtype: type) -> np.ndarray:
-    """Return doubles as another type; if it is longer than double, the further digits are random."""
+    """Convert doubles to another type; digits beyond double precision are random."""
     if np.finfo(dtype).eps >= np.finfo(float).eps:
         return values.astype(dtype)
     return values.astype(dtype) * (1 + np.finfo(float).eps * rng.uniform(-0.5, 0.5, values.shape).astype(dtype))
@@ -79,14 +79,14 @@ def unit_vectors(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray
 
 
 def _leading_in_turn(vectors: np.ndarray) -> np.ndarray:
-    """Rotate components so that the largest is the first, second, third in turn: matrix inverse maps select by it."""
+    """Rotate components so that the largest is first, second, third in turn: inverse maps of matrices select by it."""
     for i, row in enumerate(vectors):
         row[:] = np.roll(row, i - np.argmax(np.abs(row)))
     return vectors
 
 
 def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
-    """Rodrigues dual vectors, shape (count, 6)."""
+    """Draw Rodrigues dual vectors of a regime, shape (count, 6)."""
     rng = generator(order, regime, np.dtype(dtype).name, seed=seed)
     angle = ANGLES[regime](rng, order, count)
     if np.dtype(dtype) == np.float32:
@@ -105,12 +105,12 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
 
 
 def reached(order: int, regime: str, count: int = 6) -> np.ndarray:
-    """Return vectors of a regime, or of the uniform one where the chart does not reach it."""
+    """Return vectors of a regime, or uniform ones if the chart does not reach it."""
     return poses(order, regime if has_regime(order, regime) else "uniform", count=count)
 
 
 def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
-    """Twists, rates, lines: six normal numbers a row."""
+    """Draw twists, rates or lines: six normal numbers a row."""
     rng = generator(key, np.dtype(dtype).name, seed=seed)
     return _filled(rng.normal(size=(count, 6)), rng, dtype)
 
@@ -121,7 +121,7 @@ def points(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0
 
 
 def screws(order: int, dtype: type = np.float64, count: int = COUNT) -> tuple[np.ndarray, np.ndarray]:
-    """Principal dual angles (count, 2), Re in (0, π), and unit dual axes (count, 6)."""
+    """Draw principal dual angles (count, 2), Re in (0, π), and unit dual axes (count, 6)."""
     rng = generator("screw", order, np.dtype(dtype).name)
     angle = np.stack([rng.uniform(0.05, 3.0, count), rng.normal(size=count)], axis=-1)
     axis = unit_vectors(rng, (count,))

@@ -1,4 +1,4 @@
-"""Floats whose root and tangent are rounded once, whatever a platform's library makes of them."""
+"""Arithmetic on floats with root and tangent rounded once, independent of the platform's library."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from derive.algebra.arithmetic import Plain
 
 
 class Sharp(Plain):
-    """The arithmetic of formulas, and what a printed program calls."""
+    """Arithmetic of formulas, with the functions that a printed program calls."""
 
     sqrt = staticmethod(math.sqrt)
 

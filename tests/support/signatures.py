@@ -31,7 +31,7 @@ class Signature(NamedTuple):
 
 SHAPES = {kind(array): array.shape for row in PUBLIC.values() for array in row.arguments}
 
-# Functions that return one array and take axis= and out=. from_screw is apart: its second argument is named axis.
+# Functions that return one array and take axis= and out=. from_screw is left out: its second argument is named axis.
 SIGNATURES = {
     name: Signature("".join(map(kind, row.arguments)), row.shape, not row.real)
     for row in PUBLIC.values()
@@ -43,7 +43,7 @@ SIGNATURES = {
 def inputs(
     kernel: ModuleType, name: str, order: int, shape: tuple[int, ...] = (), dtype: Any = np.float64
 ) -> list[np.ndarray]:
-    """Arguments of one function, of this batch shape, components last. Every argument is drawn anew."""
+    """Draw arguments of one function in a batch shape, components last; every argument is different."""
     count = int(np.prod(shape))
     drawn = []
     for i, kind in enumerate(SIGNATURES[name].arguments):
@@ -67,7 +67,7 @@ def inputs(
 
 
 def components_first(array: Any, rank: int) -> np.ndarray:
-    """The structure-of-arrays form: the last `rank` axes to the front."""
+    """Return the structure-of-arrays form: the last `rank` axes move to the front."""
     array = np.asarray(array)
     return np.array(np.moveaxis(array, range(-rank, 0), range(rank)), order="C")
 
@@ -83,7 +83,7 @@ def components_last(array: Any, rank: int) -> np.ndarray:
 
 
 def assert_nearly_equal(got: Any, expected: Any, eps: int = 16) -> None:
-    """Equal but for the order of roundings: the same program on other blocks, or on Python floats."""
+    """Require equality up to the order of roundings: one program on other blocks, or on Python floats."""
     assert got.shape == expected.shape
     assert got.dtype == expected.dtype
     unit = np.finfo(got.dtype).eps

@@ -1,4 +1,4 @@
-"""Work that does not end by itself, for processes that have to; it loads nothing heavy."""
+"""Task that does not end on its own, for tests of processes that must end; this module imports little."""
 
 from __future__ import annotations
 

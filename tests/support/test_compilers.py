@@ -1,4 +1,4 @@
-"""Tests are deselected for want of a compiler only where the toolkit finds none."""
+"""Check that tests are deselected for lack of a compiler only where the toolkit finds none."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.support import compilers
 
 @pytest.mark.parametrize("named", [None, "", "cc", "tcc -m64", "no-such-compiler", "no-such-compiler cc"])
 @pytest.mark.parametrize("there", [(), ("clang",), ("cc", "tcc")])
-def test_the_compiler_found_is_that_of_the_toolkit(named, there, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_tests_and_toolkit_find_the_same_compiler(named, there, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     for name in there:
         (tmp_path / name).touch(mode=0o755)
     monkeypatch.setenv("PATH", str(tmp_path))

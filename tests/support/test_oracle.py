@@ -1,4 +1,4 @@
-"""The oracle against first principles of its own, against SciPy, and against itself at other precisions."""
+"""Checks of the oracle against independent first principles, SciPy, and itself at other precisions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.kernels import ORDERS
 from tests.support.nilpotent import Nil, conjugate, hamilton, matmul, power, transpose
 from tests.support.oracle import Oracle
 
-DIGITS = 1e-40  # of 50: what is left after conditioning
+DIGITS = 1e-40  # of 50 digits, the rest is lost to conditioning
 ORDER = pytest.mark.parametrize("order", ORDERS)
 
 

@@ -1,4 +1,4 @@
-"""Proved theorems, for theorems that rest on them."""
+"""Proved theorems, as premises of other theorems."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from derive.proof.identity import Proof
 
 
 def known() -> dict[str, Proof]:
-    """The proofs of all theorems for every order, by name."""
+    """Return the proofs of all theorems for every order, by name."""
     return {proof.name: proof for proof in theorems()}

@@ -1,4 +1,4 @@
-"""One kernel module in one regime: its samples, and the comparison of results with their gates."""
+"""Trial of one kernel module in one regime: its samples, and the comparison of results with their gates."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ class Result(NamedTuple):
     exact: list[Any]
     scales: list[Nil]
     gates: tuple[float, float]
-    given: tuple[np.ndarray, ...]  # v, and the second argument where there is one
+    given: tuple[np.ndarray, ...]  # v, and the second argument if any
     note: str = ""
 
 
 def rounded(exact: Any, dtype: Any) -> np.ndarray:
-    """Mpmath numbers to the nearest of a float type."""
+    """Round mpmath numbers to the nearest floats of a type."""
     flat = [np.longdouble(float(c)) + np.longdouble(float(c - float(c))) for c in exact.flat]
     return np.array(flat, dtype=np.longdouble).reshape(exact.shape).astype(dtype)
 
 
 class Measured:
-    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments of the functions of two.
+    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments of functions that take two.
 
     The functions themselves are methods of the subclass, which yield a `Result` for every sample.
     """
@@ -58,17 +58,17 @@ class Measured:
         self.tie = regime == "at pi"
 
     def second(self, draw: Callable[..., np.ndarray], name: str) -> np.ndarray:
-        """Second arguments of a function, one for each vector."""
+        """Draw second arguments of a function, one for each vector."""
         return draw(f"{name} {self.regime}", **self.drawn) if self.given is None else self.given[1]
 
     def partners(self) -> list[np.ndarray]:
-        """Return poses to compose with: of the same regime, and of any regime."""
+        """Return poses to compose with, from the same regime and from the uniform one."""
         if self.given is not None:
             return [self.given[1]]
         return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
 
     def branches(self) -> list[int]:
-        """Return some branches, without those whose angle α + 2kπ is the end nπ of the chart."""
+        """Return some branches, except any whose angle α + 2kπ is the end nπ of the chart."""
         n = self.order
         chosen = sorted({0, 1 % n, n // 2, n - 1})
         if self.regime == "identity":
