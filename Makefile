@@ -52,7 +52,7 @@ test-native: $(TESTED)  ## kernel tests on compiled functions of all committed c
 	DUALCAY_NATIVE=1 PYTHONPATH=$(CURDIR)/build/test-native/site $(PYTEST) -m "not thorough" tests/generated \
 	    --ignore tests/generated/test_sign_flips.py --ignore tests/generated/test_kernel_other_orders.py
 
-quick: $(TESTED)  ## lint, types and one smoke test per room, in less than a minute
+quick: $(TESTED)  ## lint, types and one smoke test per room, in half a minute
 	$(MAKE) --no-print-directory --jobs=3 types smoke lint
 
 smoke: $(TESTED)
