@@ -59,7 +59,7 @@ def _direction(
 def natural(
     n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
 ) -> tuple[Coefficient, Coefficient, Coefficient]:
-    """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the direction."""
+    """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the sign from `direction`."""
     sign, sine = _direction(n, at, y, r, m)
     return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
 

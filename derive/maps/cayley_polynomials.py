@@ -43,7 +43,7 @@ class CayleyPolynomials:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """Factor ``1/(1 + x)``; NaN if the power `CHAIN_POWER` of 1 + x overflows: second slopes would be wrong."""
+        """Factor ``1/(1 + x)``; NaN where 1 + x to the `CHAIN_POWER` overflows, since second slopes are wrong there."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)

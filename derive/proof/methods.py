@@ -151,7 +151,7 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
 def _laws(
     premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
 ) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Yield the terms that premises define at a value of the index, with their definitions."""
+    """Yield u and the right side of each premise ``[u](index -> value) = right side``."""
     for premise in premises:
         if _is_law(premise.equation, index, (value,)):
             yield premise.equation.left.args[0], premise.equation.right

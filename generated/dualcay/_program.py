@@ -122,7 +122,7 @@ class _Bank:
 
 
 class Rows:
-    """Assignment of a row to every entry of a tape. Rows of outputs serve as scratch until their own value is due.
+    """Assignment of a row to every entry of a tape: an output's own row, or a row of scratch that is used again.
 
     Entries are ``operations`` on earlier entries. The entries in ``fixed`` are None: arguments and constants.
     """
@@ -137,9 +137,6 @@ class Rows:
         made = {index: step for step, index in enumerate(order)}
         self.last = {i: step for step, index in enumerate(order) for i in self._operation(index)[1]}
         self.own = {index: row for row, index in reversed(list(enumerate(outputs))) if index in made}
-        owner = {row: index for index, row in self.own.items()}
-        self.due = [made[owner[row]] if row in owner else len(order) for row in range(len(outputs))]
-        self.lent = [-1] * len(outputs)  # last step that reads the temporary value in an output row
 
     def runs(self) -> Iterator[Run]:
         """Yield long runs of calls as columns of rows, and all other calls one by one."""
@@ -169,7 +166,7 @@ class Rows:
         for step, index in enumerate(self.order):
             function, operands = self._operation(index)
             self._release(step, operands, places)
-            places[index] = self._place(step, index)
+            places[index] = self._place(index)
             found.append((function, [*(places[i] for i in operands), places[index]]))
         for row, index in enumerate(self.outputs):
             if self.own.get(index) != row:
@@ -181,19 +178,13 @@ class Rows:
         assert operation is not None, "arguments and constants are in no order"
         return operation
 
-    def _place(self, step: int, index: int) -> tuple[str, int]:
-        """Return a place for the result of a step: its own output row, a freed row, or an output row due later."""
+    def _place(self, index: int) -> tuple[str, int]:
+        """Return a place for the result of a step: a row of masks, its own output row, or a row of scratch."""
         if index in self.truths:
             return "mask", self.masks.take()
         if index in self.own:
             return "output", self.own[index]
-        last = self.last[index]
-        lendable = [row for row, due in enumerate(self.due) if self.lent[row] < step and last < due]
-        if self.scratch.free or not lendable:
-            return "scratch", self.scratch.take()
-        row = min(lendable, key=lambda row: self.due[row])
-        self.lent[row] = last
-        return "output", row
+        return "scratch", self.scratch.take()
 
     def _release(self, step: int, operands: Iterable[int], places: dict[int, tuple[str, int]]) -> None:
         """Free the rows of operands that no later step reads."""

@@ -51,7 +51,8 @@ class Number:
         return self.tape.enter(np.divide, other, self)
 
     def __neg__(self) -> Number:
-        return self.tape.enter(np.negative, self)
+        # a product has two operands as most calls have, which makes runs longer; complex zeros would lose their sign
+        return self.tape.enter(np.multiply, self, -1) if self.tape.bits else self.tape.enter(np.negative, self)
 
     def __lt__(self, other: Any) -> Number:
         return self.tape.compare(less, np.less, self, other)

@@ -16,7 +16,7 @@ r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``
 
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
-``tangent`` v is infinite at Re alpha = 2*pi.
+``tangent``: v is infinite at Re alpha = 2*pi.
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where x^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.

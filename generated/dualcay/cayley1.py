@@ -20,7 +20,7 @@ r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid d
     \mathrm{dcay}_{1}^{-1} = \frac{p_{1}}{2 q_{1}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{1} - p_{1}}{2 x
     q_{1}} v \otimes v
 
-``tangent`` loses rank at no finite v; v is infinite at Re alpha = pi.
+``tangent``: loses rank at no finite v; v is infinite at Re alpha = pi.
 ``tangent_inv`` is defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = pi.
 A pose has one vector.
 Forward maps are NaN where (1 + x)^1 overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.

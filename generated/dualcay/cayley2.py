@@ -20,7 +20,7 @@ r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid d
     \mathrm{dcay}_{2}^{-1} = \frac{p_{2}}{2 q_{2}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{2} - 2 p_{2}}{4 x
     q_{2}} v \otimes v
 
-``tangent`` loses rank at no finite v; v is infinite at Re alpha = 2*pi.
+``tangent``: loses rank at no finite v; v is infinite at Re alpha = 2*pi.
 ``tangent_inv`` is defined for every dual vector v; pole at no finite v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where (1 + x)^2 overflows: beyond Re|v| = 1e+77 in float64, 4e+09 in float32.

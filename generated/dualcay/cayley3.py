@@ -20,7 +20,7 @@ r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid d
     \mathrm{dcay}_{3}^{-1} = \frac{p_{3}}{2 q_{3}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{3} - 3 p_{3}}{6 x
     q_{3}} v \otimes v
 
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 ``tangent_inv`` is defined for every dual vector v with Re q_3 != 0; pole at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 A pose has 3 vectors.
 Forward maps are NaN where (1 + x)^3 overflows: beyond Re|v| = 2e+51 in float64, 3e+06 in float32.

@@ -20,7 +20,7 @@ r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid d
     \mathrm{dcay}_{4}^{-1} = \frac{p_{4}}{2 q_{4}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{4} - 4 p_{4}}{8 x
     q_{4}} v \otimes v
 
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 ``tangent_inv`` is defined for every dual vector v with Re q_4 != 0; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A pose has 4 vectors.
 Forward maps are NaN where (1 + x)^4 overflows: beyond Re|v| = 3e+38 in float64, 7e+04 in float32.

@@ -20,7 +20,7 @@ r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid 
     \mathrm{dcay}_{5}^{-1} = \frac{p_{5}}{2 q_{5}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{5} - 5 p_{5}}{10 x
     q_{5}} v \otimes v
 
-``tangent`` loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
+``tangent``: loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
 ``tangent_inv`` is defined for every dual vector v with Re q_5 != 0; pole at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
 A pose has 5 vectors.
 Forward maps are NaN where (1 + x)^5 overflows: beyond Re|v| = 7e+30 in float64, 7e+03 in float32.

@@ -20,7 +20,7 @@ r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid 
     \mathrm{dcay}_{8}^{-1} = \frac{p_{8}}{2 q_{8}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{8} - 8 p_{8}}{16 x
     q_{8}} v \otimes v
 
-``tangent`` loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
+``tangent``: loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
 ``tangent_inv`` is defined for every dual vector v with Re q_8 != 0; pole at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
 A pose has 8 vectors.
 Forward maps are NaN where (1 + x)^8 overflows: beyond Re|v| = 2e+19 in float64, 3e+02 in float32.

@@ -16,7 +16,7 @@ r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2)
 
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
-``tangent`` v is infinite at Re alpha = pi.
+``tangent``: v is infinite at Re alpha = pi.
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = pi.
 A pose has one vector.
 Forward maps are NaN where (1 + x/4)^1 overflows: beyond Re|v| = 3e+154 in float64, 4e+19 in float32.

@@ -16,7 +16,7 @@ r"""Wiener-Milenkovic vector: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of ri
 
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
-``tangent`` v is infinite at Re alpha = 2*pi.
+``tangent``: v is infinite at Re alpha = 2*pi.
 ``tangent_inv`` is defined for every dual vector v; v is infinite at Re alpha = 2*pi.
 A pose has 2 vectors.
 Forward maps are NaN where (1 + x/16)^2 overflows: beyond Re|v| = 5e+77 in float64, 2e+10 in float32.

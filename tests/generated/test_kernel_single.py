@@ -161,6 +161,6 @@ def test_order_one_has_no_vector_at_pi() -> None:
 
 
 def test_special_arguments_are_not_written_to() -> None:
-    """Inputs above are shared by all tests of this module."""
+    """All tests of this module share the arrays of `SPECIAL`, so no kernel may change them; only shapes are checked."""
     for kind, values in SPECIAL.items():
         assert all(value.shape == SHAPES[kind] for value in values)

@@ -35,7 +35,7 @@ class ForwardTrial(Measured):
         return tuple(GATES[kind](self.order)[not self.inside] for kind in (real, dual or real))  # type: ignore[return-value]
 
     def _scale(self, v: Any, name: str) -> Nil:
-        """Return a named scale at v; for the inverse operator outside the principal range it includes the condition."""
+        """Return a named scale at v; outside the principal range, ``tangent_inv`` includes its condition number."""
         kind = "near_pole" if name == "tangent_inv" and not self.inside else name
         found: Nil = getattr(errors.scales(self.order, v), kind)
         return found

@@ -121,7 +121,7 @@ def expected(chart: Cayley, row: Function, arguments: Sequence[Sequence[Any]]) -
 
 
 def dispatcher(folder: Path) -> Path:
-    """Build a program that reads a prime, the number of a function and its arguments, and prints the results."""
+    """Build a program that reads a prime, a function's number and arguments, and prints results modulo the prime."""
     includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for chart in CHARTS for table in C.tables)
     cases, index = [], 0
     for chart in CHARTS:

@@ -234,7 +234,7 @@ def _turn(trace: Geometry) -> tuple[Number, ...]:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """Return |v| and v/|v| as dual quantities."""
+    """Return |v| and v/|v|, then the dual parts of both."""
     r, *found = trace.apply(axis_of, "{}", point.components)
     return r, Vector(*found[:3]), found[3], Vector(*found[4:])
 

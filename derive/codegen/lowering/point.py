@@ -2,7 +2,7 @@
 
 A recipe is a function of a trace that returns a program. Its docstring is the program's contract: the first paragraph
 describes the whole result, the second one the dual part. Names that end in ``o`` are dual parts, marked ° in formulas.
-Names that end in ° are dual parts too, but are printed without the mark.
+Other dual parts are given names that end in °, which is not printed: ``rho1°`` becomes ``rho1``.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ class Geometry(Trace):
         return Point(self, self.components(argument, letter or argument, 6))
 
     def real_vector(self, argument: str, letter: str = "", dual: str = "") -> Vector:
-        """Declare three components; ``dual`` is ° if they vanish for rotations alone."""
+        """Declare a vector of three numbers; ``dual`` is the mark ° if they are dual parts, 0 for rotations alone."""
         return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
 
     def argument(self, argument: str, letter: str) -> Vector:

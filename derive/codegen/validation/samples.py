@@ -71,7 +71,7 @@ def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
 
 
 def margin(chart: Vectors) -> float:
-    """Return the least margin to the edge: if φ′ = 0 there, scalars grow like the inverse cube of the margin."""
+    """Return the least margin to the edge; wider if φ′ = 0 there, as scalars then grow like its inverse cube."""
     return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
 
 

@@ -4,7 +4,7 @@
 r"""Breusing's chart, rotations alone: Rodrigues vectors ``v = sin(α/4)/sqrt(cos(α/4)) u``, the real parts of `breusing`.
 
 The formulas of `breusing` hold with real v.
-``tangent`` v is infinite at Re alpha = 2*pi.
+``tangent``: v is infinite at Re alpha = 2*pi.
 ``tangent_inv``: v is infinite at Re alpha = 2*pi.
 A rotation has 2 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Cayley map of order 1, rotations alone: Rodrigues vectors ``v = tan(α/2) u``, the real parts of `cayley1`.
 
 The formulas of `cayley1` hold with real v.
-``tangent`` loses rank at no finite v; v is infinite at Re alpha = pi.
+``tangent``: loses rank at no finite v; v is infinite at Re alpha = pi.
 ``tangent_inv``: pole at no finite v; v is infinite at Re alpha = pi.
 A rotation has one vector.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

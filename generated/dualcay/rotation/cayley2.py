@@ -4,7 +4,7 @@
 r"""Cayley map of order 2, rotations alone: Rodrigues vectors ``v = tan(α/4) u``, the real parts of `cayley2`.
 
 The formulas of `cayley2` hold with real v.
-``tangent`` loses rank at no finite v; v is infinite at Re alpha = 2*pi.
+``tangent``: loses rank at no finite v; v is infinite at Re alpha = 2*pi.
 ``tangent_inv``: pole at no finite v; v is infinite at Re alpha = 2*pi.
 A rotation has 2 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Cayley map of order 3, rotations alone: Rodrigues vectors ``v = tan(α/6) u``, the real parts of `cayley3`.
 
 The formulas of `cayley3` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 A rotation has 3 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

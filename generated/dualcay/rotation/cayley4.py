@@ -4,7 +4,7 @@
 r"""Cayley map of order 4, rotations alone: Rodrigues vectors ``v = tan(α/8) u``, the real parts of `cayley4`.
 
 The formulas of `cayley4` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A rotation has 4 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Cayley map of order 5, rotations alone: Rodrigues vectors ``v = tan(α/10) u``, the real parts of `cayley5`.
 
 The formulas of `cayley5` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
+``tangent``: loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.
 A rotation has 5 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Cayley map of order 8, rotations alone: Rodrigues vectors ``v = tan(α/16) u``, the real parts of `cayley8`.
 
 The formulas of `cayley8` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
+``tangent``: loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.
 A rotation has 8 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Lambert's equal-area projection, rotations alone: Rodrigues vectors ``v = sin(α/4) u``, the real parts of `lambert`.
 
 The formulas of `lambert` hold with real v.
-``tangent`` v ends, and with it the domain, at Re alpha = 2*pi.
+``tangent``: v ends, and with it the domain, at Re alpha = 2*pi.
 ``tangent_inv``: v ends, and with it the domain, at Re alpha = 2*pi.
 A rotation has 2 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

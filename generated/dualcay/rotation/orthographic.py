@@ -4,7 +4,7 @@
 r"""Orthographic projection, rotations alone: Rodrigues vectors ``v = sin(α/2) u``, the real parts of `orthographic`.
 
 The formulas of `orthographic` hold with real v.
-``tangent`` v ends, and with it the domain, at Re alpha = pi.
+``tangent``: v ends, and with it the domain, at Re alpha = pi.
 ``tangent_inv``: v ends, and with it the domain, at Re alpha = pi.
 A rotation has one vector.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

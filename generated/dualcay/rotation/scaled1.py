@@ -4,7 +4,7 @@
 r"""Normal Rodrigues vector of order 1, rotations alone: Rodrigues vectors ``v = 2 tan(α/2) u``, the real parts of `scaled1`.
 
 The formulas of `scaled1` hold with real v.
-``tangent`` v is infinite at Re alpha = pi.
+``tangent``: v is infinite at Re alpha = pi.
 ``tangent_inv``: v is infinite at Re alpha = pi.
 A rotation has one vector.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Normal Rodrigues vector of order 2, rotations alone: Rodrigues vectors ``v = 4 tan(α/4) u``, the real parts of `scaled2`.
 
 The formulas of `scaled2` hold with real v.
-``tangent`` v is infinite at Re alpha = 2*pi.
+``tangent``: v is infinite at Re alpha = 2*pi.
 ``tangent_inv``: v is infinite at Re alpha = 2*pi.
 A rotation has 2 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Normal Rodrigues vector of order 3, rotations alone: Rodrigues vectors ``v = 6 tan(α/6) u``, the real parts of `scaled3`.
 
 The formulas of `scaled3` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.
 A rotation has 3 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

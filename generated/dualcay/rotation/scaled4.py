@@ -4,7 +4,7 @@
 r"""Normal Rodrigues vector of order 4, rotations alone: Rodrigues vectors ``v = 8 tan(α/8) u``, the real parts of `scaled4`.
 
 The formulas of `scaled4` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A rotation has 4 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Normal Rodrigues vector of order 5, rotations alone: Rodrigues vectors ``v = 10 tan(α/10) u``, the real parts of `scaled5`.
 
 The formulas of `scaled5` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi, Re alpha = 4*pi; v is infinite at Re alpha = 5*pi.
+``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; v is infinite at Re alpha = 5*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi, Re alpha = 4*pi; v is infinite at Re alpha = 5*pi.
 A rotation has 5 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Sine chart of order 3, rotations alone: Rodrigues vectors ``v = sin(α/6) u``, the real parts of `sine3`.
 
 The formulas of `sine3` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 A rotation has 3 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Sine chart of order 4, rotations alone: Rodrigues vectors ``v = sin(α/8) u``, the real parts of `sine4`.
 
 The formulas of `sine4` hold with real v.
-``tangent`` loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
+``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv``: pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 A rotation has 4 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -4,7 +4,7 @@
 r"""Wiener-Milenkovic vector, rotations alone: Rodrigues vectors ``v = 4 tan(α/4) u``, the real parts of `wiener_milenkovic`.
 
 The formulas of `wiener_milenkovic` hold with real v.
-``tangent`` v is infinite at Re alpha = 2*pi.
+``tangent``: v is infinite at Re alpha = 2*pi.
 ``tangent_inv``: v is infinite at Re alpha = 2*pi.
 A rotation has 2 vectors.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.

@@ -22,7 +22,7 @@ from derive.proof import prove
 
 @pytest.mark.parametrize("phi", ["pi*alpha/4", "alpha*(pi + alpha**2)/4"])
 def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
-    """Powers of a long integer would exceed float32, and results at v = 0 would not be finite."""
+    """π is split into small integers: powers of one long integer overflow float32, with results not finite at v = 0."""
     chart, target = parameterization(phi, "mine"), TARGETS["numpy"]
     proved = prove(chart)
     text = module_texts(Facts(proved, lower(proved)), target)
