@@ -59,8 +59,10 @@ SLIPS = {
     "component": (r"(?<=\bv)1\b", "2"),
     "comparison": (r" < ", " > "),
 }
-EQUIVALENT = re.compile(r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|# ')
-"""Lines whose slips change no result: factors of zero, limits between series, compensation of rounding."""
+EQUIVALENT = re.compile(
+    r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|further|# '
+)
+"""Lines whose slips change no result: factors of 0, limits between series, lost digits put back, slopes read at 0."""
 
 
 def slips(text: str, count: int, seed: int) -> Iterator[tuple[str, str]]:
