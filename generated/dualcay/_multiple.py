@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping, Sequence
 from fractions import Fraction
-from operator import call, mul, truediv
+from operator import mul, truediv
 from typing import Any, TypeAlias
 
 from ._chart import Chart
 from ._kernel import Result
+from ._program import call
 
 Function: TypeAlias = Callable[..., Any]
 

@@ -9,11 +9,12 @@ and selects without a temporary. For other types masks are booleans.
 
 from __future__ import annotations
 
+import operator
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
 from itertools import groupby
-from operator import call, itemgetter
+from operator import itemgetter
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -23,6 +24,15 @@ Array: TypeAlias = NDArray[Any]
 Function: TypeAlias = Callable[..., Any]
 Operation: TypeAlias = tuple[Function, tuple[int, ...]]
 Run: TypeAlias = tuple[tuple[Function, ...], tuple["itemgetter[Any]", ...]]
+
+
+def _call(function: Function, *arguments: Any) -> Any:
+    """Return the result of a function; Python 3.10, where a folder of kernels runs too, has no ``operator.call``."""
+    return function(*arguments)
+
+
+call: Function = getattr(operator, "call", _call)
+"""``operator.call``: a call without bytecode in a loop of `map`."""
 
 BITWISE = (np.bitwise_and, np.bitwise_or, np.bitwise_xor)
 """Bitwise operations on masks and on the bits of numbers."""
