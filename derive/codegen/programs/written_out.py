@@ -1,4 +1,4 @@
-"""Programs with their called programs written out, for analyses and in-place forms."""
+"""Programs with their called programs written out, for analyses and fingerprints."""
 
 from __future__ import annotations
 

@@ -43,13 +43,13 @@ CASES_MAX = 4
 """Largest number of cases of a function and branch: one for each row from which a quaternion is read."""
 
 TOLERANCE = 1 / 2
-"""Share of the digits of a type to which well-conditioned results must agree."""
+"""Share of the digits of a type to which well-conditioned results must agree: a replay tests wiring, not rounding."""
 
 GATE = 16
 """Largest error of any result, in units of the machine epsilon times the scale of the case."""
 
 TOLERANCE_SAME = 1e-6
-"""Largest relative difference between two calls on the same numbers."""
+"""Largest relative difference between two calls on the same numbers: some eps of float32."""
 
 
 @dataclass(frozen=True, slots=True)
