@@ -69,6 +69,13 @@ def test_worst_inputs_of_each_function_are_kept() -> None:
     assert cases.worst([first, second, outside]) == [second, first, outside]
 
 
+def test_file_keeps_the_inputs_nearest_to_their_gates(tmp_path: Path) -> None:
+    many = [case(1 / (place + 2), argument=f"0x1p+{place}") for place in range(cases.CASES_MAX + 5)]
+    cases.write(many, 0, tmp_path / "cases.json")
+    kept, _ = cases.read(tmp_path / "cases.json")
+    assert {each.fraction for each in kept} == {each.fraction for each in many[: cases.CASES_MAX]}
+
+
 def measurements(scale: float) -> list[measure.Measurement]:
     """Return measurements at a fraction of the gates, for every function of poses and of rotations in two regimes."""
     return [

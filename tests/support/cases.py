@@ -29,6 +29,9 @@ DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdou
 KEPT = 2
 """Number of cases kept per function, both inside and outside the principal range."""
 
+CASES_MAX = 190
+"""Largest number of cases in the file; the inputs nearest to their gates stay."""
+
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
 """Classes of trials by table of functions."""
 
@@ -99,8 +102,9 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
 
 
 def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
-    """Write one case per line, in a fixed order."""
-    ordered = sorted(cases, key=lambda case: (case.key, case.fraction, case.arguments))
+    """Write one case per line, in a fixed order: those with the largest fractions, at most `CASES_MAX`."""
+    largest = sorted(cases, key=lambda case: -case.fraction)[:CASES_MAX]
+    ordered = sorted(largest, key=lambda case: (case.key, case.fraction, case.arguments))
     kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)
     lines = [json.dumps({name: value for name, value in entry.items() if value != ""}) for entry in kept]
     text = f'{{"searched": {searched}, "cases": [\n' + ",\n".join(lines) + "\n]}\n"
