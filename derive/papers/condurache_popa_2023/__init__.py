@@ -26,6 +26,6 @@ PAPER = Paper(
         "s02_1_dual_numbers", "s02_2_dual_vectors", "s02_3_dual_tensors", "s03_rigid_motion", "s04_dual_quaternions",
         "s05_cayley_tensors", "s06_cayley_quaternions", "s07a_fractional_transform", "s07b_order_lists",
         "s07c_parameterizations", "s07d_families", "s07e_references", "s08a_kinematics", "s08b_tangent_operators",
-        "s09a_orders_1_to_3", "s09b_orders_4_and_5", "s09c_components", "s10_conclusions",
+        "s09a_explicit_orders", "s09b_components", "s10_conclusions",
     ),
 )

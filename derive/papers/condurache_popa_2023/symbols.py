@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from ..language.terms import Symbol
 
-PAPER = "condurache-popa-2023"
-
 LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
 """Characters lost or scattered by the extraction. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
 
@@ -49,4 +47,3 @@ n = Symbol("n", "order", "n", "n")
 alpha = Symbol("alpha", "angle", r"\underline{\alpha}", "α")
 u = unit("u")
 v = vector("v")
-X = Symbol("X", "dual number", "X", "X")

@@ -1,15 +1,7 @@
 """Section 2.1, dual numbers: lines 46-52."""
 
-from __future__ import annotations
-
-from ...equation import equation
-from ...language.claims import proposition
-from ...language.definitions import from_parts
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import ATOM, Symbol
 from ..definitions import dual_algebra
-from ..symbols import dual, n, real
+from . import *
 
 a, a0, b, b0 = real("a"), Symbol("a0", "real", "a^0", "a0"), real("b"), Symbol("b0", "real", "b^0", "b0")
 a_, b_, c_ = dual("a"), dual("b"), dual("c")

@@ -1,17 +1,10 @@
 """Section 2.2, dual vectors: lines 56-68."""
 
-from __future__ import annotations
-
 from derive.algebra import Tensor, Vector
 
-from ...equation import equation
-from ...language.definitions import multiple, vector_from_parts
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
 from ..definitions import dual_algebra
-from ..symbols import dual, real_vector, vector
 from ..symbols import unit as unit_vector
+from . import *
 
 a, a0 = real_vector("a"), Symbol("a0 real", "real vector", r"\mathbf{a}^0", "a0")
 w = real_vector("v")

@@ -1,16 +1,9 @@
 """Section 2.3, dual tensors: lines 72-86."""
 
-from __future__ import annotations
-
 from derive.algebra import Tensor
 
-from ...equation import Reading, equation
-from ...language.definitions import dual_of, plain, real_of
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import ATOM, LIST, POWER, Symbol
 from ..definitions import dual_algebra
-from ..symbols import quaternion, tensor, v, vector
+from . import *
 from .s02_2_dual_vectors import BASIS, basis, lam, mu
 
 T_, A_ = tensor("T"), tensor("A")

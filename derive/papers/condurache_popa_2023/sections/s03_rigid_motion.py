@@ -1,18 +1,10 @@
 """Section 3, rigid motion through orthogonal dual tensors: lines 91-116."""
 
-from __future__ import annotations
-
 from derive.maps.lines import foot
 from derive.maps.pose import Pose, pose_from_tensor
 
-from ...equation import equation
-from ...language.claims import homogeneous, orthogonal, pose, proposition
-from ...language.definitions import dual_of, nilpotent, plain, real_of, same, screw_tensor
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import ATOM, LIST, PRODUCT, Symbol, Trait
 from ..definitions import motions
-from ..symbols import alpha, tensor, u
+from . import *
 
 I = identity
 R = tensor("R", "orthogonal tensor")

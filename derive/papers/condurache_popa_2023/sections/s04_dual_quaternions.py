@@ -1,18 +1,10 @@
 """Section 4, dual quaternions: lines 120-145."""
 
-from __future__ import annotations
-
 from derive.algebra import Quaternion
 from derive.maps.first_principles import tensor_by_sandwich
 
-from ...equation import Reading, equation
-from ...language.claims import orthogonal, unit_quaternion
-from ...language.definitions import dual_of, multiple, real_of, scalar_part, screw_quaternion, vector_part
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import PRODUCT, Symbol
 from ..definitions import motions, quaternion_maps
-from ..symbols import alpha, quaternion, tensor, u, vector
+from . import *
 from .s02_2_dual_vectors import lam, mu
 
 I = identity

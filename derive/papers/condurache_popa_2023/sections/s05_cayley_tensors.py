@@ -1,15 +1,7 @@
 """Section 5, exponential and first-order Cayley transform of orthogonal dual tensors: lines 149-181."""
 
-from __future__ import annotations
-
-from ...equation import Reading, equation
-from ...language.claims import defined, orthogonal, proposition, unequal
-from ...language.definitions import dual_of, multiple, nilpotent, real_of, same, screw_tensor
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import ATOM, LIST, Symbol
 from ..definitions import dual_algebra, low_orders, motions, orders
-from ..symbols import alpha, tensor, u, v, vector
+from . import *
 
 I, V = identity, skew(v)
 x = norm(v) ** 2

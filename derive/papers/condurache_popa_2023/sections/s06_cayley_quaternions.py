@@ -1,15 +1,7 @@
 """Section 6, Cayley transforms for unit dual quaternions: lines 184-226."""
 
-from __future__ import annotations
-
-from ...equation import Equation, Reading, equation
-from ...language.claims import defined, proposition, unequal, unit_quaternion
-from ...language.definitions import dual_of, real_of, scalar_part, screw_quaternion
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Number, Symbol, Term
 from ..definitions import low_orders, motions, orders, quaternion_maps
-from ..symbols import alpha, quaternion, u, v, vector
+from . import *
 from .s04_dual_quaternions import scalar
 
 x = norm(v) ** 2

@@ -1,14 +1,7 @@
 """Symbols of section 7 for a general order n."""
 
-from __future__ import annotations
-
-from ...language.definitions import screw_quaternion, screw_tensor
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol, Term
-from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders
-from ..symbols import alpha, n, tensor, u, v, vector
+from . import *
 
 I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
 

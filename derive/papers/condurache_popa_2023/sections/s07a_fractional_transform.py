@@ -1,21 +1,11 @@
 """Section 7, the fractional Cayley transform of order n and its inverse: lines 231-269, 286-287."""
 
-from __future__ import annotations
-
 from typing import Any
 
-from ...equation import Reading, equation
-from ...language.claims import proposition
-from ...language.definitions import scalar_part, screw_quaternion
-from ...language.evaluation import Env, let
-from ...language.notation import *
-from ...language.terms import Number, Symbol
-from ...numbers.draw import Draw
 from ..definitions import cayley_maps, orders, preimages
 from ..definitions.quaternion_maps import lift
-from ..operators import no_less, positive, preimage_count, tends
-from ..symbols import alpha, n, u, v, vector
-from .s07_general_order import CAYLEY, POLYNOMIALS, I, R, V, X, finite, full_turns, k, p, q, q_hat, x
+from . import *
+from .s07_general_order import *
 
 cay = Symbol("cay_{n/2}", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")
 cay_counted = Symbol("cay_{n/2} counted", "function", r"\mathrm{cay}_{\frac{n}{2}}", "cayn2")

@@ -1,16 +1,8 @@
 """Section 7, vectorial parameterizations v = φ(α) u with a factor a(v): lines 288-316."""
 
-from __future__ import annotations
-
-from ...equation import equation
-from ...language.definitions import multiple, screw_quaternion
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Number, Symbol
 from ..definitions import cayley_maps
-from ..operators import positive, preimage_count
-from ..symbols import alpha, n, u, v
-from .s07_general_order import POLYNOMIALS, I, R, V, X, a, a_value, finite, k, p, q, q_hat, q_of, w, x
+from . import *
+from .s07_general_order import *
 from .s07a_fractional_transform import FOR_EVERY_N, by_induction, index, target, turned
 
 caym = Symbol("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")

@@ -1,37 +1,13 @@
 """Section 7, five families of parameterizations with their quaternions, tensors and limits: lines 317-340."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
 from derive.maps.families import breusing, lambert, orthographic
 
-from ...equation import Reading, equation
-from ...language.definitions import multiple, screw_quaternion
-from ...language.evaluation import Definition, let
-from ...language.notation import *
-from ...language.terms import Symbol
 from ..definitions import cayley_maps, orders
-from ..operators import limit, positive
-from ..symbols import alpha, n, u, v, vector
-from .s07_general_order import (
-    SCREW,
-    SCREW_OF_V,
-    I,
-    R,
-    R_of,
-    V,
-    a,
-    a_value,
-    finite,
-    p,
-    q,
-    q_hat,
-    q_of,
-    w,
-    x,
-)
+from . import *
+from .s07_general_order import *
 from .s07c_parameterizations import W, xw
 
 alpha_vector = vector("α", r"\alpha")

@@ -1,13 +1,7 @@
 """Section 7, references to wrong equation numbers: lines 243, 253, 304 and 313."""
 
-from __future__ import annotations
-
-from ...equation import Equation, equation
-from ...language.claims import proposition
-from ...language.evaluation import let
-from ...language.terms import Term, latex, term
 from ..definitions.references import displays
-from ..symbols import n, v
+from . import *
 from . import s06_cayley_quaternions, s07a_fractional_transform, s07c_parameterizations
 from .s07_general_order import q_of
 from .s07a_fractional_transform import turned

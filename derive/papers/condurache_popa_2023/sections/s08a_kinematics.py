@@ -1,18 +1,10 @@
 """Section 8, motion by tensors, quaternions and natural invariants: lines 342-387."""
 
-from __future__ import annotations
-
 from derive.algebra import Tensor
 from derive.maps.lines import line_through
 
-from ...equation import Reading, equation
-from ...language.definitions import image, plain, screw_quaternion, screw_tensor, skew_of
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
 from ..definitions import velocities
-from ..operators import equations_in
-from ..symbols import alpha, tensor, u, vector
+from . import *
 
 R = tensor("R", "orthogonal tensor")
 R_t = Symbol("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")

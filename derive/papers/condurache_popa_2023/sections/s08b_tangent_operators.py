@@ -1,18 +1,9 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
-from __future__ import annotations
-
-from ...equation import Reading, equation
-from ...language.claims import proposition
-from ...language.definitions import inverse_of, multiple, screw_tensor, transpose_of
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
-from ..operators import equations_in, provided
-from ..symbols import alpha, dual, n, u, v, vector
-from .s07_general_order import POLYNOMIALS, VV, I, V, full_turns, p, q, x
+from . import *
+from .s07_general_order import *
 from .s08a_kinematics import omega, omega_B
 
 R = Symbol("R of the motion", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
@@ -74,7 +65,7 @@ DEXP = (
              extract="α _ ˙ = d e x p α _ T ω _ B", where=EXPONENTIAL, moving=True, condition=full_turn),
 )
 
-CAYLEY = (
+OF_V = (
     *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, orders.tangent, n, v),
     let(dcay_inv, inverse_of, dcay), let(dcay_inv_T, transpose_of, dcay_inv),
     let(q_now, lambda env, n, v: orders.q(env, n)(env.now(v)), n, v),
@@ -86,30 +77,30 @@ for_every_n = proposition("for every n", "the same for every n, by the different
 RODRIGUES = (
     equation("86", "twists by the Rodrigues dual vector", 402,
              both(equal(omega, dcay * rate(v)), equal(omega_B, transpose(dcay) * rate(v))),
-             extract="ω _ = d c a y n v ˙ _ ω _ B = d c a y n T v ˙ _", where=CAYLEY, moving=True),
+             extract="ω _ = d c a y n v ˙ _ ω _ B = d c a y n T v ˙ _", where=OF_V, moving=True),
     equation("87", "rate of the Rodrigues dual vector", 403,
              both(equal(rate(v), dcay_inv * omega), equal(rate(v), dcay_inv_T * omega_B)),
-             extract="v ˙ _ = d c a y n 1 ω _ v ˙ _ = d c a y n T ω _ B", where=CAYLEY, moving=True, condition=regular,
+             extract="v ˙ _ = d c a y n 1 ω _ v ˙ _ = d c a y n T ω _ B", where=OF_V, moving=True, condition=regular,
              also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("88", "tangent operator of order n", 405,
              equal(dcay, 2 * q(norm(v)) * p(norm(v)) / (1 + x)**n * I + 2 * (q**2)(norm(v)) / (1 + x)**n * V
                    + 2 * (n * (1 + x)**(n - 1) - q(norm(v)) * p(norm(v))) / (x * (1 + x)**n) * VV),
              extract="d c a y n = 2 q n v _ p n v _ 1 + v _ 2 n I _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ + 2 n 1 + v _ 2 n "
-             "1 q n v _ p n v _ v _ 2 1 + v _ 2 n v _ v _", where=(*CAYLEY, let(for_every_n, proved(88))),
+             "1 q n v _ p n v _ v _ 2 1 + v _ 2 n v _ v _", where=(*OF_V, let(for_every_n, proved(88))),
              because=for_every_n, condition=nonzero(Re(x)),
              remark="Where Re v = 0 the last quotient is 0/0; |v|² divides the bracket as a polynomial."),
     equation("89", "kinematic tensor of order n", 406,
              equal(dcay_inv, p(norm(v)) / (2 * q(norm(v))) * I - half * V
                    + ((1 + x) * q(norm(v)) - n * p(norm(v))) / (2 * n * x * q(norm(v))) * VV),
              extract="d c a y n 1 = p n v _ 2 q n v _ _ I _ 1 2 v ~ _ + 1 + v _ 2 q n v _ n p n v _ 2 n v _ 2 q n v _ "
-             "_ v _ v _", where=(*CAYLEY, let(for_every_n, proved(89))), because=for_every_n,
+             "_ v _ v _", where=(*OF_V, let(for_every_n, proved(89))), because=for_every_n,
              condition=both(nonzero(Re(x)), nonzero(Re(q(norm(v))))), also=full_turns,
              remark="Where Re v = 0 the last quotient is 0/0; where Re q_n = 0 dcay_n has no inverse (n ≥ 3)."),
     equation("90", "kinematic equation of the Rodrigues dual vector, spatial twist", 409,
-             equal(rate(v), dcay_inv * omega), extract="v ˙ _ = d c a y n 1 ω _", where=CAYLEY, moving=True,
+             equal(rate(v), dcay_inv * omega), extract="v ˙ _ = d c a y n 1 ω _", where=OF_V, moving=True,
              condition=regular, also=full_turns),
     equation("91", "kinematic equation of the Rodrigues dual vector, body twist", 410,
-             equal(rate(v), dcay_inv_T * omega_B), extract="v ˙ _ = d c a y n T ω _ B", where=CAYLEY, moving=True,
+             equal(rate(v), dcay_inv_T * omega_B), extract="v ˙ _ = d c a y n T ω _ B", where=OF_V, moving=True,
              condition=regular, also=full_turns, fixed_by="(86): ω_B = dcay_nᵀ v̇, of which it is the inverse"),
     equation("six-real-equations", "the vector problems are six real equations", 412,
              both(equal(equations_in(a), 6), equal(equations_in(v), 6)), where=(let(a, multiple, alpha, u),)),

@@ -1,11 +1,6 @@
 """Section 10, the only claim of the conclusions without a display: line 469."""
 
-from __future__ import annotations
-
-from ...equation import Equation, Reading, equation
-from ...language.claims import proposition
-from ...language.evaluation import Env, let
-from ..operators import is_algebraic
+from . import *
 from . import s07a_fractional_transform, s07c_parameterizations, s07d_families, s08b_tangent_operators
 
 DIRECT = ("50", "57", "88", "89", "62", "65")

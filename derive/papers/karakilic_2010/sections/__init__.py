@@ -1,12 +1,11 @@
-"""Entries of the paper in printed order, by section.
+"""Entries of the paper in printed order, one module for each section, and the names that all sections use."""
 
-====  ==================================================
-s1a   dual numbers and their functions
-s1b   dual vectors, their norm, and lines
-s2    Cayley's formula
-s3a   Rodrigues equations, (1) to (7)
-s3b   components of the dual vector, (8) to (22)
-s3c   derivation steps of (19) to (22)
-s4    the conclusion
-====  ==================================================
-"""
+from ...equation import *
+from ...language.claims import *
+from ...language.definitions import *
+from ...language.evaluation import *
+from ...language.notation import *
+from ...language.terms import *
+from ...numbers.draw import Draw as Draw
+from ..operators import *
+from ..symbols import *

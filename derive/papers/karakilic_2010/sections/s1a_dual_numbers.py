@@ -1,17 +1,9 @@
 """Section 1, dual numbers and their functions: lines 23-41."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
-from ...equation import equation
-from ...language.definitions import *
-from ...language.evaluation import Env, let
-from ...language.notation import *
-from ...language.terms import Symbol
-from ..operators import Cos, Sin, coefficient, group, natural
-from ..symbols import e, hat, k, real, shown
+from . import *
 
 a1, a1_, b1, b1_ = real("a", 1), real("a", 1, star=True), real("b", 1), real("b", 1, star=True)
 a, a_, a_hat, b_hat, c_hat = real("a"), real("a", star=True), *(hat(name, "dual number") for name in "abc")

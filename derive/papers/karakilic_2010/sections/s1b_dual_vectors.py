@@ -1,17 +1,9 @@
 """Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
 
-from __future__ import annotations
-
 from derive.maps import lines
 
-from ...equation import equation
-from ...language.definitions import *
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Number, Symbol
 from .. import definitions
-from ..operators import at_least, column, group, length, parts, square_root
-from ..symbols import arrow, e, hat, pi, real, shown
+from . import *
 
 # ---- vectors --------------------------------------------------------------------------------------------------
 

@@ -1,20 +1,11 @@
 """Section 2, Cayley's formula: lines 53-105."""
 
-from __future__ import annotations
-
 from derive.algebra import dual_part, real_part
 from derive.maps import rodrigues
 
-from ...equation import Reading, equation
-from ...language.definitions import *
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
-from ...numbers.draw import Draw
 from ...numbers.quantities import QUANTITIES
 from .. import definitions
-from ..operators import *
-from ..symbols import e, hat, i, j, real, shown
+from . import *
 
 I = identity
 A, x, X, z, b, y = hat("A", "orthogonal tensor"), *(hat(name, "dual vector") for name in "xXzby")

@@ -1,17 +1,9 @@
 """Section 3, the Rodrigues equations in dual form, (1)-(7): lines 109-161."""
 
-from __future__ import annotations
-
 from derive.maps import rodrigues
 
-from ...equation import equation
-from ...language.definitions import *
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Number, Symbol, Term
 from .. import definitions
-from ..operators import Tan, Tan2, at_least, group, length, ordered, pair
-from ..symbols import arrow, e, hat, real, shown
+from . import *
 
 # ---- the equations of motion ----------------------------------------------------------------------------------
 

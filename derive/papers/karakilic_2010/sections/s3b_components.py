@@ -1,19 +1,11 @@
 """Section 3, components of the dual Rodrigues vector, (8)-(22): lines 153-248."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from derive.algebra import dual_part, real_part
 
-from ...equation import Equation, equation
-from ...language.definitions import *
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Number, Symbol, Term
 from .. import definitions
-from ..operators import Tan, Tan2, Tan3, component, group, length, ordered, provided
-from ..symbols import arrow, hat, pi, real, shown
+from . import *
 
 f, f_, f_hat = real("f", quantity="real angle"), real("f", star=True), hat("f", "angle")
 b_hat, s_hat = hat("b", "dual vector"), hat("s", "dual vector")

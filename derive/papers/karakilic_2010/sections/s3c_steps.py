@@ -3,17 +3,11 @@
 Each step uses only the equations it cites: they are solved for the unknown, and all other symbols are free.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from derive.algebra import dual_part, real_part
 
-from ...equation import Equation, equation
-from ...language.definitions import *
-from ...language.evaluation import Definition, Env, let
-from ...language.notation import *
-from ...language.terms import Symbol, Term, symbols
+from . import *
 from .s3b_components import b1_, b2_, b3_, equations, f, general, ss, ss_
 
 unit = Symbol("s^", "unit vector", r"\hat{s}")

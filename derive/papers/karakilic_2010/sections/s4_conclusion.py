@@ -1,14 +1,7 @@
 """Section 4, the conclusion: lines 254-265."""
 
-from __future__ import annotations
-
-from ...equation import Reading, equation
-from ...language.definitions import *
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
 from .. import definitions
-from ..symbols import hat, shown
+from . import *
 from .s3b_components import SCREW, equations, f, f_, forward, relation, solution
 
 b1_, right_22 = equations["22"]

@@ -1,17 +1,9 @@
 """Section 9, components of the Rodrigues dual vector, and claims about (92)-(98): lines 457-465."""
 
-from __future__ import annotations
-
-from ...equation import Equation, equation
-from ...language.claims import orthogonal, unit_quaternion
-from ...language.definitions import component_of, dual_of, real_of
-from ...language.evaluation import let
-from ...language.notation import *
-from ...language.terms import Symbol
 from ..definitions import low_orders
-from ..symbols import alpha, u
-from .s07_general_order import R, finite, q_hat
-from .s09a_orders_1_to_3 import o1
+from . import *
+from .s07_general_order import *
+from .s07b_order_lists import o1
 
 b_ = Symbol("b", "dual vector", r"\underline{\mathbf{b}}", "b")
 angle = Symbol("alpha real", "real angle", r"\alpha", "α")
