@@ -15,8 +15,8 @@ from derive.proof.every_order import citing
 from ...language import values
 from ...language.evaluation import Env
 from ...numbers.fields import UndefinedError, innermost
+from .motions import half_angle
 from .orders import as_vector, cayley, solution
-from .quaternion_maps import half_angle
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:

@@ -17,7 +17,7 @@ from ...language.evaluation import Env
 from ...language.terms import Symbol
 from ...language.values import dualise
 from ...numbers.draw import Draw
-from . import dual_algebra, motions, orders, quaternion_maps
+from . import dual_algebra, motions, orders
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
 """Function that draws further points of an entry, by name."""
@@ -90,7 +90,7 @@ def map_of_order(order: int) -> Callable[[Env], values.Map]:
 
     def make(env: Env) -> values.Map:
         def preimages(q: Quaternion) -> list[Vector]:
-            angle, axis = quaternion_maps.half_angle(env, q)
+            angle, axis = motions.half_angle(env, q)
             return [rodrigues(env, 2 * values.divide(angle, order), axis)]
 
         return values.Map(lambda v: orders.cayley(env, order, v), preimages)

@@ -1,24 +1,19 @@
-"""Definitions of sections 3 to 5: poses, orthogonal dual tensors that act on lines, screws."""
+"""Definitions of sections 3 to 6: poses, orthogonal dual tensors and unit dual quaternions that act on lines."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from typing import Any
 
-import mpmath
-
-from derive.algebra import Tensor, Vector, real_part
-from derive.maps.exponential import tensor_exponential
+from derive.algebra import Quaternion, Tensor, Vector, real_part
+from derive.maps import first_principles
+from derive.maps.exponential import quaternion_exponential, tensor_exponential
 from derive.maps.lines import line_through
 from derive.maps.pose import Pose, pose_from_tensor
 
 from ...language import values
-from ...language.definitions import plain, screw_tensor
+from ...language.definitions import plain, screw_quaternion, screw_tensor
 from ...language.evaluation import Env
-from ...language.terms import Symbol
 from ...language.values import dualise
-from ...numbers.draw import Draw
-from ...numbers.draw import rotation as sandwich
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)
 
@@ -30,11 +25,6 @@ def moved_lines(g: Pose) -> Tensor:
     """Return the tensor of a pose's action on lines; its columns are the moved coordinate axes."""
     columns = (line_through(g.displacement, g.rotation @ e) for e in AXES)
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
-
-
-def poses_of(env: Env) -> Callable[[Tensor], values.Solution]:
-    """Return a function from a tensor to the condition on a pose: both act equally on lines."""
-    return lambda R: values.Solution(lambda g: values.equal(env.field, moved_lines(g), R))
 
 
 def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
@@ -52,11 +42,6 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
     column = outer @ max(AXES, key=lambda e: real_part(e.dot(outer @ e)))
     axis = column / field.magnitude(column)
     return field.atan2(w.dot(axis), cosine), axis
-
-
-def screw_map(env: Env) -> values.Map:
-    """Return the map from (angle, axis) to the orthogonal dual tensor."""
-    return values.Map(lambda screw: screw_tensor(env, *screw), lambda R: [invariants(env, R)])
 
 
 def angles_of(env: Env, R: Tensor, sign: int) -> values.Solution:
@@ -92,18 +77,52 @@ def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
     return values.Solution(is_moment)
 
 
-def is_principal(env: Env, alpha: Any) -> bool:
-    """Return whether Re α is in (−π, π]; True for generic symbols."""
-    angle = real_part(alpha)
-    return not isinstance(angle, mpmath.mpf) or bool(-mpmath.pi < angle <= mpmath.pi)
-
-
-def half_turn_across(draw: Draw, R: Symbol, v: Symbol) -> Mapping[Symbol, Any]:
-    """Return a half turn and a vector orthogonal to its axis."""
-    q = draw.quaternion(mpmath.mpf(mpmath.pi) / 2)
-    return {R: sandwich(q), v: q.vector.re.cross(Vector(1, 0, 0))}
-
-
 def exponential(env: Env, a: Vector) -> Tensor:
     """Return the exponential of the skew-symmetric tensor of a vector."""
     return tensor_exponential(a, env.field)
+
+
+# ---- unit dual quaternions --------------------------------------------------------------------------------------
+
+
+def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
+    """Return the condition on a unit quaternion: it acts on lines as the displacement by α about u."""
+    R = tensor_exponential(alpha * u, env.field)
+
+    def acts_so(q: Quaternion) -> bool:
+        q = values.quaternion(q)
+        unit_norm = values.equal(env.field, q.norm2(), 1)
+        return unit_norm and values.equal(env.field, first_principles.tensor_by_sandwich(q), R)
+
+    return values.Solution(acts_so)
+
+
+def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
+    """Return the half angle in [0, π] and the axis of a unit quaternion."""
+    field, w = env.field, q.vector
+    if env.dual and values.equal(field, w.re, 0 * w.re):
+        length = field.magnitude(w.du)
+        axis = w.du / length if not field.same(length, 0) else AXES[0]
+        return field.atan2(dualise(0 * length, length), q.scalar), dualise(axis, 0 * axis)
+    length = field.magnitude(w)
+    return field.atan2(length, q.scalar), w / length
+
+
+def quaternion_exponential_map(env: Env) -> values.Map:
+    """Return the map from dual vectors a to quaternions ``exp(a/2)``."""
+
+    def preimage(q: Quaternion) -> list[Vector]:
+        angle, axis = half_angle(env, q)
+        return [2 * angle * axis]
+
+    return values.Map(lambda a: quaternion_exponential(values.divide(a, 2), env.field), preimage)
+
+
+def covering(env: Env) -> values.Map:
+    """Return the map from unit quaternions to orthogonal dual tensors, with both preimages ±q."""
+
+    def preimages(R: Tensor) -> list[Quaternion]:
+        q = screw_quaternion(env, *invariants(env, R))
+        return [q, -q]
+
+    return values.Map(first_principles.tensor_by_sandwich, preimages)

@@ -1,8 +1,12 @@
 """Section 3, rigid motion through orthogonal dual tensors: lines 91-116."""
 
+import mpmath
+
+from derive.algebra import Vector, real_part
 from derive.maps.lines import foot
 from derive.maps.pose import Pose, pose_from_tensor
 
+from ...numbers.draw import rotation
 from ..definitions import motions
 from . import *
 
@@ -11,7 +15,7 @@ R = tensor("R", "orthogonal tensor")
 R1, R2 = (Symbol(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
 R_of = Symbol("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
 g, g1, g2 = (Symbol(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
-Q, Q1, Q2 = (Symbol(f"Q{i}", "real tensor", rf"\mathbf{{Q}}{i and f'_{i}'}", f"Q{i}") for i in ("", "1", "2"))
+Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
 any_turn = Symbol("Q any", "rotation", r"\mathbf{Q}", "Q")
 any_shift = Symbol("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
 turns = tuple(Symbol(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
@@ -70,7 +74,8 @@ FIRST = (
     equation("isomorphism-onto", "φ is one to one and onto", 99,
              both(equal(phi(phi_inv(R)), R), equal(phi_inv(phi(g1)), g1)), where=(*PHI, *GIVEN)),
     equation("16", "the inverse isomorphism", 103, equal(phi_inv(R), pose(Q, rho)), extract="ϕ 1 R _ = Q ρ 0 1",
-             where=(let(phi_inv, motions.poses_of), *INVARIANTS)),
+             where=(let(phi_inv, lambda env: lambda R: values.Solution(
+                 lambda g: values.equal(env.field, motions.moved_lines(g), R))), *INVARIANTS)),
     equation("structural-invariants", "the structural invariants", 104,
              both(equal(Q, Re(R)), equal(rho, vect(dot(Du(R), transpose(Q))))),
              extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
@@ -84,7 +89,8 @@ NATURAL = (
                    exp(alpha * skew(u))),
              extract="R _ α _ , u _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2 = e x p α _   u _ ~", where=SCREW),
     equation("representation", "every orthogonal dual tensor has an angle and an axis", 107, reaches(screw_map, R),
-             where=(let(screw_map, motions.screw_map),)),
+             where=(let(screw_map, lambda env: values.Map(
+                 lambda screw: screw_tensor(env, *screw), lambda R: [motions.invariants(env, R)])),)),
     equation("18", "the rotation angle", 110, equal(angle, atan2(sign * half * size, (trace(Q) - 1) / 2)),
              extract="α = a t a n 2 ± 1 2 1 + t r a c e Q 3 t r a c e Q ; t r a c e Q 1 2",
              where=(*INVARIANTS, let(angle, motions.angles_of, R, sign)),
@@ -99,7 +105,8 @@ NATURAL = (
                      "v V 3 ,  when   trace Q = 1   ( Q   is   symmetric ) ρ ρ ,   when   trace Q = 3 Q = I",
              where=(*INVARIANTS, let(axis, motions.axes_of, R, sign)),
              condition=both(implies(zero(trace(Q) + 1), nonzero(Q * v + v)), implies(zero(trace(Q) - 3), nonzero(rho))),
-             also=lambda draw: {"half turn, v across the axis": motions.half_turn_across(draw, R, v)},
+             also=lambda draw: {"half turn, v across the axis": {
+                 R: rotation(q := draw.quaternion(+mpmath.pi / 2)), v: q.vector.re.cross(Vector(1, 0, 0))}},
              remark="v may be any vector that is not across the axis; R = I has no axis of its own."),
     equation("18-translation", "the translation along the axis", 110, equal(shift, dot(rho, axis)),
              extract="d = ρ · u", where=SCREW),
@@ -108,7 +115,8 @@ NATURAL = (
                                   nonzero(angle)), (half * cross(rho, axis), zero(angle)))),
              extract="u 0 = 1 2 ρ × u + 1 2 cot α 2 u × ρ × u ,   α 0 1 2 ρ × u ,   α = 0",
              where=(*SCREW[:-3], let(moment, motions.moments_of, alpha, u),
-                    let(principal, motions.is_principal, alpha)),
+                    let(principal, lambda env, alpha: not env.field.ordered
+                        or -env.field.pi < real_part(alpha) <= env.field.pi, alpha)),
              claimed=principal, stated=(110, "α = a t a n 2")),
     equation("natural-rotation", "a real dual angle is a rotation", 111, equal(Q * point + rho, point),
              where=(let(R, screw_tensor, turn_only, u), *SCREW[1:]),

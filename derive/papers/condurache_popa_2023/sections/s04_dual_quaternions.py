@@ -2,8 +2,9 @@
 
 from derive.algebra import Quaternion
 from derive.maps.first_principles import tensor_by_sandwich
+from derive.maps.pose import pose_from_tensor
 
-from ..definitions import motions, quaternion_maps
+from ..definitions import motions
 from . import *
 from .s02_2_dual_vectors import lam, mu
 
@@ -35,8 +36,9 @@ PARTS = (let(s, scalar_part, any_q), let(w, vector_part, any_q))
 INDEXED = (
     let(s1, scalar_part, q1), let(w1, vector_part, q1), let(s2, scalar_part, q2), let(w2, vector_part, q2),
 )
-HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit), let(rho, quaternion_maps.displacement, unit))
-ACTION = (let(Delta, lambda env: tensor_by_sandwich), let(Delta_map, quaternion_maps.covering))
+HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit),
+          let(rho, plain(lambda q: pose_from_tensor(tensor_by_sandwich(q)).displacement), unit))
+ACTION = (let(Delta, lambda env: tensor_by_sandwich), let(Delta_map, motions.covering))
 UNIT_PARTS = (let(s, scalar_part, unit), let(w, vector_part, unit))
 
 ALGEBRA = (
@@ -90,11 +92,11 @@ UNITS = (
     equation("23", "unit dual quaternion by angle and axis", 134,
              equal(unit, cos(alpha / 2) + u * sin(alpha / 2), exp(alpha / 2 * u)),
              extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2 = e x p α _ 2 u _",
-             where=(let(unit, quaternion_maps.lift, alpha, u),)),
+             where=(let(unit, motions.lift, alpha, u),)),
     equation("exponential-unit", "the exponential is a unit quaternion", 136, unit_quaternion(exp(half * euler)),
              where=(let(euler, multiple, alpha, u),)),
     equation("exponential-onto", "the exponential is onto", 136, reaches(exp_map, unit),
-             where=(let(exp_map, quaternion_maps.exponential_map),)),
+             where=(let(exp_map, motions.quaternion_exponential_map),)),
     equation("24", "tensor of a unit dual quaternion", 141, equal(Delta(s + w), I + 2 * s * skew(w) + 2 * skew(w) ** 2),
              extract="q _ + q _ = I _ + 2 q _ q ~ _ + 2 q ~ _ 2", where=(*ACTION, *UNIT_PARTS),
              remark="Δ(q) is the tensor of v ↦ q v q*."),
@@ -110,7 +112,7 @@ UNITS = (
              both(branches(Delta_map, R, 2),
                   iff(equal(Delta(units[0]), Delta(units[1])), equal(units[0], pm(units[1])))),
              where=(*ACTION, *UNIT_PARTS),
-             also=lambda draw: {"the same up to sign": quaternion_maps.opposite(draw, *units)},
+             also=lambda draw: {"the same up to sign": {units[0]: (q := draw.quaternion(draw.real())), units[1]: -q}},
              because=both(equal(1 + trace(Delta(unit)), 4 * s**2), equal(vect(Delta(unit)), 2 * s * w),
                           equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I,
                                 4 * dyad(w, w))),

@@ -1,6 +1,6 @@
 """Section 6, Cayley transforms for unit dual quaternions: lines 184-226."""
 
-from ..definitions import low_orders, motions, orders, quaternion_maps
+from ..definitions import low_orders, motions, orders
 from . import *
 from .s04_dual_quaternions import scalar
 
@@ -84,7 +84,7 @@ WHOLE = (
              condition=nonzero(Re(q + 1))),
     *corollary(2, 197, 2, Number(64) / size**3),
     equation("37", "unit dual quaternion by angle and axis", 199, equal(q, cos(alpha / 2) + u * sin(alpha / 2)),
-             extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q, quaternion_maps.lift, alpha, u),)),
+             extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q, motions.lift, alpha, u),)),
     equation("38", "modified Rodrigues dual vector", 201, equal(sigma, tan(alpha / 4) * u),
              extract="σ _ = t a n α _ 4 u _", where=(*SCREW, let(sigma, low_orders.preimage(2), q)),
              claimed=no_full_turn, stated=(200, "for R e α _ 2 k π")),

@@ -2,8 +2,7 @@
 
 from typing import Any
 
-from ..definitions import cayley_maps, orders, preimages
-from ..definitions.quaternion_maps import lift
+from ..definitions import cayley_maps, motions, orders, preimages
 from . import *
 from .s07_general_order import *
 
@@ -108,7 +107,7 @@ FRACTIONAL = (
              condition=nonzero(Re(q(norm(v)))), also=full_turns,
              remark="Where Re q_n = 0, a full turn, the displacement is a translation although Re |v| ≠ 0 (n ≥ 3)."),
     equation("48", "quaternion of the natural invariants", 247, equal(q_hat, cos(alpha / 2) + u * sin(alpha / 2)),
-             extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q_hat, lift, alpha, u),)),
+             extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q_hat, motions.lift, alpha, u),)),
     equation("49", "all branches of the inverse", 249,
              remark(equal(v, tan(turned) * u), words(r"k = 0, 1, \dots, n-1", "k=0,1,n-1")),
              extract="v _ = t a n α _ + 2 k π 2 n u _ , k = 0,1 , , n 1",
