@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles
-from derive.maps.families import Family, normal_rodrigues, rodrigues, sine
+from derive.maps.families import Family, rodrigues
 from derive.papers.numbers.every_order import EveryOrder
 from derive.proof.every_order import citing
 
@@ -16,7 +16,7 @@ from ...language import values
 from ...language.evaluation import Env
 from ...numbers.fields import UndefinedError, innermost
 from .motions import half_angle
-from .orders import as_vector, cayley, solution
+from .orders import cayley
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:
@@ -132,12 +132,6 @@ def scales(env: Env, n: Any, q: Quaternion, v: Vector) -> values.Solution:
     return values.Solution(lambda a: values.equal(env.field, values.Either(q, -q), modified(env, n, a, v)))
 
 
-def solutions(env: Env, n: Any, a: Any, q: Quaternion) -> values.Solution:
-    """Return the condition on v: the map (59) with this a takes v to ±q."""
-    either = values.Either(q, -q)
-    return values.Solution(lambda v: values.equal(env.field, either, modified(env, n, a, as_vector(env, v))))
-
-
 # ---- families ---------------------------------------------------------------------------------------------------
 
 
@@ -146,20 +140,12 @@ def member(family: Family) -> Callable[..., Vector]:
     return lambda env, alpha, u: family.vector(alpha, u, env.field)
 
 
-def rodrigues_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """Return ``tan(α/2n) u``: the vector of order 1 at α/n."""
-    return rodrigues(1).vector(values.divide(alpha, n), u, env.field)
+def at_fraction(family: Callable[[int], Family]) -> Callable[..., Vector]:
+    """Return the definition of the vector of a family's order 1 at α/n: ``tan(α/2n) u`` for `rodrigues`."""
+    return lambda env, n, alpha, u: family(1).vector(values.divide(alpha, n), u, env.field)
 
 
-def normal_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """Return ``2n tan(α/2n) u``."""
-    v: Vector = n * normal_rodrigues(1).vector(values.divide(alpha, n), u, env.field)
-    return v
-
-
-def sine_vector(env: Env, n: Any, alpha: Any, u: Vector) -> Vector:
-    """Return ``sin(α/2n) u``."""
-    return sine(1).vector(values.divide(alpha, n), u, env.field)
+rodrigues_vector = at_fraction(rodrigues)
 
 
 def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
@@ -178,11 +164,6 @@ def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
     return lambda env, n: lambda length: at(env, n, length)[which]
 
 
-def composed(env: Env, n: int, v2: Vector, v1: Vector) -> values.Solution:
-    """Return the condition on v: at order n, it represents the displacement v₁ followed by v₂."""
-    return solution(env, n, cayley(env, n, v2) * cayley(env, n, v1))
-
-
 def translation(env: Env, q: Quaternion) -> bool:
     """Return whether a displacement is a pure translation, the identity included."""
     return values.equal(env.field, q.vector.re, 0 * q.vector.re)
@@ -192,11 +173,6 @@ def rotation(env: Env, q: Quaternion) -> bool:
     """Return whether a displacement is a pure rotation or the identity: ``cos α/2`` and ``|sin α/2|`` are real."""
     parts = (q.scalar, env.field.magnitude(q.vector))
     return all(values.equal(env.field, dual_part(part), 0) for part in parts)
-
-
-def screw(env: Env, q: Quaternion) -> bool:
-    """Return whether a displacement is neither a translation nor a rotation."""
-    return not translation(env, q) and not rotation(env, q)
 
 
 def _pole(a: Any) -> Any:

@@ -18,16 +18,6 @@ Frame = Callable[[int], Vector]
 # ---- dual numbers ---------------------------------------------------------------------------------------------------
 
 
-def sign(env: Env) -> Callable[[Any], Any]:
-    """Return the function ``sgn``."""
-    return lambda x: x / abs(x) if x != 0 else 0
-
-
-def multiplies_singularly(env: Env, a: Any) -> bool:
-    """Return whether the map ``b -> a b``, with matrix [[a, 0], [a°, a]] on the parts of b, has a nonzero kernel."""
-    return bool(env.field.same(real_part(a) ** 2, 0))
-
-
 def multiplies_onto(env: Env, a: Any) -> bool:
     """Return whether some multiple of a is 1."""
     try:
@@ -88,11 +78,6 @@ def on_line(env: Env, a: Vector) -> values.Solution:
     return values.Solution(lambda point: values.equal(env.field, point.cross(axis.re), axis.du))
 
 
-def on_free_line(env: Env, a0: Vector, through: Vector) -> values.Solution:
-    """Return the condition on a point: it lies on the line through `through` along a⁰."""
-    return values.Solution(lambda point: values.equal(env.field, (point - through).cross(a0), 0 * a0))
-
-
 # ---- dual tensors ---------------------------------------------------------------------------------------------------
 
 
@@ -102,14 +87,9 @@ def frame(env: Env, q: Quaternion) -> Callable[[int], Vector]:
     return lambda k: turned @ Vector(*(int(k == j) for j in (1, 2, 3)))
 
 
-def matrix_of_dyad(env: Env, a: Vector, b: Vector, frame: Frame) -> Tensor:
-    """Return the matrix ``e_j · T e_k`` of the map T: ``v -> (v · b) a``."""
-    return Tensor.from_entries(frame(j).dot(frame(k).dot(b) * a) for j in (1, 2, 3) for k in (1, 2, 3))
-
-
-def matrix_of_cross(env: Env, a: Vector, frame: Frame) -> Tensor:
-    """Return the matrix ``e_j · (a × e_k)``."""
-    return Tensor.from_entries(frame(j).dot(a.cross(frame(k))) for j in (1, 2, 3) for k in (1, 2, 3))
+def matrix(frame: Frame, image: Callable[[Vector], Vector]) -> Tensor:
+    """Return the matrix ``e_j · T e_k`` of a linear map T."""
+    return Tensor.from_entries(frame(j).dot(image(frame(k))) for j in (1, 2, 3) for k in (1, 2, 3))
 
 
 def axial(env: Env, a: Tensor) -> Vector:

@@ -45,10 +45,10 @@ def preimage(env: Env, n: Any, alpha: Any, u: Vector) -> values.Solution:
     return solution(env, n, screw_quaternion(env, alpha, u))
 
 
-def solution(env: Env, n: Any, target: Quaternion) -> values.Solution:
-    """Return the condition on v: the Cayley map of order n takes it to the target or its negative."""
+def solution(env: Env, n: Any, target: Quaternion, a: Any = 1) -> values.Solution:
+    """Return the condition on v: the Cayley map of order n takes v/a to the target or its negative."""
     either_sign = values.Either(target, -target)
-    return values.Solution(lambda v: values.equal(env.field, either_sign, cayley(env, n, as_vector(env, v))))
+    return values.Solution(lambda v: values.equal(env.field, either_sign, cayley(env, n, as_vector(env, v) / a)))
 
 
 def as_vector(env: Env, a: Vector | Quaternion) -> Vector:

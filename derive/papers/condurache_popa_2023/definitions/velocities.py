@@ -8,17 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector, real_part
+from derive.algebra import Dual, Tensor, Vector
 from derive.maps import first_principles
-from derive.maps.exponential import tensor_exponential
 from derive.maps.lines import line_through
 from derive.maps.pose import pose_from_tensor
 
 from ...language import values
-from ...language.definitions import screw_tensor
 from ...language.evaluation import Env
-from ...language.terms import Symbol
-from ...numbers.draw import Draw
 from ...numbers.fields import innermost
 from .motions import AXES
 
@@ -44,20 +40,10 @@ def body_twist(env: Env, R: Tensor) -> Vector:
     return first_principles.body_twist(R, env.rate(R))
 
 
-def _moves_lines(env: Env, R: Tensor, operator: Callable[[Vector], Vector]) -> bool:
+def moves_lines(env: Env, R: Tensor, operator: Callable[[Vector], Vector]) -> bool:
     """Return whether an operator gives the rates of three body-fixed lines."""
     lines = [R @ axis for axis in AXES]
     return all(values.equal(env.field, env.now(operator(line)), env.now(env.rate(line))) for line in lines)
-
-
-def velocity_operator(env: Env, R: Tensor) -> values.Solution:
-    """Return the condition on a tensor Φ: ``l̇ = Φ l`` for all body-fixed lines."""
-    return values.Solution(lambda T: _moves_lines(env, R, lambda line: T @ line))
-
-
-def angular_velocity(env: Env, R: Tensor) -> values.Solution:
-    """Return the condition on ω: ``l̇ = ω × l`` for all body-fixed lines."""
-    return values.Solution(lambda w: _moves_lines(env, R, lambda line: w.cross(line)))
 
 
 def moved_line(env: Env, R: Tensor, point: Vector, along: Vector) -> Vector:
@@ -71,38 +57,11 @@ def rotation_part(env: Env, R: Tensor) -> Tensor:
     return R.map(lambda c: Dual(c.re, 0 * c.re))
 
 
-def displacement_part(env: Env, R: Tensor) -> Vector:
-    """Return the displacement ρ in ``R = (I + ε ρ̃) Q``."""
-    du = R.map(lambda c: Dual(c.du, 0 * c.du))
-    rho: Vector = (du @ rotation_part(env, R).transpose).vect()
-    return rho
-
-
 def velocity_at_origin(env: Env, Q: Tensor, rho: Vector) -> Vector:
     """Return the velocity of the body point at the origin; its body coordinates are ``−Qᵀρ``."""
     body_point = at_rest(env, -(Q.transpose @ rho))
     velocity: Vector = env.rate(Q @ body_point + rho)
     return velocity
-
-
-def not_orthogonal(R: Symbol, omega: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Return a point where ``Ṙ = skew(ω) R`` although R is not orthogonal."""
-
-    def moving(value: Any, rate: Any) -> Dual:
-        return Dual(Dual(value, rate), Dual(0 * value, 0 * value))
-
-    def point(draw: Draw) -> dict[str, dict[Symbol, Any]]:
-        T = Tensor.from_entries(draw.number(draw.signed()).re.re for _ in range(9))
-        w = Vector(draw.signed(), draw.signed(), draw.signed())
-        start = Tensor.from_entries(moving(a, b) for a, b in zip(T, Tensor.skew(w) @ T, strict=True))
-        return {"R not orthogonal": {R: start, omega: w.map(lambda c: moving(c, 0 * c))}}
-
-    return point
-
-
-def axis_operator(env: Env, alpha: Any, u: Vector) -> Tensor:
-    """Return the operator Θ that maps the twist to u̇."""
-    return first_principles.axis_rates(lambda a, w: screw_tensor(env, a, w), env.now(alpha), env.now(u))
 
 
 def half_sine(env: Env, alpha: Any) -> Any:
@@ -113,11 +72,6 @@ def half_sine(env: Env, alpha: Any) -> Any:
 def sinc(env: Env) -> Callable[[Any], Any]:
     """Return the function ``(sin α)/α``, with value 1 and slope 0 at α = 0."""
     return lambda a: 1 + 0 * a if innermost(a) == 0 else values.divide(env.field.sin(a), a)
-
-
-def half_sinc(env: Env, alpha: Any) -> Any:
-    """Return the current value of ``sinc(α/2)``; sinc is even, so |α| gives the same value."""
-    return sinc(env)(values.divide(env.now(alpha), 2))
 
 
 def sinc_by_series(env: Env) -> Callable[[Any], Any]:
@@ -131,13 +85,3 @@ def sinc_by_series(env: Env) -> Callable[[Any], Any]:
         return total
 
     return series
-
-
-def dexp(env: Env, a: Vector) -> Tensor:
-    """Return the operator dexp of ω = dexp ȧ, from ω = vect(Ṙ Rᵀ) with ``R = exp(skew(a))`` by differentiation."""
-    return first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a))
-
-
-def is_invertible(env: Env, T: Tensor) -> bool:
-    """Return whether a tensor has an inverse."""
-    return not env.field.same(innermost(real_part(T.det())), 0)

@@ -1,5 +1,7 @@
 """Section 2.1, dual numbers: lines 46-52."""
 
+from derive.algebra import real_part
+
 from ..definitions import dual_algebra
 from . import *
 
@@ -16,10 +18,11 @@ prime = define("derivative", "{0}'", "{0}'", ATOM, (ATOM,), lambda env, function
 
 
 PARTS = (
-    let(a_, from_parts, a, a0), let(b_, from_parts, b, b0), let(sgn, dual_algebra.sign),
-    let(angle_, from_parts, angle, a0),
+    let(a_, from_parts, a, a0), let(b_, from_parts, b, b0), let(angle_, from_parts, angle, a0),
+    let(sgn, lambda env: lambda x: x / abs(x) if x != 0 else 0),
 )
-ZERO = (let(divides_zero, dual_algebra.multiplies_singularly, a_), let(invertible, dual_algebra.multiplies_onto, a_))
+ZERO = (let(divides_zero, lambda env, a: env.field.same(real_part(a) ** 2, 0), a_),
+        let(invertible, dual_algebra.multiplies_onto, a_))
 
 ENTRIES = (
     equation("1", "dual numbers", 47,

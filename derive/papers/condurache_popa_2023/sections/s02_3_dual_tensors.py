@@ -89,11 +89,12 @@ ENTRIES = (
              extract="a _ = i = 1 3 a _ i e _ i", where=FRAME),
     equation("dyad-matrix", "matrix of a dyad", 86, equal(dyad_matrix, column_row(columns["a"], columns["b"])),
              extract="a _ b _ = a _ b _ T",
-             where=(*FRAME, let(dyad_matrix, dual_algebra.matrix_of_dyad, a_, b_, frame))),
+             where=(*FRAME, let(dyad_matrix, plain(
+                 lambda a, b, frame: dual_algebra.matrix(frame, lambda e: e.dot(b) * a)), a_, b_, frame))),
     equation("skew-matrix", "matrix of a skew-symmetric tensor", 86,
              (Reading(equal(a_tilde, rows(0, -a3, a2, a3, 0, -a1, -a2, a1, 0)), "minus at the entries 12, 23, 31"),
               Reading(equal(a_tilde, rows(0, a3, -a2, -a3, 0, a1, a2, -a1, 0)), "minus at the entries 13, 21, 32")),
              extract="a ~ _ = 0 _ a _ 3 a _ 2 a _ 3 0 _ a _ 1 a _ 2 a _ 1 0 _",
-             where=(*FRAME, let(a_tilde, dual_algebra.matrix_of_cross, a_, frame)),
+             where=(*FRAME, let(a_tilde, plain(lambda a, frame: dual_algebra.matrix(frame, a.cross)), a_, frame)),
              remark="Both are skew-symmetric; which entries carry the lost minus signs, the text does not show."),
 )

@@ -1,5 +1,10 @@
 """Section 5, exponential and first-order Cayley transform of orthogonal dual tensors: lines 149-181."""
 
+from typing import Any
+
+from derive.algebra import real_part
+from derive.maps.pose import pose_from_tensor
+
 from ..definitions import dual_algebra, low_orders, motions, orders
 from . import *
 
@@ -35,13 +40,13 @@ commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LI
                     lambda env, s, t: s @ t - t @ s)
 
 EULER = (let(a, multiple, alpha, u),)
-EXP = (let(exp_map, low_orders.exponential_map),)
+EXP = (let(exp_map, lambda env: values.Map(lambda a: motions.exponential(env, a),
+                                           lambda R: [low_orders.logarithm(env, R)])),)
 CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, low_orders.cayley_map))
-TYPES = low_orders.displacement_types(rotates, translates, general)
-EULER_KINDS = (let(R, motions.exponential, a), *(let(p, f, R) for p, f in TYPES))
-OF_V = (let(R, orders.at_order(1, orders.rotation), v), *(let(p, f, R) for p, f in TYPES),
-        let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
-        let(v_du, dual_of, v))
+TYPES = (let(rotates, lambda env, R: fixes_a_point(env, pose_from_tensor(R)), R),
+         let(translates, lambda env, R: fixes_directions(env, pose_from_tensor(R)), R),
+         let(general, lambda env, R: is_general(env, pose_from_tensor(R)), R))
+EULER_KINDS = (let(R, motions.exponential, a), *TYPES)
 AXIS = (let(angle, lambda env, v: 2 * env.field.atan(env.field.magnitude(v)), v), let(axis, dual_algebra.one_axis, v))
 
 
@@ -82,7 +87,8 @@ ALGEBRA = (
              claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a)))), stated=(157, "α 0 and α · α 0 = 0")),
     equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
              where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
-                    let(below, low_orders.is_below_half_turn, alpha)), claimed=below,
+                    let(below, lambda env, alpha: not env.field.ordered
+                        or abs(real_part(alpha)) < env.field.pi, alpha)), claimed=below,
              stated=(157, "if α < π")),
 )
 
@@ -125,16 +131,36 @@ CAYLEY = (
              where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
 )
 
-projector = Q + transpose(Q) + (1 - trace(Q)) * I
-COROLLARY = (
-    equation("corollary-1-rotation", "when the Cayley transform is a pure rotation", 180,
-             iff(rotates, zero(Du(norm(v)))), where=OF_V, also=low_orders.real_magnitude(v),
-             because=equal(projector * rho, 8 * dot(v_re, v_du) / (1 + norm(v_re) ** 2) ** 2 * v_re),
-             remark="The supporting identity: 2 (1 − cos α) d u, d the translation along the axis."),
-    equation("corollary-1-translation", "when it is a pure translation", 180,
-             implies(zero(Re(norm(v))), translates), where=OF_V, also=low_orders.unit_magnitude(v)),
-    equation("corollary-1-general", "in all other cases it is neither", 180,
-             implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=OF_V),
+
+def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+    """Return a point where |v| is real although v is dual."""
+    re, across = draw.vector().re, draw.vector().re
+    return {"|v| real, v dual": {v: values.dualise(re, re.cross(across))}}
+
+
+def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Equation, ...]:
+    """Return entries on when the Cayley transform of an order is a rotation, a translation, or neither.
+
+    `slope` is the vector ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` divided by ``v · v⁰ v``.
+    """
+    where = (let(R, orders.at_order(order, orders.rotation), v), *TYPES, let(Q, motions.rotation_of, R),
+             let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
+    return (
+        equation(f"corollary-{number}-rotation", f"when the {name} is a pure rotation", line,
+                 iff(rotates, zero(Du(norm(v)))), where=where, also=real_magnitude,
+                 because=equal((Q + transpose(Q) + (1 - trace(Q)) * I) * rho, slope * dot(v_re, v_du) * v_re),
+                 remark="The supporting identity: 2 (1 − cos α) d u, d the translation along the axis."),
+        equation(f"corollary-{number}-translation", "when it is a pure translation", line,
+                 implies(zero(Re(norm(v))), translates), where=where,
+                 also=lambda draw: {"|v| = 1": {v: draw.unit()}}),
+        equation(f"corollary-{number}-general", "in all other cases it is neither", line,
+                 implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
+    )
+
+
+size = 1 + norm(v_re) ** 2
+RODRIGUES = (
+    *corollary(1, 180, 1, "Cayley transform", Number(8) / size**2),
     equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
              extract="c a y b ~ _ = R _",
              where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
@@ -147,4 +173,4 @@ COROLLARY = (
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
 )
 
-ENTRIES = (*ALGEBRA, *CAYLEY, *COROLLARY)
+ENTRIES = (*ALGEBRA, *CAYLEY, *RODRIGUES)

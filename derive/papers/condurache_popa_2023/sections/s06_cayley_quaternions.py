@@ -1,15 +1,21 @@
 """Section 6, Cayley transforms for unit dual quaternions: lines 184-226."""
 
-from ..definitions import low_orders, motions, orders
+from typing import Any
+
+import mpmath
+
+from derive.algebra import real_part
+
+from ..definitions import motions
+from ..definitions.low_orders import composed, preimage, quaternion_map
+from ..definitions.orders import at_order, cayley
 from . import *
 from .s04_dual_quaternions import scalar
+from .s05_cayley_tensors import cay, cay_map, corollary, k, size, x
 
-x = norm(v) ** 2
 q = quaternion("q")
 q0 = Symbol("q scalar", "dual number", r"\underline{q}", "q")
-cay = Symbol("cay", "function", r"\mathrm{cay}", "cay")
 cay_half = Symbol("cay½", "function", r"\mathrm{cay}_{1/2}", "cay12")
-cay_map = Symbol("cay map", "map", r"\mathrm{cay}", "cay")
 half_map = Symbol("cay½ map", "map", r"\mathrm{cay}_{1/2}", "cay12")
 sigma = Symbol("sigma", "dual vector", r"\underline{\boldsymbol{\sigma}}", "σ")
 sigma1, sigma2 = (
@@ -17,47 +23,28 @@ sigma1, sigma2 = (
 )
 b = vector("b")
 b1, b2 = (Symbol(f"b{i}", "dual vector", rf"\underline{{\mathbf{{b}}}}_{i}", f"b{i}") for i in (1, 2))
-k = Symbol("k", "index", "k", "k")
-Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
-R = Symbol("R", "orthogonal tensor", r"\underline{\mathbf{R}}", "R")
-rotates = proposition("pure rotation", "pure rotation")
-translates = proposition("pure translation", "pure translation")
-general = proposition("general displacement", "general rigid body displacement")
 
-CAY = (let(cay, lambda env: lambda v: orders.cayley(env, 2, v)), let(cay_map, low_orders.map_of_order(2)))
-HALF = (let(cay_half, lambda env: lambda v: orders.cayley(env, 1, v)), let(half_map, low_orders.map_of_order(1)))
+CAY = (let(cay, lambda env: lambda v: cayley(env, 2, v)), let(cay_map, at_order(2, quaternion_map)))
+HALF = (let(cay_half, lambda env: lambda v: cayley(env, 1, v)), let(half_map, at_order(1, quaternion_map)))
 SCALAR = (let(q0, scalar_part, q),)
 SCREW = (let(q, screw_quaternion, alpha, u),)
-COMPOSED = (let(q, low_orders.composed(2), sigma2, sigma1), let(sigma, low_orders.preimage(2), q))
+COMPOSED = (let(q, at_order(2, composed), sigma2, sigma1), let(sigma, at_order(2, preimage), q))
 no_full_turn = unequal(Re(alpha), 2 * k * pi, k)
 no_half_turn = remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ"))
-projector = Q + transpose(Q) + (1 - trace(Q)) * identity
 
 
-def corollary(number: int, line: int, order: int, slope: Term) -> tuple[Equation, ...]:
-    """Return entries on when the Cayley transform of an order is a rotation, a translation, or neither.
-
-    `slope` is the vector ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` divided by ``v · v⁰ v``.
-    """
-    types = low_orders.displacement_types(rotates, translates, general)
-    where = (let(R, orders.at_order(order, orders.rotation), v), *(let(p, f, R) for p, f in types),
-             let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R), let(v_re, real_of, v),
-             let(v_du, dual_of, v))
-    return (
-        equation(f"corollary-{number}-rotation", "when the transform is a pure rotation", line,
-                 iff(rotates, zero(Du(norm(v)))), where=where, also=low_orders.real_magnitude(v),
-                 because=equal(projector * rho, slope * dot(v_re, v_du) * v_re),
-                 remark="The supporting identity: 2 (1 − cos α) d u, d the translation along the axis."),
-        equation(f"corollary-{number}-translation", "when it is a pure translation", line,
-                 implies(zero(Re(norm(v))), translates), where=where, also=low_orders.unit_magnitude(v)),
-        equation(f"corollary-{number}-general", "in all other cases it is neither", line,
-                 implies(both(nonzero(Re(norm(v))), nonzero(Du(norm(v)))), general), where=where),
-    )
+def back_to_back(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+    """Return a point with two equal half turns at order 2, whose product is −1."""
+    return {"two half turns about one axis": dict.fromkeys((sigma1, sigma2), draw.unit())}
 
 
-size = 1 + norm(v_re) ** 2
+def to_a_half_turn(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+    """Return a point where b₁ · b₂ has real part 1, so that the product of the displacements is a half turn."""
+    first = draw.vector()
+    second = first / real_part(first.dot(first)) + values.dualise(0 * first.re, draw.vector().re)
+    return {"a half turn as the result": {b1: first, b2: second}}
+
+
 WHOLE = (
     equation("34", "Cayley transform of dual vectors", 188, equal(cay(v), (1 + v) * (1 - v) ** (-1)),
              extract="c a y v _ = 1 + v _ 1 v _ 1", where=CAY,
@@ -80,34 +67,34 @@ WHOLE = (
               Reading(equal(norm(1 + v), (1 + v) * (1 - v), 1 - v**2, 1 + x), "without roots")),
              extract="1 + v _ = 1 + v _ 1 v _ = 1 v _ 2 = 1 + v _ 2"),
     equation("cayley-quaternion-inverse", "inverse of the Cayley transform", 195, equal(v, (q - 1) / (q + 1)),
-             extract="v _ = q ^ _ 1 q _ ^ + 1", where=(let(v, low_orders.preimage(2), q),),
+             extract="v _ = q ^ _ 1 q _ ^ + 1", where=(let(v, at_order(2, preimage), q),),
              condition=nonzero(Re(q + 1))),
-    *corollary(2, 197, 2, Number(64) / size**3),
+    *corollary(2, 197, 2, "transform", Number(64) / size**3),
     equation("37", "unit dual quaternion by angle and axis", 199, equal(q, cos(alpha / 2) + u * sin(alpha / 2)),
              extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q, motions.lift, alpha, u),)),
     equation("38", "modified Rodrigues dual vector", 201, equal(sigma, tan(alpha / 4) * u),
-             extract="σ _ = t a n α _ 4 u _", where=(*SCREW, let(sigma, low_orders.preimage(2), q)),
+             extract="σ _ = t a n α _ 4 u _", where=(*SCREW, let(sigma, at_order(2, preimage), q)),
              claimed=no_full_turn, stated=(200, "for R e α _ 2 k π")),
     equation("38-domain", "where the modified Rodrigues dual vector exists", 200,
              iff(no_full_turn, defined(tan(alpha / 4) * u)),
              said="The results for R e α _ 2 k π",
              corrected=iff(unequal(Re(alpha), (4 * k + 2) * pi, k), defined(tan(alpha / 4) * u)),
-             also=low_orders.three_turns(alpha),
+             also=lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.pi)}},
              remark="Multiples of 4π are not singular: there the displacement is a translation and Re σ = 0."),
     equation("39", "composition of two displacements, n = 2", 205, equal(sigma, (q - 1) / (q + 1)),
              extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1)),
-             also=low_orders.back_to_back(sigma2, sigma1)),
+             also=back_to_back),
     equation("40", "the same by the two vectors", 207,
              equal(sigma, ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) - 1)
                    / ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) + 1)),
              extract="σ _ = 1 + σ _ 2 1 σ _ 2 1 + σ _ 1 1 σ _ 1 1 1 + σ _ 2 1 σ _ 2 1 + σ _ 1 1 σ _ 1 + 1",
-             where=COMPOSED, condition=nonzero(Re(q + 1)), also=low_orders.back_to_back(sigma2, sigma1)),
+             where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
     equation("41", "the same without quaternions", 209,
              equal(sigma, ((1 - norm(sigma2) ** 2) * sigma1 + (1 - norm(sigma1) ** 2) * sigma2
                            + 2 * cross(sigma2, sigma1))
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
-             where=COMPOSED, condition=nonzero(Re(q + 1)), also=low_orders.back_to_back(sigma2, sigma1)),
+             where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
 )
 
 HALVES = (
@@ -128,21 +115,21 @@ HALVES = (
     equation("cayley-half-well-defined", "its values are unit quaternions", 218,
              equal(norm(cay_half(v)), 1), extract="c a y 1 2 v _ = 1", where=HALF),
     equation("44", "inverse of the fractional Cayley transform", 220, equal(v, (q**2 - 1) / (q**2 + 1)),
-             extract="v _ = q ^ _ 2 1 q ^ _ 2 + 1", where=(let(v, low_orders.preimage(1), q), *SCALAR),
+             extract="v _ = q ^ _ 2 1 q ^ _ 2 + 1", where=(let(v, at_order(1, preimage), q), *SCALAR),
              condition=nonzero(Re(q0))),
     equation("44-screw", "the same by angle and axis", 221, equal(v, tan(alpha / 2) * u),
-             extract="v _ = t a n α _ 2 u _", where=(*SCREW, let(v, low_orders.preimage(1), q)), claimed=no_half_turn,
+             extract="v _ = t a n α _ 2 u _", where=(*SCREW, let(v, at_order(1, preimage), q)), claimed=no_half_turn,
              stated=(221, "R e α _ k π")),
     equation("44-domain", "where it exists", 221, iff(no_half_turn, defined(tan(alpha / 2) * u)),
              said="This dual vector is v _ = t a n α _ 2 u _ ,   R e α _ k π",
              corrected=iff(unequal(Re(alpha), (2 * k + 1) * pi, k), defined(tan(alpha / 2) * u)),
              remark="Only odd multiples of π are excluded."),
-    *corollary(3, 224, 1, Number(8) / size**2),
+    *corollary(3, 224, 1, "transform", Number(8) / size**2),
     equation("45", "composition of two displacements, n = 1", 226,
              equal(b, (b1 + b2 + cross(b2, b1)) / (1 - dot(b1, b2))),
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
-             where=(let(q, low_orders.composed(1), b2, b1), let(b, low_orders.preimage(1), q)),
-             condition=nonzero(Re(1 - dot(b1, b2))), also=low_orders.to_a_half_turn(b1, b2)),
+             where=(let(q, at_order(1, composed), b2, b1), let(b, at_order(1, preimage), q)),
+             condition=nonzero(Re(1 - dot(b1, b2))), also=to_a_half_turn),
 )
 
 ENTRIES = (*WHOLE, *HALVES)

@@ -1,5 +1,7 @@
 """Symbols of section 7 for a general order n."""
 
+from typing import Any
+
 from ..definitions import cayley_maps, orders
 from . import *
 
@@ -35,6 +37,11 @@ SCREW_OF_V = (
 def finite(angle: Term) -> Term:
     """Return the condition for a finite tangent of an angle."""
     return nonzero(Re(cos(angle)))
+
+
+def rotation_by(length: Term, power: Any, skew_of_w: Term) -> Any:
+    """Return the tensor of (57) at a vector w, from its magnitude, ``(1 + |w|²)ⁿ`` and its skew-symmetric tensor."""
+    return I + 2 * p(length) * q(length) / power * skew_of_w + 2 * (q**2)(length) / power * skew_of_w**2
 
 
 def full_turns(draw: Draw) -> dict[str, dict[Symbol, object]]:

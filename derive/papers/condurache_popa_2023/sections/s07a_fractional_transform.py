@@ -52,7 +52,8 @@ COEFFICIENTS = (
 )
 TYPES = (
     let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
-    let(is_translation, cayley_maps.translation, q_hat), let(is_screw, cayley_maps.screw, q_hat), *POLYNOMIALS,
+    let(is_translation, cayley_maps.translation, q_hat), *POLYNOMIALS,
+    let(is_screw, lambda env, q: not cayley_maps.rotation(env, q) and not cayley_maps.translation(env, q), q_hat),
 )
 
 
@@ -135,22 +136,23 @@ FRACTIONAL = (
              remark="At Re α = nπ the shadow k = 1 is −cot(π/n) u; order 1 has no shadow."),
 )
 
-BY_INDUCTION = (*CAYLEY, let(by_induction, cayley_maps.proved(51, 52, 53)))
+PROVED = let(by_induction, cayley_maps.proved(51, 52, 53))
+BY_INDUCTION = (*CAYLEY, PROVED)
+p_by_binomials = equal(p(X), summation(
+    index, 0, floor_over(n, 2), (-Number(1))**index * binomial(n, 2 * index) * X**(2 * index)))
+q_by_binomials = equal(q(X), summation(
+    index, 0, floor_over(n - 1, 2), (-Number(1))**index * binomial(n, 2 * index + 1) * X**(2 * index)))
 POLYNOMIAL = (
     equation("50", "unit dual quaternion of order n", 254,
              equal(pm(q_hat), 1 / root((1 + x)**n) * (p(norm(v)) + q(norm(v)) * v)),
              extract="± q ^ _ = 1 1 + v _ 2 n p n v _ + q n v _ v _", where=BY_INDUCTION, because=by_induction,
              remark="For every n it is (53) with (51) and (52), the supporting theorems."),
-    equation("51", "p_n by binomial coefficients", 256,
-             equal(p(X), summation(index, 0, floor_over(n, 2), (-Number(1))**index * binomial(n, 2 * index)
-                                   * X**(2 * index))),
-             extract="p n X = k = 0 n / 2 1 k n 2 k X 2 k", where=(*POLYNOMIALS,
-             let(by_induction, cayley_maps.proved(51, 52, 53))), because=by_induction, remark=FOR_EVERY_N),
-    equation("52", "q_n by binomial coefficients", 257,
-             equal(q(X), summation(index, 0, floor_over(n - 1, 2), (-Number(1))**index * binomial(n, 2 * index + 1)
-                                   * X**(2 * index))),
-             extract="q n X = k = 0 n 1 / 2 1 k n 2 k + 1 X 2 k", where=(*POLYNOMIALS,
-             let(by_induction, cayley_maps.proved(51, 52, 53))), because=by_induction, remark=FOR_EVERY_N),
+    equation("51", "p_n by binomial coefficients", 256, p_by_binomials,
+             extract="p n X = k = 0 n / 2 1 k n 2 k X 2 k", where=BY_INDUCTION,
+             because=by_induction, remark=FOR_EVERY_N),
+    equation("52", "q_n by binomial coefficients", 257, q_by_binomials,
+             extract="q n X = k = 0 n 1 / 2 1 k n 2 k + 1 X 2 k", where=BY_INDUCTION,
+             because=by_induction, remark=FOR_EVERY_N),
     equation("theorem-13-proof", "the transform with its sign", 260,
              equal(pm(q_hat), (1 + v)**(n / 2) * (1 - v)**(-(n / 2))),
              extract="± q ^ _ = 1 _ + v _ n 2 1 _ v _ n 2", where=CAYLEY,
@@ -159,8 +161,8 @@ POLYNOMIAL = (
              equal(pm(q_hat), (1 + v)**n / root((1 + x)**n),
                    1 / root((1 + x)**n) * summation(index, 0, n, binomial(n, index) * v**index)),
              extract="± q ^ _ = 1 _ + v _ n 1 _ + v _ 2 n = 1 1 _ + v _ 2 n k = 0 n n k v _ k",
-             where=BY_INDUCTION, because=by_induction,
-             remark=FOR_EVERY_N),
+             where=BY_INDUCTION,
+             because=by_induction, remark=FOR_EVERY_N),
     equation("54", "powers of a dual vector as quaternion", 263,
              equal(v**exponent, cases((norm(v)**(4 * power), equal(exponent, 4 * power)),
                                       (norm(v)**(4 * power) * v, equal(exponent, 4 * power + 1)),
@@ -183,7 +185,7 @@ POLYNOMIAL = (
              remark="Contradicts (52): q₂ would be 2q₁ = 2 by chance, and q₃ would be 4.",
              corrected=step),
     equation("57", "orthogonal dual tensor of order n", 279,
-             equal(R, I + 2 * p(norm(v)) * q(norm(v)) / (1 + x)**n * V + 2 * (q**2)(norm(v)) / (1 + x)**n * V**2),
+             equal(R, rotation_by(norm(v), (1 + x)**n, V)),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),
 )
 
@@ -193,7 +195,8 @@ COMPOSITION = (
     equation("58", "composition of two displacements of order n", 287,
              equal(v_composed, (product - 1) / (product + 1)),
              extract="v _ = 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 n 2 2 n 1 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 "
-             "n 2 2 n + 1", where=(let(v_composed, cayley_maps.composed, n, v_2, v_1),),
+             "n 2 2 n + 1", where=(let(v_composed, lambda env, n, second, first: orders.solution(
+                 env, n, orders.cayley(env, n, second) * orders.cayley(env, n, first)), n, v_2, v_1),),
              condition=nonzero(Re(product + 1)), also=opposite_axes,
              remark="Executed with principal roots; the other roots give shadows. Roots of products of two general "
              "quaternions leave every exact field at hand."),

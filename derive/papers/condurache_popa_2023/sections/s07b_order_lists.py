@@ -80,13 +80,14 @@ QUATERNIONS = (
 )
 
 v_k = vector("v_k", "v", "v")
-p_k, q_k, power_k = p(norm(v_k)), q(norm(v_k)), (1 + norm(v_k)**2)**n
+power_k = (1 + norm(v_k)**2)**n
 ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
 SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
-             equal(pm(q_hat), 1 / root(power_k) * (p_k + q_k * v_k)), where=ON_BRANCH, condition=finite(turned)),
+             equal(pm(q_hat), 1 / root(power_k) * (p(norm(v_k)) + q(norm(v_k)) * v_k)), where=ON_BRANCH,
+             condition=finite(turned)),
     equation("tensor-shadows", "so do the tensors", 276,
-             equal(R, I + 2 * p_k * q_k / power_k * skew(v_k) + 2 * (q**2)(norm(v_k)) / power_k * skew(v_k)**2),
+             equal(R, rotation_by(norm(v_k), power_k, skew(v_k))),
              where=ON_BRANCH, condition=finite(turned)),
 )
 

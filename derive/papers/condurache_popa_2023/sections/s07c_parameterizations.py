@@ -1,9 +1,9 @@
 """Section 7, vectorial parameterizations v = φ(α) u with a factor a(v): lines 288-316."""
 
-from ..definitions import cayley_maps
+from ..definitions import cayley_maps, orders
 from . import *
 from .s07_general_order import *
-from .s07a_fractional_transform import FOR_EVERY_N, by_induction, index, target, turned
+from .s07a_fractional_transform import FOR_EVERY_N, PROVED, by_induction, p_by_binomials, q_by_binomials, target, turned
 
 caym = Symbol("caym_{n/2}", "function", r"\mathrm{caym}_{\frac{n}{2}}", "caymn2")
 caym_v = Symbol("caym_{n/2}(v)", "quaternion", r"\mathrm{caym}_{\frac{n}{2}} \underline{\mathbf{v}}", "caymn2v")
@@ -20,7 +20,7 @@ MODIFIED = (
     *FACTOR, *POLYNOMIALS, let(caym_v, cayley_maps.modified, n, a_value, v),
     let(caym, cayley_maps.function_of(cayley_maps.modified_root), n, a_value, v),
     let(q_of, cayley_maps.function_of(cayley_maps.modified), n, a_value, v),
-    let(R, cayley_maps.modified_tensor, n, a_value, v), let(by_induction, cayley_maps.proved(51, 52, 53)),
+    let(R, cayley_maps.modified_tensor, n, a_value, v), PROVED,
 )
 
 THEOREM_15 = (
@@ -40,14 +40,14 @@ THEOREM_15 = (
              remark(equal(v_of_q(q_hat), a(v) * tan(turned) * u), words(r"k = 0, 1, \dots, n-1", "k=0,1,n-1")),
              extract="v _ q _ ^ = a v _ t a n α _ + 2 k π 2 n u _ , k = 0,1 , , n 1",
              where=(let(q_hat, screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
-                    let(v, cayley_maps.solutions, n, a_value, q_hat),
-                    let(v_of_q, cayley_maps.function_of(cayley_maps.solutions), n, a_value, q_hat)),
+                    let(v, orders.solution, n, q_hat, a_value),
+                    let(v_of_q, cayley_maps.function_of(orders.solution), n, q_hat, a_value)),
              condition=finite(turned)),
     equation("theorem-15-branches", "the inverse has n branches for every a(v)", 297,
              equal(preimage_count(caym_map, q_hat) + preimage_count(caym_map, -q_hat), n),
              where=(let(q_hat, screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(caym_map, cayley_maps.cayley_function_of_growing_scale, n),
-                    let(v, cayley_maps.solutions, n, a_value, q_hat)),
+                    let(v, orders.solution, n, q_hat, a_value)),
              condition=finite(turned), said="the inverse of the mapping Equation (59) contains n branches",
              corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
@@ -87,23 +87,16 @@ THEOREM_17 = (
              corrected=equal(pm(q_of(v)), 1 / root((1 + xw)**n) * (p(norm(w)) + q(norm(w)) * w)),
              remark="With w = v/a(v)."),
     equation("vector-w", "the vector w", 308, equal(w, v / a(v)), extract="w _ = v _ a v _", where=FACTOR),
-    equation("63", "p_n by binomial coefficients, again", 309,
-             equal(p(X), summation(index, 0, floor_over(n, 2), (-Number(1))**index * binomial(n, 2 * index)
-                                   * X**(2 * index))),
-             extract="p n X = k = 0 n / 2 1 k n 2 k X 2 k", where=MODIFIED, because=by_induction,
-             remark=FOR_EVERY_N),
-    equation("64", "q_n by binomial coefficients, again", 310,
-             equal(q(X), summation(index, 0, floor_over(n - 1, 2), (-Number(1))**index * binomial(n, 2 * index + 1)
-                                   * X**(2 * index))),
-             extract="q n X = k = 0 n 1 / 2 1 k n 2 k + 1 X 2 k", where=MODIFIED, because=by_induction,
-             remark=FOR_EVERY_N),
+    equation("63", "p_n by binomial coefficients, again", 309, p_by_binomials,
+             extract="p n X = k = 0 n / 2 1 k n 2 k X 2 k", where=MODIFIED,
+             because=by_induction, remark=FOR_EVERY_N),
+    equation("64", "q_n by binomial coefficients, again", 310, q_by_binomials,
+             extract="q n X = k = 0 n 1 / 2 1 k n 2 k + 1 X 2 k", where=MODIFIED,
+             because=by_induction, remark=FOR_EVERY_N),
     equation("65", "orthogonal dual tensor of a vectorial parameterization", 314,
-             equal(R, I + 2 * p(norm(w)) * q(norm(w)) / (1 + xw)**n * V + 2 * (q**2)(norm(w)) / (1 + xw)**n * V**2),
+             equal(R, rotation_by(norm(w), (1 + xw)**n, V)),
              extract="R _ = I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2",
-             where=MODIFIED,
-             corrected=equal(R, I + 2 * p(norm(w)) * q(norm(w)) / (1 + xw)**n * W
-                             + 2 * (q**2)(norm(w)) / (1 + xw)**n * W**2),
-             remark="With w = v/a(v)."),
+             where=MODIFIED, corrected=equal(R, rotation_by(norm(w), (1 + xw)**n, W)), remark="With w = v/a(v)."),
 )
 
 ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from derive.maps.families import breusing, lambert, orthographic
+from derive.maps.families import breusing, lambert, normal_rodrigues, orthographic, sine
 
 from ..definitions import cayley_maps, orders
 from . import *
@@ -26,11 +26,10 @@ def family(definition: Callable[..., Any], order: Definition | None) -> tuple[De
             let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)
 
 
-NORMAL = (*SCREW, *family(cayley_maps.normal_vector, None), let(w, cayley_maps.rodrigues_vector, n, alpha, u),
-          let(alpha_vector, multiple, alpha, u))
-pw, qw, qw2, power = p(norm(w)), q(norm(w)), (q**2)(norm(w)), (1 + xw) ** n
-R_by_w = I + 2 * pw * qw / power * V + 2 * qw2 / power * V**2
-R_corrected = I + 2 * pw * qw / power * W + 2 * qw2 / power * W**2
+NORMAL = (*SCREW, *family(lambda env, n, *screw: n * cayley_maps.at_fraction(normal_rodrigues)(env, n, *screw), None),
+          let(w, cayley_maps.rodrigues_vector, n, alpha, u), let(alpha_vector, multiple, alpha, u))
+pw, qw, power = p(norm(w)), q(norm(w)), (1 + xw) ** n
+R_by_w, R_corrected = rotation_by(norm(w), power, V), rotation_by(norm(w), power, W)
 reachable = finite(alpha / (2 * n))
 
 FIRST = (
@@ -117,7 +116,7 @@ FOURTH = (
 )
 
 SINES = (
-    *family(cayley_maps.sine_vector, None), let(P, cayley_maps.powers(0), n), let(Q, cayley_maps.powers(1), n),
+    *family(cayley_maps.at_fraction(sine), None), let(P, cayley_maps.powers(0), n), let(Q, cayley_maps.powers(1), n),
 )
 FIFTH = (
     equation("sine-vector", "sine family and its factor", 337,

@@ -1,12 +1,13 @@
 """Section 7, references to wrong equation numbers: lines 243, 253, 304 and 313."""
 
-from ..definitions.references import displays
 from . import *
 from . import s06_cayley_quaternions, s07a_fractional_transform, s07c_parameterizations
 from .s07_general_order import q_of
 from .s07a_fractional_transform import turned
 
-KNOWN = (*s06_cayley_quaternions.ENTRIES, *s07a_fractional_transform.ENTRIES, *s07c_parameterizations.ENTRIES)
+PRINTED = {entry.number: entry.readings[0].statement for section in (
+    s06_cayley_quaternions, s07a_fractional_transform, s07c_parameterizations) for entry in section.ENTRIES}
+"""Statements by equation number."""
 
 
 def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
@@ -14,7 +15,8 @@ def reference(slug: str, said: str, line: int, named: int, meant: int, part: Ter
     wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)
     )
-    where = (let(wrong, displays(KNOWN, str(named), part)), let(right, displays(KNOWN, str(meant), part)))
+    where = (let(wrong, lambda env: part in walk(PRINTED[str(named)])),
+             let(right, lambda env: part in walk(PRINTED[str(meant)])))
     return equation(slug, "an equation by its number", line, wrong, where=where, said=said, corrected=right,
                     remark=remark)
 

@@ -1,6 +1,10 @@
 """Section 8, motion by tensors, quaternions and natural invariants: lines 342-387."""
 
-from derive.algebra import Tensor
+from functools import partial
+from typing import Any
+
+from derive.algebra import Dual, Tensor, Vector
+from derive.maps import first_principles
 from derive.maps.lines import line_through
 
 from ..definitions import velocities
@@ -28,18 +32,33 @@ at_start = Symbol("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline
 Theta = Symbol("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
 half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
 
+ZERO = let(zero_tensor, lambda env: Tensor.identity() * 0)
 MOTION = (
     let(R, screw_tensor, alpha, u), let(q_hat, screw_quaternion, alpha, u), let(omega, velocities.twist, R),
     let(omega_B, velocities.body_twist, R), let(skew_B, skew_of, omega_B),
     let(line_0, velocities.at_rest, free_line), let(line, image, R, line_0),
-    let(zero_tensor, lambda env: Tensor.identity() * 0), let(Theta, velocities.axis_operator, alpha, u),
+    ZERO, let(Theta, lambda env, alpha, u: first_principles.axis_rates(
+        partial(screw_tensor, env), env.now(alpha), env.now(u)), alpha, u),
     let(half_sine, velocities.half_sine, alpha),
 )
 PARTS = (
     let(R, screw_tensor, alpha, u), let(omega, velocities.twist, R), let(Q, velocities.rotation_part, R),
-    let(rho, velocities.displacement_part, R), let(w_real, velocities.twist, Q),
-    let(v_real, velocities.velocity_at_origin, Q, rho),
+    let(rho, lambda env, R, Q: (R.map(lambda c: Dual(c.du, 0 * c.du)) @ Q.transpose).vect(), R, Q),
+    let(w_real, velocities.twist, Q), let(v_real, velocities.velocity_at_origin, Q, rho),
 )
+
+
+def not_orthogonal(draw: Draw) -> dict[str, dict[Symbol, Any]]:
+    """Return a point where ``Ṙ = skew(ω) R`` although R is not orthogonal."""
+
+    def moving(value: Any, rate: Any) -> Dual:
+        return Dual(Dual(value, rate), Dual(0 * value, 0 * value))
+
+    T = Tensor.from_entries(draw.number(draw.signed()).re.re for _ in range(9))
+    w = Vector(draw.signed(), draw.signed(), draw.signed())
+    start = Tensor.from_entries(moving(a, b) for a, b in zip(T, Tensor.skew(w) @ T, strict=True))
+    return {"R not orthogonal": {R: start, omega: w.map(lambda c: moving(c, 0 * c))}}
+
 
 VELOCITY = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
@@ -49,7 +68,8 @@ VELOCITY = (
     equation("67", "velocity of a line", 349, equal(rate(line), Phi * line), extract="l ˙ _ = Φ _ l _",
              where=(*MOTION, let(Phi, skew_of, omega)), moving=True),
     equation("68", "velocity dual tensor", 351, equal(Phi, rate(R) * transpose(R)), extract="Φ _ = R ˙ _ R _ T",
-             where=(*MOTION, let(Phi, velocities.velocity_operator, R)), moving=True),
+             where=(*MOTION, let(Phi, lambda env, R: values.Solution(
+                 lambda T: velocities.moves_lines(env, R, lambda line: T @ line)), R)), moving=True),
     equation("velocity-tensor-sum", "derivative of R Rᵀ = I", 352,
              equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor),
              extract="R ˙ _ R _ T + R _ R ˙ _ T = 0 _", where=MOTION, moving=True),
@@ -58,7 +78,8 @@ VELOCITY = (
              fixed_by="the same line: Ṙ Rᵀ + R Ṙᵀ = 0, to which it is said to be equivalent"),
     equation("dual-angular-velocity", "dual angular velocity", 353, equal(omega, vect(rate(R) * transpose(R))),
              extract="ω _ = v e c t R ˙ _ R _ T",
-             where=(let(R, screw_tensor, alpha, u), let(omega, velocities.angular_velocity, R)), moving=True),
+             where=(let(R, screw_tensor, alpha, u), let(omega, lambda env, R: values.Solution(
+                 lambda w: velocities.moves_lines(env, R, lambda line: w.cross(line))), R)), moving=True),
     equation("69", "dual and real parts of the spatial twist", 354, equal(omega, w_real + epsilon * v_real),
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
@@ -70,7 +91,7 @@ TENSOR = (
              extract="R ˙ _ = ω ~ _ R _", where=MOTION, moving=True),
     equation("theorem-19-unique", "the solution is unique", 358,
              equal(transpose(skew(omega) * other) * T + transpose(other) * (skew(omega) * T), zero_tensor),
-             where=(let(zero_tensor, lambda env: Tensor.identity() * 0),),
+             where=(ZERO,),
              remark="SᵀT of two solutions is constant, so that S = T if S is orthogonal and both start alike; a linear "
              "equation with a continuous ω has a solution."),
     equation("71", "derivative of R Rᵀ in the proof", 363,
@@ -78,13 +99,12 @@ TENSOR = (
                    skew(omega) * R * transpose(R) - R * transpose(R) * skew(omega), zero_tensor),
              extract="d d t R _ R _ T = R ˙ _ R _ T + R _ R ˙ _ T = ω ~ _ R _ R _ T R _ R _ T ω ~ _ = 0 _",
              where=MOTION, moving=True, condition=equal(R * transpose(R), identity),
-             also=velocities.not_orthogonal(R, omega),
+             also=not_orthogonal,
              remark="The last step uses R Rᵀ = I, which it is to prove. A proof: Z = R Rᵀ and Z = I solve the same "
              "linear problem, with derivative ω̃Z − Zω̃ and Z(t₀) = I."),
     equation("72", "R Rᵀ is constant", 365, equal(R * transpose(R), at_start, identity),
              extract="R _ R _ T = R _ R _ T t 0 = I _",
-             where=(let(at_start, plain(lambda R: R @ R.transpose), R_0),
-                    let(zero_tensor, lambda env: Tensor.identity() * 0)),
+             where=(let(at_start, plain(lambda R: R @ R.transpose), R_0), ZERO),
              because=equal(skew(omega) * identity - identity * skew(omega), zero_tensor),
              remark="By (71) Z = R Rᵀ solves Ż = ω̃Z − Zω̃ with Z(t₀) = I, and so does Z = I, the supporting identity; "
              "with a continuous ω a linear problem has one solution."),

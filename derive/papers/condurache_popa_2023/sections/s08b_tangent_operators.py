@@ -1,5 +1,10 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
+from derive.algebra import real_part
+from derive.maps import first_principles
+from derive.maps.exponential import tensor_exponential
+
+from ...numbers.fields import innermost
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
 from . import *
@@ -16,7 +21,6 @@ dexp_inv_T = Symbol("dexp⁻ᵀ", "tensor", r"\mathrm{dexp}_{\underline{\boldsym
 sinc = Symbol("sinc", "function", r"\operatorname{sinc}", "sinc")
 angle = dual("angle", r"\alpha", "α")
 invertible = proposition("invertible", r"$\mathrm{dexp}_{\underline{\boldsymbol{\alpha}}}$ has an inverse")
-half_sine = Symbol("sin α/2", "number", r"\sin\frac{\underline{\alpha}}{2}", "sin α/2")
 half_sinc = Symbol("sinc |α|/2", "number", r"\operatorname{sinc}\frac{|\underline{\boldsymbol{\alpha}}|}{2}", "sincα2")
 dcay = Symbol("dcay_n", "tensor", r"\mathrm{dcay}_n", "dcayn")
 dcay_inv = Symbol("dcay_n⁻¹", "tensor", r"\mathrm{dcay}_n^{-1}", "dcayn-1")
@@ -26,9 +30,12 @@ q_now = Symbol("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\righ
 TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R))
 EXPONENTIAL = (
     let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, velocities.sinc),
-    let(dexp, velocities.dexp, a), let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp),
-    let(dexp_inv_T, transpose_of, dexp_inv), let(invertible, velocities.is_invertible, dexp),
-    let(half_sine, velocities.half_sine, alpha), let(half_sinc, velocities.half_sinc, alpha),
+    let(dexp, lambda env, a: first_principles.tangent(
+        lambda w: tensor_exponential(w, env.field), env.now(a)), a),
+    let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp),
+    let(dexp_inv_T, transpose_of, dexp_inv),
+    let(invertible, lambda env, T: not env.field.same(innermost(real_part(T.det())), 0), dexp),
+    let(half_sinc, lambda env, alpha: velocities.sinc(env)(values.divide(env.now(alpha), 2)), alpha),
 )
 full_turn = nonzero(Re(half_sinc))
 

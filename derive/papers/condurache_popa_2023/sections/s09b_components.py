@@ -1,6 +1,5 @@
 """Section 9, components of the Rodrigues dual vector, and claims about (92)-(98): lines 457-465."""
 
-from ..definitions import low_orders
 from . import *
 from .s07_general_order import *
 from .s07b_order_lists import o1
@@ -12,7 +11,8 @@ b_re, b_du = (Symbol(f"b real{i}", "real vector", rf"\mathbf{{b}}{i}", f"b{i}") 
 u_re, u_du = (Symbol(f"u real{i}", "real vector", rf"\mathbf{{u}}{i}", f"u{i}") for i in ("", "^0"))
 
 PARTS = (
-    let(b_, low_orders.rodrigues_by_quotient, alpha, u), let(angle, real_of, alpha), let(shift, dual_of, alpha),
+    let(b_, lambda env, *screw: (q := screw_quaternion(env, *screw)).vector / q.scalar, alpha, u),
+    let(angle, real_of, alpha), let(shift, dual_of, alpha),
     let(b_re, real_of, b_), let(b_du, dual_of, b_), let(u_re, real_of, u), let(u_du, dual_of, u),
 )
 """Definitions of the symbols; b is undefined at a half turn."""
