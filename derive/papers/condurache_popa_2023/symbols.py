@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..language.notation import dyad, identity, norm, skew
 from ..language.terms import Symbol
 
 LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
@@ -47,3 +48,7 @@ n = Symbol("n", "order", "n", "n")
 alpha = Symbol("alpha", "angle", r"\underline{\alpha}", "α")
 u = unit("u")
 v = vector("v")
+I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
+R, Q = tensor("R", "orthogonal tensor"), Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")

@@ -25,7 +25,6 @@ PAPER = Paper(
     lost=LOST,
     package=__name__,
     sections=(
-        "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s3c_steps",
-        "s4_conclusion",
+        "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s4_conclusion",
     ),
 )

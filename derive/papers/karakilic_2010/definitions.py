@@ -5,27 +5,26 @@ Each function takes the arguments of `derive.papers.language.evaluation.Definiti
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Tensor, Vector
+from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
 from derive.maps import lines, rodrigues
 
 from ..language import values
-from ..language.definitions import screw_tensor
-from ..language.evaluation import Env
+from ..language.definitions import component_of, screw_tensor
+from ..language.evaluation import Definition, Env, let
 from ..language.terms import Symbol
 from ..numbers.draw import Draw
 from ..numbers.fields import Decimal60
 
-# ---- dual numbers and vectors ---------------------------------------------------------------------------------
 
-
-def dual_vector(env: Env, *components: Any) -> Vector:
-    """Return the dual vector with these six real components."""
-    return Vector.dual(components[:3], components[3:])
+def components(vector: Symbol, real_parts: Iterable[Symbol], dual_parts: Iterable[Symbol]) -> tuple[Definition, ...]:
+    """Return the definitions of the six real components of a dual vector."""
+    return tuple(let(symbol, component_of(n, part), vector) for part, symbols in (
+        (real_part, real_parts), (dual_part, dual_parts)) for n, symbol in enumerate(symbols, 1))
 
 
 # ---- displacements --------------------------------------------------------------------------------------------
@@ -34,11 +33,6 @@ def dual_vector(env: Env, *components: Any) -> Vector:
 def turned(env: Env, x: Vector, angle: Any, axis: Vector) -> Vector:
     """Return x displaced by a dual angle about an axis."""
     return screw_tensor(env, angle, axis) @ x
-
-
-def skew_rodrigues(env: Env, A: Tensor) -> Tensor:
-    """Return ``(A − I)(A + I)⁻¹``, computed from the invariants of A."""
-    return Tensor.skew(rodrigues.rodrigues_vector(A))
 
 
 def cross_matrix(env: Env, b: Vector) -> Tensor:

@@ -10,16 +10,12 @@ from ...numbers.draw import rotation
 from ..definitions import motions
 from . import *
 
-I = identity
-R = tensor("R", "orthogonal tensor")
 R1, R2 = (Symbol(f"R{i}", "orthogonal tensor", rf"\underline{{\mathbf{{R}}}}_{i}", f"R{i}") for i in (1, 2))
 R_of = Symbol("R(α, u)", "function", r"\underline{\mathbf{R}}", "R")
 g, g1, g2 = (Symbol(name, "pose", latex, name) for name, latex in (("g", "g"), ("g1", "g_1"), ("g2", "g_2")))
-Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
 any_turn = Symbol("Q any", "rotation", r"\mathbf{Q}", "Q")
 any_shift = Symbol("rho any", "real vector", r"\boldsymbol{\rho}", "ρ")
 turns = tuple(Symbol(f"Q{i}", "rotation", rf"\mathbf{{Q}}_{i}", f"Q{i}") for i in (1, 2))
-rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
 shifts = tuple(Symbol(f"rho{i}", "real vector", rf"\boldsymbol{{\rho}}_{i}", f"ρ{i}") for i in (1, 2))
 phi, phi_inv = Symbol("phi", "function", r"\phi", "ϕ"), Symbol("phi⁻¹", "function", r"\phi^{-1}", "ϕ1")
 screw_map = Symbol("screw", "map", r"(\underline{\alpha}, \underline{\mathbf{u}}) \mapsto \underline{\mathbf{R}}", "")

@@ -8,7 +8,6 @@ from ..definitions import motions
 from . import *
 from .s02_2_dual_vectors import lam, mu
 
-I = identity
 any_q = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 some = tuple(Symbol(f"q{i}", "quaternion", rf"\underline{{\hat{{\mathbf{{q}}}}}}_{i}", f"q^{i}") for i in (1, 2, 3))
 q1, q2, q3 = some
@@ -25,7 +24,6 @@ units = tuple(
 rho = Symbol("rho", "real vector", r"\hat{\boldsymbol{\rho}}", "ρ^")
 a, b = vector("a"), vector("b")
 euler = Symbol("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
-R = tensor("R", "orthogonal tensor")
 Delta = Symbol("Delta", "function", r"\Delta", " ")
 Delta_map = Symbol("Delta map", "map", r"\Delta", " ")
 exp_map = Symbol("exp map", "map", r"\exp \tfrac{1}{2}", " ")

@@ -7,10 +7,8 @@ from derive.maps.pose import pose_from_tensor
 
 from ..definitions import dual_algebra, low_orders, motions, orders
 from . import *
+from .s03_rigid_motion import shift_only, turn_only
 
-I, V = identity, skew(v)
-x = norm(v) ** 2
-R = tensor("R", "orthogonal tensor")
 A = Symbol("A", "tensor", r"\tilde{\underline{\boldsymbol{\alpha}}}", "α~")
 a = Symbol("euler", "dual vector", r"\underline{\boldsymbol{\alpha}}", "α")
 a1, a2 = (Symbol(f"alpha{i}", "dual vector", rf"\underline{{\boldsymbol{{\alpha}}}}_{i}", f"α{i}") for i in (1, 2))
@@ -27,10 +25,6 @@ slope = Symbol("slope", "tensor",
 start = Symbol("start", "tensor", r"\exp(0\, \tilde{\underline{\mathbf{u}}})", "start")
 angle = Symbol("angle of v", "dual number", r"\underline{\alpha}", "α")
 axis = Symbol("axis of v", "dual vector", r"\underline{\mathbf{u}}", "u")
-turn_only = Symbol("alpha only", "real angle", r"\alpha", "α")
-shift_only = Symbol("d", "real", "d", "d")
-Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
-rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
 v_re, v_du = (Symbol(f"v real{i}", "real vector", rf"\mathbf{{v}}{i}", f"v{i}") for i in ("", "^0"))
 rotates = proposition("pure rotation", "pure rotation")
 translates = proposition("pure translation", "pure translation")
@@ -76,8 +70,7 @@ ALGEBRA = (
              where=(*EULER, let(R, screw_tensor, alpha, u))),
     equation("general-screw", "(i) general screw displacement", 157, general,
              where=(*EULER, *EULER_KINDS), claimed=both(nonzero(Re(a)), nonzero(Du(a)), nonzero(dot(Re(a), Du(a)))),
-             stated=(157, "if α 0 ,   α 0 0 and α · α 0 0"),
-             condition=nonzero(Re(sin(norm(a) / 2))),
+             stated=(157, "if α 0 ,   α 0 0 and α · α 0 0"), condition=nonzero(Re(sin(norm(a) / 2))),
              remark="At Re |α| = 2kπ, k ≠ 0, the rotation is the identity and the displacement a pure translation."),
     equation("pure-translation", "(ii) pure translation", 157, translates,
              where=(let(alpha, nilpotent, shift_only), *EULER, *EULER_KINDS),

@@ -11,7 +11,7 @@ from ..definitions.low_orders import composed, preimage, quaternion_map
 from ..definitions.orders import at_order, cayley
 from . import *
 from .s04_dual_quaternions import scalar
-from .s05_cayley_tensors import cay, cay_map, corollary, k, size, x
+from .s05_cayley_tensors import cay, cay_map, corollary, k, size
 
 q = quaternion("q")
 q0 = Symbol("q scalar", "dual number", r"\underline{q}", "q")
@@ -82,8 +82,7 @@ WHOLE = (
              also=lambda draw: {"real part 6π": {alpha: draw.number(6 * mpmath.pi)}},
              remark="Multiples of 4π are not singular: there the displacement is a translation and Re σ = 0."),
     equation("39", "composition of two displacements, n = 2", 205, equal(sigma, (q - 1) / (q + 1)),
-             extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1)),
-             also=back_to_back),
+             extract="σ _ = q ^ _ 1 q ^ _ + 1", where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
     equation("40", "the same by the two vectors", 207,
              equal(sigma, ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) - 1)
                    / ((1 + sigma2) / (1 - sigma2) * ((1 + sigma1) / (1 - sigma1)) + 1)),

@@ -5,12 +5,8 @@ from typing import Any
 from ..definitions import cayley_maps, orders
 from . import *
 
-I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
-
 p = Symbol("p_n", "function", "p_n", "pn")
 q = Symbol("q_n", "function", "q_n", "qn")
-q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
-R = tensor("R", "orthogonal tensor")
 k = Symbol("k", "branch", "k", "k")
 X = Symbol("X", "argument", "X", "X")
 w = vector("w")

@@ -10,11 +10,9 @@ from derive.maps.lines import line_through
 from ..definitions import velocities
 from . import *
 
-R = tensor("R", "orthogonal tensor")
 R_t = Symbol("R(t)", "orthogonal tensor", r"\underline{\mathbf{R}}(t)", "Rt")
 R_0, other = Symbol("R_0", "orthogonal tensor", r"\underline{\mathbf{R}}_0", "R0"), tensor("S")
 T = tensor("T")
-q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 omega = vector("omega", r"\omega", "ω")
 omega_B = Symbol("omega_B", "dual vector", r"\underline{\boldsymbol{\omega}}_B", "ωB")
 skew_B = Symbol("skew omega_B", "tensor", r"\tilde{\underline{\boldsymbol{\omega}}}_B", "ω~B")
@@ -25,8 +23,6 @@ free_line = vector("line")
 point, along = (Symbol(name, "real vector", rf"\mathbf{{{name}}}", name) for name in ("point", "direction"))
 w_real = Symbol("w", "real vector", r"\boldsymbol{\omega}", "ω")
 v_real = Symbol("v of the origin", "real vector", r"\mathbf{v}", "v")
-rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
-Q = Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
 zero_tensor = Symbol("0 tensor", "tensor", r"\underline{\mathbf{0}}", "0")
 at_start = Symbol("R R^T at t0", "tensor", r"(\underline{\mathbf{R}}\,\underline{\mathbf{R}}^T)(t_0)", "RRTt0")
 Theta = Symbol("Theta", "tensor", r"\underline{\boldsymbol{\Theta}}", "Θ")
@@ -98,8 +94,7 @@ TENSOR = (
              equal(ddt(R * transpose(R)), rate(R) * transpose(R) + R * transpose(rate(R)),
                    skew(omega) * R * transpose(R) - R * transpose(R) * skew(omega), zero_tensor),
              extract="d d t R _ R _ T = R ˙ _ R _ T + R _ R ˙ _ T = ω ~ _ R _ R _ T R _ R _ T ω ~ _ = 0 _",
-             where=MOTION, moving=True, condition=equal(R * transpose(R), identity),
-             also=not_orthogonal,
+             where=MOTION, moving=True, condition=equal(R * transpose(R), identity), also=not_orthogonal,
              remark="The last step uses R Rᵀ = I, which it is to prove. A proof: Z = R Rᵀ and Z = I solve the same "
              "linear problem, with derivative ω̃Z − Zω̃ and Z(t₀) = I."),
     equation("72", "R Rᵀ is constant", 365, equal(R * transpose(R), at_start, identity),
@@ -110,8 +105,7 @@ TENSOR = (
              "with a continuous ω a linear problem has one solution."),
     equation("determinant", "the determinant is 1 or −1", 366, equal(det(T * transpose(T)), det(T)**2)),
     equation("73", "R is orthogonal and proper", 367, both(equal(R * transpose(R), identity), equal(det(R), 1)),
-             extract="R _ R _ T = I _ d e t R _ = 1",
-             because=equal(det(T * transpose(T)), det(T)**2),
+             extract="R _ R _ T = I _ d e t R _ = 1", because=equal(det(T * transpose(T)), det(T)**2),
              remark="By (72) and the supporting identity the determinant is 1 or −1; it is continuous and "
              "begins with 1."),
     equation("body-twist", "dual angular velocity in the body frame", 371, equal(omega_B, transpose(R) * omega),
@@ -140,8 +134,7 @@ QUATERNION = (
              (Reading(equal(Theta, Theta_read), "with a minus in front"),
               Reading(equal(Theta, half * (skew(u) + cot(half * alpha) * skew(u)**2)), "without")),
              extract="Θ _ = 1 2 [ u ~ _ + c o t ( 1 2 α _ ) u ~ _ 2 ]", where=MOTION,
-             fixed_by="(78), which is true of Θ with this sign",
-             condition=nonzero(Re(sin(half * alpha)))),
+             fixed_by="(78), which is true of Θ with this sign", condition=nonzero(Re(sin(half * alpha)))),
     equation("79", "spatial twist by the natural invariants", 386,
              equal(omega, rate(alpha) * u + sin(alpha) * rate(u) + (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ = α _ ˙ u _ + s i n α _ u _ ˙ + 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),

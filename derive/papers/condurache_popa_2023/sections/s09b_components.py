@@ -1,12 +1,11 @@
 """Section 9, components of the Rodrigues dual vector, and claims about (92)-(98): lines 457-465."""
 
 from . import *
+from .s03_rigid_motion import angle, shift
 from .s07_general_order import *
 from .s07b_order_lists import o1
 
 b_ = Symbol("b", "dual vector", r"\underline{\mathbf{b}}", "b")
-angle = Symbol("alpha real", "real angle", r"\alpha", "α")
-shift = Symbol("d of α", "real", "d", "d")
 b_re, b_du = (Symbol(f"b real{i}", "real vector", rf"\mathbf{{b}}{i}", f"b{i}") for i in ("", "^0"))
 u_re, u_du = (Symbol(f"u real{i}", "real vector", rf"\mathbf{{u}}{i}", f"u{i}") for i in ("", "^0"))
 
@@ -44,8 +43,7 @@ ENTRIES = (
     *(dual for _, dual in pairs),
     equation("six-equations", "(92) contains (126) to (131)", 465,
              both(equal(b_re, tan(angle / 2) * u_re), equal(b_du, shift * bracket(square) * u_du)), where=PARTS,
-             condition=finite(angle / 2),
-             said="compacted succinctly includes all six equations presented in [54].",
+             condition=finite(angle / 2), said="compacted succinctly includes all six equations presented in [54].",
              corrected=both(equal(b_re, tan(angle / 2) * u_re),
                             equal(b_du, half * shift * bracket(square) * u_re + tan(angle / 2) * u_du))),
     equation("nature-of-95-to-98", "what (95) and (96) are, in this order", 465,

@@ -1,5 +1,6 @@
 """Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
 
+from derive.algebra import Vector
 from derive.maps import lines
 
 from .. import definitions
@@ -31,7 +32,7 @@ VECTORS = (
     equation("dimension", "real dimension 6", 45,
              both(equal(v_hat, column(v1, v2, v3) + e * column(v1_, v2_, v3_)),
                   iff(zero(v_hat), both(*(zero(c) for c in six)))),
-             where=(let(v_hat, definitions.dual_vector, *six),),
+             where=(let(v_hat, plain(lambda *six: Vector.dual(six[:3], six[3:])), *six),),
              also=lambda draw: {"v̂ = 0": dict.fromkeys(six, draw.real() * 0)},
              remark="Six real coordinates; only all of them zero give the zero vector."),
     equation("degenerate", "the scalar product is degenerate", 45, equal(dot(group(e * v_hat), group(e * w_hat)), 0),

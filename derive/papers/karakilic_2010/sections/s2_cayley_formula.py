@@ -1,6 +1,6 @@
 """Section 2, Cayley's formula: lines 53-105."""
 
-from derive.algebra import dual_part, real_part
+from derive.algebra import Tensor
 from derive.maps import rodrigues
 
 from ...numbers.quantities import QUANTITIES
@@ -13,7 +13,9 @@ B, b_ij = hat("B", "tensor"), hat("b", "tensor")
 B_bare = Symbol("B", "tensor", "B", "B")
 MOVED = (let(X, image, A, x),)
 FROM_A = (*MOVED, let(B, plain(rodrigues.cayley_matrix), A), let(b_ij, plain(rodrigues.cayley_matrix), A))
-INVARIANT = (let(B, definitions.skew_rodrigues, A), let(B_bare, definitions.skew_rodrigues, A))
+skew_rodrigues = plain(lambda A: Tensor.skew(rodrigues.rodrigues_vector(A)))
+INVARIANT = (let(B, skew_rodrigues, A), let(B_bare, skew_rodrigues, A))
+"""B̂ by the invariants of Â, without the inverse of Â + I."""
 no_half_turn = nonzero(Re(det(A + I)))
 
 
@@ -100,11 +102,7 @@ ORTHOGONAL = (
 b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
 b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
 numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
-PARTS = (
-    let(b_re, real_of, b), let(b_du, dual_of, b),
-    *(let(symbol, component_of(n, real_part), b) for n, symbol in enumerate(numbers[False], 1)),
-    *(let(symbol, component_of(n, dual_part), b) for n, symbol in enumerate(numbers[True], 1)),
-)
+PARTS = (let(b_re, real_of, b), let(b_du, dual_of, b), *definitions.components(b, numbers[False], numbers[True]))
 VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
              extract=shown(r"\hat{B} = \begin{bmatrix} 0 & -\hat{b}_3 & \hat{b}_2 \\ \hat{b}_3 & 0 & -\hat{b}_1 \\ "
@@ -116,8 +114,7 @@ VECTOR = (
              extract=shown(r"\hat{b} = (b, b^*) = (b_1 + eb_1^*, b_2 + eb_2^*, b_3 + eb_3^*) = (\hat{b}_1, \hat{b}_2, "
                            r"\hat{b}_3)"), components=True, where=PARTS),
     equation("product", "B̂ as a vector product", 105, equal(B * y, cross(b, y)),
-             extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."),
-             where=(let(B, skew_of, b),)),
+             extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."), where=(let(B, skew_of, b),)),
 )
 
 ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)

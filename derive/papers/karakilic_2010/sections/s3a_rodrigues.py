@@ -71,8 +71,8 @@ f, f_ = real("f", quantity="real angle"), real("f", star=True)
 b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
 turn = Symbol("turn", "unit vector")
-ANY = (let(b_hat, multiple, size, turn),)
-SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
+OF_ANY = (let(b_hat, multiple, size, turn),)
+OF_SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
 PARTS = (
     let(b, real_of, b_hat), let(b_, dual_of, b_hat),
     let(s_hat, definitions.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
@@ -84,34 +84,32 @@ LEGIBLE = "(5), line 151: the same quotient, with its star"
 DUAL_PARTS = (
     equation("2", "norm of b̂ by parts", 138, equal(length(b_hat), length(b) + e * (dot(b, b_) / length(b))),
              extract=shown(r"\left\| \hat{b} \right\| = \left\| b \right\| + e \frac{b \cdot b}{\left\| b \right\|}"),
-             where=(*ANY, *PARTS), lost="*", condition=nonzero(b), fixed_by=LEGIBLE),
+             where=(*OF_ANY, *PARTS), lost="*", condition=nonzero(b), fixed_by=LEGIBLE),
     equation("3", "tangent of half the dual angle", 143, equal(Tan(f_hat / 2), Tan(f / 2) + e * slope),
              extract=shown(r"Tan\frac{\hat{f}}{2} = Tan\frac{f}{2} + e\frac{f^*}{2}(1 + Tan^2\frac{f}{2})"),
-             where=SCREW, condition=nonzero(cos(f / 2))),
+             where=OF_SCREW, condition=nonzero(cos(f / 2))),
     equation("4", "both norms", 148,
              equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
              extract=shown(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
                            r"\stackrel{\mathbf{r}}{b}}"
                            r"{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e \frac{f^*}{2} (1 + Tan^2 "
                            r"\frac{f}{2})"),
-             where=(*SCREW, *PARTS), lost="*", condition=forward, fixed_by=LEGIBLE),
+             where=(*OF_SCREW, *PARTS), lost="*", condition=forward, fixed_by=LEGIBLE),
     equation("real-norm", "norm of the real Rodrigues vector", 151, equal(length(b), Tan(f / 2)),
-             extract=shown(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*SCREW, *PARTS),
+             extract=shown(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*OF_SCREW, *PARTS),
              condition=at_least(Tan(f / 2), 0), remark="Beyond a half turn it is −Tan f/2."),
     equation("5", "dual part of the norm", 151, equal(pair(b, b_) / length(b), slope),
              extract=shown(r"\frac{\stackrel{\mathbf{r}}{b} \stackrel{\mathbf{r}}{b}^{*}}{\left\| "
                            r"\stackrel{\mathbf{r}}{b} "
                            r"\right\|} = \frac{f^{*}}{2} (1 + Tan^{2} \frac{f}{2})"),
-             where=(*SCREW, *PARTS), condition=forward),
+             where=(*OF_SCREW, *PARTS), condition=forward),
     equation("6", "b* along s", 155, equal(dot(s, b_), slope),
              extract=shown(r"\mathbf{\hat{r}}_{s.b*}^{\mathbf{r}} = \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),
-             where=(*SCREW, *PARTS), lost="·",
-             condition=forward),
+             where=(*OF_SCREW, *PARTS), lost="·", condition=forward),
     equation("7", "unit dual Rodrigues vector", 161,
              equal(s_hat, s + e * s_, b_hat / length(b_hat),
                    b / length(b) + e * group(b_ / length(b) - (dot(b, b_) / length(b)**3) * b)),
-             where=(*ANY, *PARTS), condition=nonzero(b),
-             fixed_by="(8)-(10), which are its components",
+             where=(*OF_ANY, *PARTS), condition=nonzero(b), fixed_by="(8)-(10), which are its components",
              remark="The extraction of the display shows most letters under its arrows as r."),
 )
 

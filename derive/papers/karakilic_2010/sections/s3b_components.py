@@ -1,37 +1,23 @@
 """Section 3, components of the dual Rodrigues vector, (8)-(22): lines 153-248."""
 
 from functools import partial
-
-from derive.algebra import dual_part, real_part
+from typing import Any
 
 from .. import definitions
 from . import *
+from .s3a_rodrigues import OF_ANY, OF_SCREW, PARTS, b, b_, b_hat, f, forward, s, s_, s_hat, slope, turn
 
-f, f_, f_hat = real("f", quantity="real angle"), real("f", star=True), hat("f", "angle")
-b_hat, s_hat = hat("b", "dual vector"), hat("s", "dual vector")
-b, s, s_star, b_star = arrow("b"), arrow("s"), arrow("s", star=True), arrow("b", star=True)
 b1, b2, b3 = bs = tuple(real("b", index) for index in (1, 2, 3))
 b1_, b2_, b3_ = bs_ = tuple(real("b", index, star=True) for index in (1, 2, 3))
 s1, s2, s3 = ss = tuple(real("s", index) for index in (1, 2, 3))
 s1_, s2_, s3_ = ss_ = tuple(real("s", index, star=True) for index in (1, 2, 3))
-size, turn = Symbol("size", "dual number"), Symbol("turn", "unit vector")
 
-PARTS = (
-    let(s_hat, definitions.direction, b_hat), let(b, real_of, b_hat), let(b_star, dual_of, b_hat),
-    let(s, real_of, s_hat), let(s_star, dual_of, s_hat),
-    *(let(symbol, component_of(n, real_part), b_hat) for n, symbol in enumerate(bs, 1)),
-    *(let(symbol, component_of(n, dual_part), b_hat) for n, symbol in enumerate(bs_, 1)),
-    *(let(symbol, component_of(n, real_part), s_hat) for n, symbol in enumerate(ss, 1)),
-    *(let(symbol, component_of(n, dual_part), s_hat) for n, symbol in enumerate(ss_, 1)),
-)
-ANY = (let(b_hat, multiple, size, turn), *PARTS)
-SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn), *PARTS)
+COMPONENTS = (*PARTS, *definitions.components(b_hat, bs, bs_), *definitions.components(s_hat, ss, ss_))
+ANY, SCREW = (*OF_ANY, *COMPONENTS), (*OF_SCREW, *COMPONENTS)
 axes = definitions.special_axes(turn)
 relation = partial(equation, components=True, also=axes)
 
 T: Term = Tan(f / 2)
-slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
-forward = ordered(Number(0), T)
 general = both(nonzero(s1), nonzero(s2), nonzero(s3))
 """Assumption of the paper after line 219."""
 
@@ -145,7 +131,7 @@ SOLVED = (
              said="If one or two of them are equal to zero then one can obtain the solutions of b_i^* 's from (14), "
                   "(15), (16).",
              because=equal(det(identity - dyad(turn, turn)), 0),
-             corrected=equal(b_star, T * s_star + slope * s),
+             corrected=equal(b_, T * s_ + slope * s),
              remark="(14)-(16) are (I − s ⊗ s) b* = Tan f/2 s*, a singular system: they leave b* free along s. With "
              "(6) they have one solution, the same as for other s."),
     relation("denominators", "the denominators of (14)-(16)", 219,
@@ -166,4 +152,39 @@ SOLVED = (
     solution("20", 237, 2), solution("21", 242, 3), solution("22", 247, 1),
 )
 
-ENTRIES = (*VECTOR, *LINEAR, *SOLVED)
+# ---- derivation steps of (19)-(22) ----------------------------------------------------------------------------
+# Each step uses only the equations it cites: they are solved for the unknown, and all other symbols are free.
+
+unit = Symbol("s^", "unit vector", r"\hat{s}")
+
+
+def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
+    """Return the definition of an unknown as the solution of a linear equation."""
+
+    def solution(env: Env, *_: Any) -> Any:
+        at_0, at_1 = (env.bound(unknown, value).value(left - right) for value in (0, 1))
+        return -at_0 / (at_1 - at_0)
+
+    return let(unknown, solution, *(symbol for symbol in symbols(left - right) if symbol != unknown))
+
+
+def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
+    """Return the entry about a derivation step whose conclusion is a numbered equation."""
+    left, right = equations[conclusion]
+    return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
+                    stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
+                    where=(*definitions.components(unit, ss, ss_), given), components=True, condition=nonzero(cos(f / 2)))
+
+
+(_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (
+    equations[number] for number in ("14", "15", "18", "19", "20", "21")
+)
+
+STEPS = (
+    step("(14) and (18)", 230, solved(b2_, on_14, on_18), "19"),
+    step("(18) and (15)", 235, solved(b2_, b2_, on_15.xreplace({b1_: on_18})), "20"),
+    step("(20) and (19)", 240, solved(b3_, sum_19.xreplace({b2_: on_20}), on_19), "21"),
+    step("(20), (21) and (15)", 245, solved(b1_, on_20, on_15.xreplace({b3_: on_21})), "22"),
+)
+
+ENTRIES = (*VECTOR, *LINEAR, *SOLVED, *STEPS)

@@ -2,7 +2,8 @@
 
 from .. import definitions
 from . import *
-from .s3b_components import SCREW, equations, f, f_, forward, relation, solution
+from .s3a_rodrigues import f, f_, f_hat, forward
+from .s3b_components import SCREW, equations, relation, solution
 
 b1_, right_22 = equations["22"]
 
@@ -12,8 +13,7 @@ RESTATED = (
               Reading(equal(b1_, right_22.xreplace({f_: f})), "without",
                       supported_by="line 256 itself, where the other stars are legible")),
              extract=shown(r"b_1^* = s_1^* Tan \frac{f}{2} + s_1 \frac{f}{2} (1 + Tan^2 \frac{f}{2})"),
-             where=SCREW, lost="*", condition=forward,
-             fixed_by="(22), line 247, and (20), (21) beside it: f*/2",
+             where=SCREW, lost="*", condition=forward, fixed_by="(22), line 247, and (20), (21) beside it: f*/2",
              remark="f/2 as it is legible there is wrong; whether its star was printed cannot be told."),
     solution("20", 259, 2, restated=True),
     solution("21", 262, 3, restated=True),
@@ -21,7 +21,7 @@ RESTATED = (
 
 # ---- the lines of figure 2 ------------------------------------------------------------------------------------
 
-f_hat, axis = hat("f", "angle"), Symbol("axis", "unit vector", r"\hat{s}")
+axis = Symbol("axis", "unit vector", r"\hat{s}")
 before, after = Symbol("l_a", "unit vector", "l_a"), Symbol("l_b", "unit vector", "l_b")
 POSITIONS = (let(f_hat, from_parts, f, f_), let(after, definitions.turned, before, f_hat, axis))
 
