@@ -172,8 +172,8 @@ def step(number: str, line: int, given: Definition, conclusion: str) -> Equation
     """Return the entry about a derivation step whose conclusion is a numbered equation."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
-                    stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"),
-                    where=(*definitions.components(unit, ss, ss_), given), components=True, condition=nonzero(cos(f / 2)))
+                    stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"), condition=nonzero(cos(f / 2)),
+                    where=(*definitions.components(unit, ss, ss_), given), components=True)
 
 
 (_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (

@@ -26,7 +26,7 @@ from derive.papers.result import Counterexample, Verdict
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 SHOWN = Counterexample("generic point 1", {"a": ["0.5", "-0.25"], r"\alpha": ["2"]}, (["0.5", "3"], ["0.5", "4"]))
-SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_orders_1_to_3.py"
+SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_explicit_orders.py"
 
 
 def entry(number: str = "7", **rest: object) -> Equation:
