@@ -8,24 +8,15 @@ DIRECT = ("50", "57", "88", "89", "62", "65")
 
 direct = proposition("maps from v", "no transcendental function in the maps from v: (50), (57), (62), (65), (88), (89)")
 every = proposition("all maps", "no transcendental function in any display of sections 7 and 8 about maps")
-MAPS: tuple[Equation, ...] = (
-    *s07a_fractional_transform.ENTRIES, *s07c_parameterizations.ENTRIES, *s07d_families.ENTRIES,
-    *s08b_tangent_operators.ENTRIES,
-)
-
-
-def _direct(env: Env) -> bool:
-    return is_algebraic(*(e.readings[0].statement for e in MAPS if e.number in DIRECT))
-
-
-def _every(env: Env) -> bool:
-    return is_algebraic(*(e.readings[0].statement for e in MAPS))
-
+SECTIONS = (s07a_fractional_transform, s07c_parameterizations, s07d_families, s08b_tangent_operators)
+MAPS = {entry.number: entry.readings[0].statement for section in SECTIONS for entry in section.ENTRIES}
+"""Statements by equation number."""
 
 ENTRIES = (
     equation("no-transcendental-functions", "the expressions have no transcendental functions", 469,
              (Reading(direct, "the maps from v to displacements and twists"),
               Reading(every, "all expressions, the inverse maps and the exponential among them")),
-             where=(let(direct, _direct), let(every, _every)),
+             where=(let(direct, lambda env: is_algebraic(*(MAPS[number] for number in DIRECT))),
+                    let(every, lambda env: is_algebraic(*MAPS.values()))),
              remark="(49), (60), (61) and the families need tan, cot or sin of the angle; (82) and (84) sinc and cot."),
 )

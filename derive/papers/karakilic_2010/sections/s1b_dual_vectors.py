@@ -41,16 +41,13 @@ VECTORS = (
              equal(length(v_hat), square_root(dot(v_hat, v_hat)), square_root(dot(vr, vr) + (2 * e * dot(v, vr_))),
                    length(v) * square_root(group(1 + e * (dot(vr, vr_) / length(v)**2))**2),
                    length(v) + e * (dot(vr, vr_) / length(v)), parts(length(v), dot(vr, vr_) / length(v))),
-             extract=shown(
-                 r"\left\| \hat{v} \right\| &= \left(\hat{v} \cdot \hat{v} \right)^{\frac{1}{2}} = \left(\mathbf{r} "
-                 r"\cdot "
-                 r"\mathbf{r} + 2\mathbf{e}\mathbf{v} \cdot \mathbf{r}^* \right)^{\frac{1}{2}} \\ &= \left\| "
-                 r"\mathbf{v} "
-                 r"\right\| \left[\left(1 + \mathbf{e} \frac{\mathbf{r} \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|"
-                 r"^2} \right)^2 \right]^{\frac{1}{2}} \\ &= \left\| \mathbf{v} \right\| + \mathbf{e} \frac{\mathbf{r} "
-                 r"\cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} = \left(\left\| \mathbf{v} \right\|, "
-                 r"\frac{\mathbf{r}"
-                 r" \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} \right)"),
+             extract=shown(r"\left\| \hat{v} \right\| &= \left(\hat{v} \cdot \hat{v} \right)^{\frac{1}{2}} = "
+                           r"\left(\mathbf{r} \cdot \mathbf{r} + 2\mathbf{e}\mathbf{v} \cdot \mathbf{r}^* "
+                           r"\right)^{\frac{1}{2}} \\ &= \left\| \mathbf{v} \right\| \left[\left(1 + \mathbf{e} "
+                           r"\frac{\mathbf{r} \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|^2} \right)^2 "
+                           r"\right]^{\frac{1}{2}} \\ &= \left\| \mathbf{v} \right\| + \mathbf{e} \frac{\mathbf{r} "
+                           r"\cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} = \left(\left\| \mathbf{v} \right\|, "
+                           r"\frac{\mathbf{r} \cdot \mathbf{r}^*}{\left\| \mathbf{v} \right\|} \right)"),
              where=(*POLAR, *SEEN), condition=nonzero(v),
              remark="The extraction shows an arrow over v as r. Where v = 0 the norm is e ‖v*‖."),
     equation("unit", "the norm 1", 49, equal(1, parts(Number(1), Number(0))), extract=shown("1 = (1,0)")),

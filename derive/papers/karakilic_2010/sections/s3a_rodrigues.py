@@ -91,17 +91,15 @@ DUAL_PARTS = (
     equation("4", "both norms", 148,
              equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
              extract=shown(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
-                           r"\stackrel{\mathbf{r}}{b}}"
-                           r"{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e \frac{f^*}{2} (1 + Tan^2 "
-                           r"\frac{f}{2})"),
+                           r"\stackrel{\mathbf{r}}{b}}{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e "
+                           r"\frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),
              where=(*OF_SCREW, *PARTS), lost="*", condition=forward, fixed_by=LEGIBLE),
     equation("real-norm", "norm of the real Rodrigues vector", 151, equal(length(b), Tan(f / 2)),
              extract=shown(r"\left\| \stackrel{\mathbf{r}}{b} \right\| = Tan \frac{f}{2}"), where=(*OF_SCREW, *PARTS),
              condition=at_least(Tan(f / 2), 0), remark="Beyond a half turn it is −Tan f/2."),
     equation("5", "dual part of the norm", 151, equal(pair(b, b_) / length(b), slope),
              extract=shown(r"\frac{\stackrel{\mathbf{r}}{b} \stackrel{\mathbf{r}}{b}^{*}}{\left\| "
-                           r"\stackrel{\mathbf{r}}{b} "
-                           r"\right\|} = \frac{f^{*}}{2} (1 + Tan^{2} \frac{f}{2})"),
+                           r"\stackrel{\mathbf{r}}{b} \right\|} = \frac{f^{*}}{2} (1 + Tan^{2} \frac{f}{2})"),
              where=(*OF_SCREW, *PARTS), condition=forward),
     equation("6", "b* along s", 155, equal(dot(s, b_), slope),
              extract=shown(r"\mathbf{\hat{r}}_{s.b*}^{\mathbf{r}} = \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),
