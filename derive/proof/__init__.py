@@ -3,7 +3,7 @@
 ====================== =========================================================================
 notation               symbols and operators of statements, as SymPy expressions, and their printers
 statement              `Equation` and `Premise`
-identity               `Proof`, `Claim` and `decide`: all residues must be 0, all multipliers nonzero
+identity               `Proof` and `decide`: all residues must be 0, all multipliers nonzero
 theorem                `Theorem`: claim, premises and method
 methods                decision as an identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
@@ -19,8 +19,7 @@ transport_theorems     theorems for all n on rates at changes of branch, and on 
 phi_theorems           theorems on every parameterization v = φ(α) u
 limit_theorems         theorems on the limit of growing order, and its rate
 every_order            all theorems for all n, proved once per process
-at_order               formulas of one order as instances of the theorems
-computations           further functions of `derive.maps` as instances of the theorems
+at_order               formulas and functions of one order as instances of the theorems
 phi_instances          formulas of a chart in α as instances of the theorems on every φ
 scalars                scalars of an algebraic chart, compared with its formulas and its φ
 vector_ring            `Ring`: components of vectors modulo v·v = x

@@ -26,7 +26,7 @@ from ..algebra.exact import RationalFunctions
 from .identity import Check, Multiplier
 from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
-from .theorem import Task
+from .theorem import Method, Theorem
 
 POLYNOMIALS = RationalFunctions(("n", "j"))
 VALUES = {symbol: POLYNOMIALS.symbol(symbol.name) for symbol in (n, j)}
@@ -84,7 +84,7 @@ class Series:
 
 
 @dataclass(frozen=True)
-class Coefficients:
+class Coefficients(Method):
     """Decision of a claim whose right sides are series.
 
     Recurrences among the premises determine the left sides by induction on n. A left side without a recurrence must be
@@ -92,23 +92,21 @@ class Coefficients:
     """
 
     start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
-    sides = ("right",)
 
     @property
     def title(self) -> str:
         return "coefficient by coefficient as multiples of one quotient of factorials, residues in Q[n, j]"
 
-    def weaker(self) -> Iterator[tuple[str, Coefficients]]:
-        return iter(())
-
-    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        claim, given = task.claim, [premise.equation for premise in task.premises]
+    def checks(
+        self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None
+    ) -> Iterator[Check | Multiplier]:
+        claim, given = theorem.claim, [premise.equation for premise in theorem.premises]
         rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
         known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
         first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
-        for equation in task.required:
+        for equation in required:
             yield f"required, {equation.text}", 1  # this method cannot decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1

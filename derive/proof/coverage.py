@@ -7,34 +7,18 @@ compares it with the formula, exactly on symbols or to 50 digits at seeded rando
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal
-
-Validation = Literal["exact", "50 digits", "text"]
+from typing import Literal, NamedTuple
 
 
-@dataclass(frozen=True)
-class Coverage:
-    """Theorems and validation of one kernel function.
+class Coverage(NamedTuple):
+    """Validation of one kernel function, names of the theorems behind its formula, and the part without a theorem.
 
-    Attributes
-    ----------
-    validation : {"exact", "50 digits", "text"}
-        Comparison of the emitted function with its formula; "text" for constants without arguments.
-    theorems : tuple of str
-        Names of the theorems for all n on which its formula rests.
-    only_validated : str
-        Part of the formula that no theorem covers; empty if the whole formula is proved.
+    The validation compares the emitted function with its formula; it is "text" for constants without arguments.
     """
 
-    validation: Validation
+    validation: Literal["exact", "50 digits", "text"]
     theorems: tuple[str, ...]
     only_validated: str = ""
-
-    def lines(self) -> tuple[str, ...]:
-        """Return lines ``theorem: …`` and ``validation: …``."""
-        unproved = f", alone: {self.only_validated}" if self.only_validated else ""
-        return (*(f"theorem: {name}" for name in self.theorems), f"validation: {self.validation}{unproved}")
 
 
 _TANGENT = ("tangent", "twist", "axis", "determinant")

@@ -93,14 +93,11 @@ class DifferentialRing(RationalFunctions):
     def expression(self, a: Polynomial) -> sympy.Expr:
         """Return a polynomial as a SymPy expression, with leading coefficient 1."""
         leading = a * (1 / self.library.leading_coefficient(a))
-        terms = self.library.terms(leading).items()
-        return sympy.Add(
-            *(
-                sympy.Rational(c.numerator, c.denominator)
-                * sympy.Mul(*(symbol**power for symbol, power in zip(self.symbols, exponents, strict=True)))
-                for exponents, c in terms
-            )
+        terms = (
+            sympy.Mul(sympy.Rational(c.numerator, c.denominator), *map(sympy.Pow, self.symbols, exponents))
+            for exponents, c in self.library.terms(leading).items()
         )
+        return sympy.Add(*terms)
 
     def occurring(self, a: Polynomial) -> set[sympy.Symbol]:
         """Return the symbols in a polynomial."""
@@ -119,13 +116,6 @@ class DifferentialRing(RationalFunctions):
         return not any(root.is_integer and root > 0 for root in roots)
 
     def _at_origin(self, a: Polynomial) -> Element:
-        """Return the value of a polynomial at the origin, with all other symbols kept."""
+        """Return the value of a polynomial at the origin, up to a factor, with all other symbols kept."""
         values = {symbol: self.generator(symbol) for symbol in self.symbols}
-        values |= {symbol: self.constant(0) for symbol in self.free} | self.origin
-        total = self.constant(0)
-        for exponents, coefficient in self.library.terms(a).items():
-            term = self.constant(coefficient)
-            for value, power in zip(values.values(), exponents, strict=True):
-                term = term * value**power if power else term
-            total = total + term
-        return total
+        return self.lift(self.expression(a), values | dict.fromkeys(self.free, self.constant(0)) | self.origin)

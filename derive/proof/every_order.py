@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable
+from collections.abc import Container
 from functools import cache
 
 from .calculus_theorems import calculus_theorems
@@ -11,7 +11,7 @@ from .formulas import Formulas
 from .identity import Proof
 from .map_theorems import map_theorems
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
-from .theorem import Theorem
+from .theorem import Theorem, decided
 from .transport_theorems import transport_theorems
 
 
@@ -19,14 +19,6 @@ def stated(formulas: Formulas) -> tuple[Theorem, ...]:
     """Return all theorems on the given formulas, each after the theorems it uses."""
     of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
     return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
-
-
-def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
-    """Decide the theorems in their order; each may cite the proofs of the theorems before it."""
-    known: dict[str, Proof] = {}
-    for theorem in claimed:
-        known[theorem.name] = theorem.decide(known)
-    return tuple(known.values())
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:

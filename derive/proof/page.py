@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import starmap
 
-from .coverage import COVERAGE, Coverage
+from .coverage import COVERAGE
 from .identity import ALL_ORDERS, Proof
-
-Counts = Mapping[str, int]
-"""Numbers of controls by title of the statement."""
 
 HEAD = """# Theorems
 
@@ -33,22 +28,18 @@ COVERED = """## Kernel functions
 | --- | --- | --- | --- |"""
 
 
-def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Counts) -> str:
-    """Return the page as Markdown.
+def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
+    """Return the page as Markdown, from the proofs for all orders and at one order.
 
-    Parameters
-    ----------
-    general : iterable of Proof
-        Proofs of theorems for all orders.
-    at_order : iterable of Proof
-        Proofs at one order.
-    controls : mapping of str to int
-        Numbers of controls by `title`.
+    The numbers of controls are given by `title` of the proof.
     """
     again = tuple(at_order)
     parts = [HEAD, "## For every order\n", *(_section(proof, controls) for proof in general)]
-    parts += [AT_ORDER.format(scope=again[0].scope), *(_section(proof, controls) for proof in again)]
-    return "\n".join([*parts, COVERED, *starmap(_row, COVERAGE.items()), ""])
+    parts += [AT_ORDER.format(scope=again[0].scope), *(_section(proof, controls) for proof in again), COVERED]
+    for name, covered in COVERAGE.items():
+        theorems = ", ".join(covered.theorems)
+        parts.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
+    return "\n".join([*parts, ""])
 
 
 def title(proof: Proof) -> str:
@@ -56,16 +47,7 @@ def title(proof: Proof) -> str:
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 
-def counts(text: str) -> dict[str, int]:
-    """Read the numbers of controls from a page, by title."""
-    return {name: int(count) for name, count in re.findall(r"^### (.+)\n\n(?:.+\n)*?- controls: (\d+)$", text, re.M)}
-
-
-def _row(function: str, covered: Coverage) -> str:
-    return f"| `{function}` | {covered.validation} | {', '.join(covered.theorems)} | {covered.only_validated} |"
-
-
-def _section(proof: Proof, controls: Counts) -> str:
+def _section(proof: Proof, controls: Mapping[str, int]) -> str:
     return "\n".join([f"### {title(proof)}\n", *_lines(proof), f"- controls: {controls[title(proof)]}\n"])
 
 
@@ -75,5 +57,5 @@ def _lines(proof: Proof) -> Iterator[str]:
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
     yield from (f"- given `{premise}`" for premise in proof.premises)
     yield from (f"- where `{condition}`, by the theorems cited" for condition in proof.conditions)
-    yield from (f"- multiplied by `{factor}`, zero where `{factor.vanishes}`" for factor in proof.multipliers)
+    yield from (f"- multiplied by `{factor}`, zero where `{factor.text} = 0`" for factor in proof.multipliers)
     yield f"- by {proof.method}; residues: {len(proof.residues)}"

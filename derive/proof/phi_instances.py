@@ -9,7 +9,7 @@ import sympy
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
-from .identity import Check, Claim, Proof, decide
+from .identity import Check, Proof, decide
 from .notation import Shifted
 from .phi_theorems import PHI, SCALARS, any_phi, cosine, phi, sine
 from .scalars import FORMULAS
@@ -34,7 +34,7 @@ def instance(chart: Chart) -> Iterator[Proof]:
             difference = sympy.together(equation.left.xreplace(symbols) - found)
             yield equation.text, sympy.expand(sympy.fraction(difference)[0])
 
-    yield decide(Claim("coefficients in alpha", claim, METHOD), checks, chart.name)
+    yield decide("coefficients in alpha", claim, METHOD, checks, chart.name)
     yield _at_origin(chart)
 
 
@@ -63,4 +63,4 @@ def _at_origin(chart: Chart) -> Proof:
         slope = chart.phi.diff(alpha).subs(alpha, 0)
         yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
 
-    return decide(Claim("phi at 0", claim, METHOD), checks, chart.name)
+    return decide("phi at 0", claim, METHOD, checks, chart.name)

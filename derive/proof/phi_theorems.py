@@ -20,7 +20,7 @@ from .methods import Identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
-from .theorem import Theorem
+from .theorem import Theorem, decided
 
 SCOPE = "every phi"
 
@@ -178,7 +178,4 @@ ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
 @cache
 def any_phi() -> tuple[Proof, ...]:
     """Return the proofs of the theorems on every φ, decided once per process."""
-    known: dict[str, Proof] = {}
-    for theorem in ANY_PHI:
-        known[theorem.name] = theorem.decide(known)
-    return tuple(known.values())
+    return decided(ANY_PHI)

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -31,7 +31,7 @@ from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .identity import Check, Claim, Proof, decide
+from .identity import Check, Proof, decide
 from .notation import Shifted, prime
 from .statement import Equation
 from .vector_ring import Ring
@@ -43,7 +43,6 @@ VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy",
 BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
 s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
 sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
-fyy, gyy, hyy, fiyy, hiyy = sympy.symbols(BENDS)
 a, b, phi, slope = sympy.symbols("a b phi phi'")
 
 FORMULAS = {
@@ -55,12 +54,12 @@ FORMULAS = {
 """Coefficients of each map in terms of the scalars."""
 
 RELATIONS = (
-    Equation(s**2 + x * w**2, sympy.Integer(1)),
+    Equation(s**2 + x * w**2, 1),
     Equation(f, 2 * s * w),
     Equation(g, 2 * w**2),
     Equation(h, 2 * (s * wy - w * sy)),
     Equation(fi * g, f),
-    Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
+    Equation((f + x * h) * (fi + x * hi), 2),
     Equation(a * w, b * s),
 )
 """Equations for |q̂| = 1, R as the tensor of q̂, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v as a multiple of q̂."""
@@ -69,13 +68,12 @@ DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
 )
 SECOND_DERIVATIVES = tuple(
-    Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
+    Equation(sympy.Symbol(name), 2 * prime(of)) for name, of in zip(BENDS, (fy, gy, hy, fiy, hiy))
 )
-_ZERO, _ONE = sympy.Integer(0), sympy.Integer(1)
 ANGLE = (
-    Equation((f + x * h) * slope, _ONE),
-    Equation(Shifted(s, x, _ZERO), _ONE),
-    Equation(Shifted(phi, alpha, _ZERO), _ZERO),
+    Equation((f + x * h) * slope, 1),
+    Equation(Shifted(s, x, 0), 1),
+    Equation(Shifted(phi, alpha, 0), 0),
 )
 
 
@@ -137,44 +135,39 @@ class ScalarProofs:
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """Values of the symbols: scalars as the chart computes them, and their derivatives."""
+        """Values of the symbols: scalars as the chart computes them, their derivatives, and lifted coefficients."""
         at_x = self.ring.square("v")
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
         values |= {prime(sympy.Symbol(name)): self.ring.derivative(found[name], "x") for name in (*VALUES, *SLOPES)}
+        values |= {
+            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: at_x})
+            for name, coefficients in self.stated.items()
+            for i, e in enumerate(coefficients)
+        }
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
         """Decide the statements one after the other."""
         formulas = tuple(
-            Equation(value, sympy.Symbol(f"{name}[{i}]"))
-            for name, values in FORMULAS.items()
-            for i, value in enumerate(values)
+            Equation(value, sympy.Symbol(f"{name}[{i}]")) for name, of in FORMULAS.items() for i, value in enumerate(of)
         )
-        lifted = {
-            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: self.ring.square("v")})
-            for name, coefficients in self.stated.items()
-            for i, e in enumerate(coefficients)
-        }
-        yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
-        yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
-        yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
-        yield self._decide("second slopes", SECOND_DERIVATIVES, lambda: self._residues(SECOND_DERIVATIVES))
-        yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
-
-    def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:
+        statements = {
+            "scalars as lowered": formulas, "scalars": RELATIONS, "slopes": DERIVATIVES,
+            "second slopes": SECOND_DERIVATIVES,
+        }  # fmt: skip
         scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
-        return decide(Claim(name, claim, method), checks, scope)
+        for name, claim in statements.items():
+            yield decide(name, claim, METHOD, partial(self._residues, claim), scope)
+        yield decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, BY_ANGLE, self._angle, scope)
 
-    def _residues(
-        self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
-    ) -> Iterator[Check]:
+    def _residues(self, claim: Iterable[Equation]) -> Iterator[Check]:
         """Yield left side minus right side of each equation."""
-        values = {**self.values, **(further or {})}
         for equation in claim:
-            yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
+            left, right = (self.ring.lift(side, self.values) for side in (equation.left, equation.right))
+            yield equation.text, left - right
 
     def _angle(self) -> Iterator[Check]:
         """Yield left side minus right side at ``x = φ²``, and for the initial values at x = 0 and α = 0."""
@@ -183,7 +176,7 @@ class ScalarProofs:
         angle, phi = field.symbol(alpha.name), self.chart.phi
         size, rate = (evaluate(e, alpha, angle, functions) for e in (phi, phi.diff(alpha)))
         values = {symbol: self._at(self.values[symbol], size * size) for symbol in (f, h, x)}
-        starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
+        starts = (self._at(self.values[s], size * 0), phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
         at = _AtAngle(values | {slope: rate})
         for equation in ANGLE:

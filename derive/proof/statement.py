@@ -23,7 +23,7 @@ class Equation:
     left, right : Expr
         Expressions in the symbols and operators of :mod:`~derive.proof.notation`.
     numbers : tuple of int
-        Numbers of the equation in CP23, if CP23 has it as printed or after correction.
+        Numbers of the equation in CP23.
     wrong : Expr, optional
         False right side for controls, by default twice the right side. Theorems that use it must fail.
     """
@@ -32,6 +32,9 @@ class Equation:
     right: sympy.Expr
     numbers: tuple[int, ...] = ()
     wrong: sympy.Expr | None = field(default=None, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "right", sympy.sympify(self.right))
 
     @cached_property
     def symbols(self) -> frozenset[sympy.Symbol]:
@@ -65,10 +68,8 @@ class Equation:
         """Yield `altered`, and copies of the equation with one integer of these sides increased by one."""
         yield self.altered()
         for side in sides:
-            expression = getattr(self, side)
-            for changed in _increased(expression):
-                if changed != expression:
-                    yield replace(self, numbers=(), **{side: changed})
+            changed = (e for e in _increased(getattr(self, side)) if e != getattr(self, side))
+            yield from (replace(self, numbers=(), **{side: e}) for e in changed)
 
 
 @dataclass(frozen=True)
@@ -88,14 +89,10 @@ class Premise:
     theorem: str = ""
     instance: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
-    @property
-    def source(self) -> str:
-        """Reason why the premise may be used."""
-        at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)
-        return f"theorem {self.theorem!r}{f' at {at}' if at else ''}" if self.theorem else "definition"
-
     def __str__(self) -> str:
-        return f"{self.equation.text} ({self.source})"
+        at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)
+        source = f"theorem {self.theorem!r}{f' at {at}' if at else ''}" if self.theorem else "definition"
+        return f"{self.equation.text} ({source})"
 
     def altered(self) -> Premise:
         """Return the premise with a false equation."""
@@ -106,7 +103,7 @@ def definition(
     left: sympy.Expr, right: sympy.Expr | int, numbers: tuple[int, ...] = (), wrong: sympy.Expr | None = None
 ) -> Premise:
     """Return the definition of a symbol or a term."""
-    return Premise(Equation(left, sympy.Integer(right) if isinstance(right, int) else right, numbers, wrong))
+    return Premise(Equation(left, right, numbers, wrong))
 
 
 def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:

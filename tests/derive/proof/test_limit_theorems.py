@@ -12,8 +12,8 @@ from derive.maps import family
 from derive.maps.families import alpha
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL
-from derive.proof.every_order import decided
 from derive.proof.limit_theorems import GROWING_ORDER
+from derive.proof.theorem import decided
 
 RESTING_ON = (DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL)
 
