@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from . import notation
-from .identity import Check, Multiplier
+from .identity import ALL_ORDERS, Check, Multiplier
 from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Method, Theorem
@@ -57,6 +57,13 @@ class Identity(InRing):
             yield from differences(setting, equation.text, equation)
         for equation in required:
             yield from differences(setting, f"required, {equation.text}", equation)
+
+
+def identity(
+    name: str, symbols: Symbols, claim: tuple[Equation, ...], *premises: Premise, scope: str = ALL_ORDERS
+) -> Theorem:
+    """Return a theorem that is an identity in the ring of the given symbols."""
+    return Theorem(name, claim, premises, Identity(symbols), scope)
 
 
 @dataclass(frozen=True)
