@@ -34,13 +34,7 @@ def _root(square: Dual) -> Dual:
 
 
 class AtPoint(Evaluation):
-    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives.
-
-    Parameters
-    ----------
-    n : int
-        The order.
-    """
+    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives."""
 
     def __init__(self, n: int) -> None:
         self.n = n

@@ -46,14 +46,9 @@ class NotDecidedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Series:
-    """Power series in x.
+    """Power series in x: a polynomial with coefficients in n, and tails.
 
-    Attributes
-    ----------
-    head : mapping of int to Expr
-        Coefficients of a polynomial, functions of n.
-    tails : tuple of (int, Expr)
-        First index of each tail, with its general coefficient in n and j.
+    A tail is given by its first index, and by its general coefficient in n and j.
     """
 
     head: Mapping[int, sympy.Expr] = field(default_factory=dict)
@@ -91,7 +86,8 @@ class Coefficients(Method):
     the only unknown series in an equation among the premises.
     """
 
-    start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
+    first: int = 1
+    """Least n, at which recurrences start."""
 
     @property
     def title(self) -> str:
@@ -104,28 +100,24 @@ class Coefficients(Method):
         rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
         known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
-        first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
         for equation in required:
             yield f"required, {equation.text}", 1  # this method cannot decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
         for equation in laws:
-            left, right = equation.left, equation.right
-            at = equation.text
+            left, right, at = equation.left, equation.right, equation.text
             if isinstance(left, Shifted):
-                place = left.args[2]
-                stated = known[left.args[0]].xreplace({n: place})
-                yield from _zero(f"{'start' if place == first else 'step'}, {at}", reader.series(stated - right), first)
-            else:
-                yield from _zero(at, reader.series(left - right), first)
+                at = f"{'start' if left.args[2] == self.first else 'step'}, {at}"
+                left = known[left.args[0]].xreplace({n: left.args[2]})
+            yield from _zero(at, reader.series(left - right), self.first)
 
     def _determined(self, term: sympy.Expr, laws: Sequence[Equation]) -> bool:
         """Return whether premises determine a term, by start and step of its sequence or by an equation with it."""
         if any(e.left.has(term) or e.right.has(term) for e in laws if not isinstance(e.left, Shifted)):
             return True
         places = {e.left.args[2] for e in laws if e.left.args[:2] == (term, n)}
-        return places == {self.start.right, n + 1}
+        return places == {self.first, n + 1}
 
 
 @dataclass(frozen=True)
@@ -142,7 +134,7 @@ class _Reader:
             return Series({1: sympy.Integer(1)})
         if isinstance(e, sympy.Sum):
             ((_, start, _),) = e.limits
-            exponent = _power_of_x(e.function)
+            exponent = e.function.as_powers_dict()[x]
             offset = int(exponent - j)
             general = (e.function / x**exponent).xreplace({j: j - offset})
             return Series(tails=((int(start) + offset, general),))
@@ -166,25 +158,20 @@ class _Reader:
         return result
 
 
-def _power_of_x(term: sympy.Expr) -> sympy.Expr:
-    """Return the exponent of x in a term of a sum."""
-    return next(factor.as_base_exp()[1] for factor in sympy.Mul.make_args(term) if factor.as_base_exp()[0] == x)
-
-
 # ---- deciding ---------------------------------------------------------------------------------------------------
 
 
-def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
+def _zero(label: str, series: Series, first: int) -> Iterator[Check]:
     """Yield the residues of all coefficients of a series, which must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
-        yield f"{label}, general coefficient", residue(general, int(first))
+        yield f"{label}, general coefficient", residue(general, first)
         last = max([begun, *series.head])
     else:  # n is a number, so only finitely many coefficients are not 0
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
     for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
-        yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), int(first))
+        yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), first)
 
 
 def _last_index(term: sympy.factorial) -> int:
@@ -200,7 +187,7 @@ def residue(e: sympy.Expr, first: int) -> Any:
         term = _term(product)
         groups[term.kind].append(term)
     sums = (_together(terms, first) for terms in groups.values())
-    return next((total for total in sums if total != 0), POLYNOMIALS.constant(0))
+    return next(filter(None, sums), POLYNOMIALS.constant(0))
 
 
 _Factorial = tuple[sympy.Expr, int]

@@ -28,17 +28,7 @@ from .theorem import Theorem
 
 @dataclass(frozen=True)
 class Control:
-    """Theorem with one deliberate error.
-
-    Attributes
-    ----------
-    theorem : str
-        Name of the theorem.
-    alteration : str
-        Description of the error.
-    proof : Proof
-        Outcome of deciding the altered theorem.
-    """
+    """Name of a theorem, description of one deliberate error in it, and outcome of deciding the altered theorem."""
 
     theorem: str
     alteration: str

@@ -42,23 +42,25 @@ DOUBLE_ANGLE = Theorem(
 )
 
 
-def solution(term: sympy.Expr, start: sympy.Expr | int, slope: sympy.Expr) -> tuple[Premise, ...]:
-    """Return the initial value and the differential equation of a function of α."""
-    return definition(Shifted(term, alpha, 0), start), definition(rate(term), slope * term)
+def solution(
+    term: sympy.Expr, start: sympy.Expr | int, law: sympy.Expr, variable: sympy.Expr = alpha
+) -> tuple[Premise, ...]:
+    """Return the initial value and the differential equation of a function of a variable."""
+    return definition(Shifted(term, variable, 0), start), definition(rate(term), law)
 
 
 ROTATION = exponential(alpha * skew(u))
 EXPONENTIAL = Theorem(
     "exponential",
     (Equation(ROTATION, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),),
-    (*solution(ROTATION, I, skew(u)), *circular(alpha), UNIT),
+    (*solution(ROTATION, I, skew(u) * ROTATION), *circular(alpha), UNIT),
     Determined(Symbols(FULL, (u,)), ZERO),
 )
 VERSOR = exponential(alpha / 2 * u)
-QUATERNION_EXPONENTIAL = Theorem(
+VERSOR_EXPONENTIAL = Theorem(
     "exponential of a quaternion",
     (Equation(VERSOR, HALF[1] + u * HALF[0], (23,)),),
-    (*solution(VERSOR, 1, u / 2), *circular(alpha / 2), UNIT),
+    (*solution(VERSOR, 1, u / 2 * VERSOR), *circular(alpha / 2), UNIT),
     Determined(Symbols(HALF, (u,)), ZERO),
 )
 TURNED_ROOT = sympy.cos(beta) - r * sympy.sin(beta)
@@ -124,7 +126,7 @@ def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
         tensor, SQUARE, ORIGIN_P,
     )  # fmt: skip
     return (
-        DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, _screw(tensor), _pose(formulas), line, TURNED,
+        DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL, _screw(tensor), _pose(formulas), line, TURNED,
         *(_shadow(formulas, sign) for sign in (1, -1)), COMPOSITION,
     )  # fmt: skip
 

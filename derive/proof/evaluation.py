@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any, cast
 
 import sympy
@@ -40,17 +42,9 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
 
 
 class Evaluation(ABC):
-    """Values of expressions.
+    """Values of expressions, given the values of symbols and terms; the identity and ε are known.
 
-    Parameters
-    ----------
-    values : mapping of Expr to value
-        Values of symbols and terms; the identity and ε are known.
-
-    Attributes
-    ----------
-    definitions : dict of Expr to Expr
-        Defining expressions of symbols and terms.
+    Further symbols and terms may have a defining expression in ``definitions``.
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
@@ -61,7 +55,7 @@ class Evaluation(ABC):
     def number(self, value: Fraction) -> Any:
         """Return a rational number as a value."""
 
-    def differentiated(self, operator: Any, value: Any) -> Any:
+    def differentiated(self, by: Any, value: Any) -> Any:
         """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
@@ -88,12 +82,9 @@ class Evaluation(ABC):
         if e.is_Rational:
             return self.number(Fraction(int(e.p), int(e.q)))
         if e.is_Add:
-            return _folded(mixed.add, map(self.value, e.args))
+            return reduce(mixed.add, map(self.value, e.args))
         if e.is_Mul:
-            numbers, others = e.args_cnc()
-            product = _folded(mixed.multiply, map(self.value, others)) if others else None
-            number = _folded(mixed.multiply, map(self.value, numbers)) if numbers else None
-            return product if number is None else number if product is None else product * number
+            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in _factors(e)))
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
         if e.func in (notation.rate, notation.prime):
@@ -106,8 +97,14 @@ class Evaluation(ABC):
     def _integer_power(value: Any, exponent: int) -> Any:
         if not isinstance(value, Structure):
             return value**exponent
-        power = _folded(mixed.multiply, [value] * abs(exponent))
+        power: Any = reduce(mixed.multiply, [value] * abs(exponent))
         return power if exponent > 0 else power.inverse()
+
+
+def _factors(product: sympy.Expr) -> list[list[sympy.Expr]]:
+    """Return the noncommutative factors in their order, then the commutative ones, each if there are any."""
+    numbers, others = product.args_cnc()
+    return [part for part in (others, numbers) if part]
 
 
 def flat(value: Any) -> list[Any]:
@@ -118,10 +115,3 @@ def flat(value: Any) -> list[Any]:
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
     """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
-
-
-def _folded(operation: Callable[[Any, Any], Any], values: Iterable[Any]) -> Any:
-    first, *rest = values
-    for value in rest:
-        first = operation(first, value)
-    return first

@@ -21,16 +21,9 @@ Check = tuple[str, Any]
 
 @dataclass(frozen=True)
 class Multiplier:
-    """Factor by which both sides were multiplied before the comparison.
+    """Power of a polynomial by which both sides were multiplied before the comparison.
 
-    Attributes
-    ----------
-    expression : Expr
-        Polynomial.
-    power : int
-        Exponent.
-    nonzero : bool
-        True if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
+    It is `nonzero` if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
     """
 
     expression: sympy.Expr
@@ -118,9 +111,8 @@ class Proof:
 
     def cells(self) -> dict[str, str]:
         """Return the row in a table of proofs."""
-        typeset = f"$\\displaystyle {self.latex}$"
-        shown = {"theorem": self.name, "scope": self.scope, "status": self.status}
-        return {**shown, "statement": typeset, "method": self.method}
+        start = {"theorem": self.name, "scope": self.scope, "status": self.status}
+        return {**start, "statement": f"$\\displaystyle {self.latex}$", "method": self.method}
 
     def __str__(self) -> str:
         return f"{self.status} [{self.scope}] {self.statement} ({self.method})"

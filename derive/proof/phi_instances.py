@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import sympy
 
@@ -21,13 +21,15 @@ METHOD = "instance of the theorems on every phi, differences of the coefficients
 def instance(chart: Chart) -> Iterator[Proof]:
     """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
     yield from any_phi()
+    scalars = {premise.equation.left: premise.equation.right for premise in SCALARS}
     claim = tuple(
-        Equation(_in_symbols(expected), sympy.Symbol(f"{name}[{i}]"))
+        Equation(expected.xreplace(scalars), sympy.Symbol(f"{name}[{i}]"))
         for name, values in FORMULAS.items()
         for i, expected in enumerate(values)
     )
     stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
-    symbols = _symbols(chart)
+    symbols = dict(zip(PHI, (chart.phi.diff(alpha, order) for order in range(len(PHI))), strict=True))
+    symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
 
     def checks() -> Iterator[Check]:
         for equation, found in zip(claim, stated, strict=True):
@@ -38,23 +40,9 @@ def instance(chart: Chart) -> Iterator[Proof]:
     yield _at_origin(chart)
 
 
-def _in_symbols(expression: sympy.Expr) -> sympy.Expr:
-    """Rewrite a formula in sine and cosine of α/2, φ and its derivatives."""
-    return expression.xreplace({premise.equation.left: premise.equation.right for premise in SCALARS})
-
-
-def _symbols(chart: Chart) -> Mapping[sympy.Expr, sympy.Expr]:
-    derivatives = [chart.phi]
-    for _ in PHI[1:]:
-        derivatives.append(derivatives[-1].diff(alpha))
-    values = dict(zip(PHI, derivatives, strict=True))
-    return values | {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
-
-
 def _at_origin(chart: Chart) -> Proof:
     """Decide whether φ is odd with φ(0) = 0 and φ′(0) ≠ 0; then every scalar is a function of x, analytic at 0."""
-    zero = sympy.Integer(0)
-    claim = (Equation(Shifted(phi, alpha, zero), zero), Equation(Shifted(phi, alpha, -alpha), -phi))
+    claim = (Equation(Shifted(phi, alpha, 0), 0), Equation(Shifted(phi, alpha, -alpha), -phi))
 
     def checks() -> Iterator[Check]:
         for equation in claim:

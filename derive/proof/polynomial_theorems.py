@@ -9,13 +9,13 @@ import sympy
 
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
-from .methods import Determined, Identity
+from .methods import Determined, identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
-ONE = Equation(n, sympy.Integer(1))
+ONE = Equation(n, 1)
 """Index at the start of sequences."""
 
 
@@ -68,15 +68,14 @@ ADDITION = Theorem(
     "addition",
     tuple(map(Equation, (p_sum, q_sum), polynomials.multiply((p_m, q_m), (p, q), x))),
     (*pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM)),
-    Determined(Symbols((p_m, q_m, p, q, x)), Equation(m, sympy.Integer(1))),
+    Determined(Symbols((p_m, q_m, p, q, x)), Equation(m, 1)),
 )
 TWICE = ((m, n), (p_m, p), (q_m, q), (p_sum, p_double), (q_sum, q_double))
-DOUBLING = Theorem(
-    "doubling",
+DOUBLING = identity(
+    "doubling", Symbols((p, q, x)),
     tuple(map(Equation, (p_double, q_double), polynomials.double((p, q), x))),
-    tuple(ADDITION.premise(place, *TWICE) for place in (0, 1)),
-    Identity(Symbols((p, q, x))),
-)
+    *(ADDITION.premise(place, *TWICE) for place in (0, 1)),
+)  # fmt: skip
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
@@ -100,7 +99,7 @@ _NEXT_AT_ZERO = (e.xreplace({x: sympy.Integer(0)} | dict(zip((p, q, prime(p), pr
 ORIGIN = Theorem(
     "values at x = 0",
     (
-        Equation(AT_ZERO[0], sympy.Integer(1), wrong=sympy.Integer(0)),
+        Equation(AT_ZERO[0], 1, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[1], n, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[2], -n * (n - 1) / 2),
         Equation(AT_ZERO[3], -n * (n - 1) * (n - 2) / 6),
@@ -108,64 +107,51 @@ ORIGIN = Theorem(
     recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
     Determined(Symbols((n,)), ONE),
 )
-BRACKETS_AT_ZERO = Theorem(
-    "brackets at x = 0",
+BRACKETS_AT_ZERO = identity(
+    "brackets at x = 0", Symbols((n,)),
     tuple(map(Equation, polynomials.brackets_of(*AT_ZERO), (2 * n * (n**2 - 1) / 3, n * (n**2 + 2) / 3))),
-    ORIGIN.given(),
-    Identity(Symbols((n,))),
-)
-BRACKETS = Theorem(
-    "brackets",
+    *ORIGIN.given(),
+)  # fmt: skip
+BRACKETS = identity(
+    "brackets", Symbols((p, q, x, n), free=(x,)),
     (Equation(n * (1 + x) ** (n - 1) - p * q, x * c), Equation((1 + x) * q - n * p, x * d)),
-    (
-        *map(definition, (c, d), polynomials.brackets_of(p, q, prime(p), prime(q))),
-        *SLOPES.given(),
-        *NORM.given(),
-    ),
-    Identity(Symbols((p, q, x, n), free=(x,))),
-)
+    *map(definition, (c, d), polynomials.brackets_of(p, q, prime(p), prime(q))), *SLOPES.given(), *NORM.given(),
+)  # fmt: skip
 
 
 def _series(coefficient: sympy.Expr, exponent: sympy.Expr = j, first: int = 0) -> sympy.Sum:
     return sympy.Sum(coefficient * x**exponent, (j, first, sympy.oo))
 
 
-def _choose(of: sympy.Expr, number: sympy.Expr) -> sympy.Expr:
-    return sympy.binomial(of, number)
-
-
+choose = sympy.binomial
 SIGN = sympy.Integer(-1) ** j
 SUMS = Theorem(
     "binomial sums",
     (
-        Equation(p, _series(SIGN * _choose(n, 2 * j)), (51, 63)),
-        Equation(q, _series(SIGN * _choose(n, 2 * j + 1)), (52, 64)),
+        Equation(p, _series(SIGN * choose(n, 2 * j)), (51, 63)),
+        Equation(q, _series(SIGN * choose(n, 2 * j + 1)), (52, 64)),
     ),
     (*RECURRENCE, BINOMIAL),
     Coefficients(),
 )
 BINOMIAL_THEOREM = Theorem(
     "binomial theorem",
-    (Equation((1 + x) ** n, _series(_choose(n, j))),),
+    (Equation((1 + x) ** n, _series(choose(n, j))),),
     (*recurring(n, ((1 + x) ** n, 1, (1 + x) * (1 + x) ** n), first=0), BINOMIAL),
-    Coefficients(Equation(n, sympy.Integer(0))),
+    Coefficients(first=0),
 )
 BRACKET_SUMS = Theorem(
     "binomial sums of the brackets",
     (
-        Equation(c, _series(n * _choose(n - 1, j) - SIGN * _choose(2 * n, 2 * j + 1) / 2, j - 1, 1)),
-        Equation(d, _series(SIGN * (_choose(n, 2 * j + 1) - _choose(n, 2 * j - 1) - n * _choose(n, 2 * j)), j - 1, 1)),
+        Equation(c, _series(n * choose(n - 1, j) - SIGN * choose(2 * n, 2 * j + 1) / 2, j - 1, 1)),
+        Equation(d, _series(SIGN * (choose(n, 2 * j + 1) - choose(n, 2 * j - 1) - n * choose(n, 2 * j)), j - 1, 1)),
     ),
     (
-        *BRACKETS.given(),
-        *SUMS.given(),
-        SUMS.premise(1, (n, 2 * n), (q, q_double)),
-        DOUBLING.premise(1),
-        BINOMIAL_THEOREM.premise(0, (n, n - 1)),
-        BINOMIAL,
+        *BRACKETS.given(), *SUMS.given(), SUMS.premise(1, (n, 2 * n), (q, q_double)), DOUBLING.premise(1),
+        BINOMIAL_THEOREM.premise(0, (n, n - 1)), BINOMIAL,
     ),
     Coefficients(),
-)
+)  # fmt: skip
 COSINE, SINE = sympy.cos(n * theta), sympy.sin(n * theta)
 TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 

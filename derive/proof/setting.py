@@ -49,14 +49,7 @@ class Symbols:
 class Setting(Evaluation):
     """Values of expressions in a ring where the premises hold.
 
-    Parameters
-    ----------
-    symbols : Symbols
-    premises : iterable of Premise
-    claim : iterable of Equation, optional
-        Equations to be evaluated; they may contain further powers with exponent n.
-    zeroed : Expr, optional
-        See `DifferentialRing`.
+    The equations of the claim may contain further powers with exponent n. See `DifferentialRing` for `zeroed`.
     """
 
     def __init__(
@@ -89,10 +82,8 @@ class Setting(Evaluation):
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
             self._start(left, right)
-        elif isinstance(left, notation.rate):
-            self._derive(self._rates, left.args[0], right)
-        elif isinstance(left, notation.prime):
-            self._derive(self._slopes, left.args[0], right)
+        elif isinstance(left, notation.rate | notation.prime):
+            self._derive(self._rates if isinstance(left, notation.rate) else self._slopes, left.args[0], right)
         elif _is_power(left):
             self._powers[left.base] = equation
             if left.base in self._roots:

@@ -74,15 +74,9 @@ class Equation:
 
 @dataclass(frozen=True)
 class Premise:
-    """Equation that a theorem assumes.
+    """Equation that a theorem assumes: a definition, or proved by another theorem.
 
-    Attributes
-    ----------
-    equation : Equation
-    theorem : str
-        Name of the theorem that proves it; empty for a definition.
-    instance : tuple of (Expr, Expr)
-        Replacements of symbols in the theorem's equation.
+    The `instance` consists of pairs of a symbol in the other theorem and the expression that replaces it.
     """
 
     equation: Equation
