@@ -15,13 +15,12 @@ from ..maps import Cayley
 from ..output import files
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
-from .every_order import stated
 from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
 from .limit_theorems import GROWING_ORDER
 from .page import page, title
 from .phi_theorems import ANY_PHI
-from .proved import proofs
+from .proved import proofs, stated
 from .theorem import Theorem, decided
 
 ORDERS = (1, 2, 3, 4, 5)

@@ -6,7 +6,7 @@ brackets, closed forms, and the angles at which dcay loses rank.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache, partial
 from itertools import product
 from typing import Any
@@ -16,7 +16,7 @@ import sympy
 from ..maps import Cayley, closed_forms, polynomials
 from .evaluation import NoValueError
 from .formulas import Formulas
-from .identity import Check, Proof, decide
+from .identity import Checks, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
@@ -62,7 +62,7 @@ class AtOrder:
             **{symbol: formula(order, self.x, p_n, q_n) for symbol, formula in tensors.items()},
         }
 
-    def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
+    def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Checks:
         """Yield stated coefficients minus the theorems' coefficients for the symbol in `term`, at this order."""
         symbol, index, order = term.args
         if (index, order) != (n, self.order):
@@ -84,7 +84,7 @@ def same_as_theorem(at: AtOrder, named: Named) -> Proof:
         for name, (symbol, _) in named.items()
     )
 
-    def checks() -> Iterator[Check]:
+    def checks() -> Checks:
         for equation in claim:
             _, stated = named[equation.left.name]
             yield from at.same(equation.left, stated(), equation.right)
@@ -96,7 +96,10 @@ def instances(cayley: Cayley) -> tuple[Proof, ...]:
     """Prove that the formulas of a Cayley map equal the theorems' formulas at its order."""
 
     def proof(*names: str) -> Proof:
-        named = {f"Cayley({cayley.order}).{a}": (SYMBOLS[a], partial(_coefficients, cayley, a)) for a in names}
+        named = {
+            f"Cayley({cayley.order}).{name}": (SYMBOLS[name], partial(_coefficients, getattr(cayley, name)))
+            for name in names
+        }
         return same_as_theorem(at_order(cayley.order), named)
 
     return (proof("p", "q", "c", "d"), *map(proof, FORMS))
@@ -120,9 +123,8 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     def total(name: str) -> tuple[Any]:
         return (functions[name](order),)
 
-    def form(name: str) -> Sequence[Any]:
-        found = functions[name](order, at.x)
-        return found if isinstance(found, tuple) else tuple(found.coefficients)
+    def form(name: str) -> tuple[Any, ...]:
+        return _coefficients(functions[name](order, at.x))
 
     sums: Named = {f"polynomials.{a}({order})": (SYMBOLS[a[0]], partial(total, a)) for a in SUMS}
     pairs: Named = {
@@ -134,9 +136,11 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     return (*(same_as_theorem(at, named) for named in (sums, pairs, *closed)), _singular_angles(at, functions))
 
 
-def _coefficients(cayley: Cayley, name: str) -> tuple[sympy.Expr, ...]:
-    found = getattr(cayley, name)
-    return (found,) if isinstance(found, sympy.Expr) else tuple(found.coefficients)
+def _coefficients(found: Any) -> tuple[Any, ...]:
+    """Return the coefficients of a quaternion, tensor or operator; a polynomial is its only coefficient."""
+    if isinstance(found, sympy.Expr):
+        return (found,)
+    return found if isinstance(found, tuple) else tuple(found.coefficients)
 
 
 def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:
@@ -149,7 +153,7 @@ def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:
         Equation(last, at.order * sympy.pi),
     )
 
-    def checks() -> Iterator[Check]:
+    def checks() -> Checks:
         *full_turns, end = functions["singular_angles"](at.order)
         found = functions["poles"](at.order)
         yield "the number of poles less that of angles", len(found) - len(full_turns)

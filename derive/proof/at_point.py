@@ -6,7 +6,6 @@ The evaluation is not a proof. It guards against a printed statement that differ
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -17,7 +16,7 @@ from ..maps import polynomials
 from . import notation as m
 from .evaluation import Evaluation, NoValueError, mapped
 from .formulas import Formulas
-from .identity import Check
+from .identity import Checks
 from .statement import Equation
 
 PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
@@ -60,7 +59,7 @@ class AtPoint(Evaluation):
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         return _root(self.value(base)) ** int(2 * exponent)
 
-    def checks(self, equation: Equation) -> Iterator[Check]:
+    def checks(self, equation: Equation) -> Checks:
         """Yield left side minus right side at the point, component by component."""
         at_order = equation.replaced({m.n: sympy.Integer(self.n)})
         for place, (left, right) in enumerate(self.sides(at_order), 1):

@@ -16,14 +16,14 @@ even at the borders of Pascal's triangle. The sum of these polynomials must be z
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 
 from ..algebra.exact import RationalFunctions
-from .identity import Check, Multiplier
+from .identity import Checks
 from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
 from .theorem import Method, Theorem
@@ -93,9 +93,7 @@ class Coefficients(Method):
     def title(self) -> str:
         return "coefficient by coefficient as multiples of one quotient of factorials, residues in Q[n, j]"
 
-    def checks(
-        self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
         claim, given = theorem.claim, [premise.equation for premise in theorem.premises]
         rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
         known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
@@ -161,7 +159,7 @@ class _Reader:
 # ---- deciding ---------------------------------------------------------------------------------------------------
 
 
-def _zero(label: str, series: Series, first: int) -> Iterator[Check]:
+def _zero(label: str, series: Series, first: int) -> Checks:
     """Yield the residues of all coefficients of a series, which must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)

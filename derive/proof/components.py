@@ -22,7 +22,7 @@ from ..algebra.element import Element
 from ..maps import Cayley
 from . import notation as m
 from .at_point import AtPoint
-from .identity import Check, Multiplier, Proof, decide
+from .identity import Checks, Multiplier, Proof, decide
 from .statement import Equation, Premise, definition
 from .vector_ring import Ring
 
@@ -149,13 +149,13 @@ class Components:
         skew = np.array([[self.zero, -v3, v2], [v3, self.zero, -v1], [-v2, v1, self.zero]])
         return self.identity[1:, 1:] * a + skew * b + np.outer(self.v * c, self.v), denominator
 
-    def definition(self) -> Iterator[Check | Multiplier]:
+    def definition(self) -> Checks:
         """Decide (z/|z|)² (1 - v)ⁿ = (1 + v)ⁿ."""
         yield _multiplier(NORM, self.norm)
         product = hamilton(self.z, self.power(_conjugate(self.one_plus_v)))
         yield from _checks("z (1-v)^n - |z|^2", product - self.identity[0] * self.norm)
 
-    def quaternion(self) -> Iterator[Check | Multiplier]:
+    def quaternion(self) -> Checks:
         """Decide q̂ ⊗ q̂ = z ⊗ z / |z|², which fixes the quaternion up to its sign."""
         s, t = self.cayley.quaternion.coefficients
         (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
@@ -166,21 +166,21 @@ class Components:
             stated = weight * self.one_plus_v[i] * self.one_plus_v[j]
             yield from _checks(f"q_{i} q_{j}", self.z[i] * self.z[j] * denominator - self.norm * stated)
 
-    def tensor(self) -> Iterator[Check | Multiplier]:
+    def tensor(self) -> Checks:
         """Decide whether R from the sandwich equals a I + b skew(v) + c v⊗v."""
         formula, denominator = self._isotropic(self.cayley.tensor.coefficients)
         yield _multiplier(NORM, self.norm)
         yield _multiplier(m.below(m.R), denominator)
         yield from _checks("R", self.rotation * denominator - formula * self.norm)
 
-    def orthogonality(self) -> Iterator[Check | Multiplier]:
+    def orthogonality(self) -> Checks:
         """Decide R Rᵀ = I by six entries, since the product is symmetric."""
         yield _multiplier(NORM, self.norm, 2)
         unit = self.identity * (self.norm * self.norm)
         for i, j in combinations_with_replacement(range(3), 2):
             yield from _checks(f"(R R^T)_{i + 1}{j + 1}", self.rotation[i] @ self.rotation[j] - unit[i, j])
 
-    def twist(self) -> Iterator[Check | Multiplier]:
+    def twist(self) -> Checks:
         """Decide vect(R' Rᵀ) = dcay v' in the three dual basis directions.
 
         With R = M/|z|², R' Rᵀ = M' Mᵀ/|z|⁴ + (scalar) R Rᵀ, and the second term is symmetric.
@@ -203,7 +203,7 @@ class Components:
         """Return the derivative of |z|² R by a component of v or of its dual part."""
         return np.array([entry.derivative(name) for entry in self.rotation.flat]).reshape(3, 3)
 
-    def inverse(self) -> Iterator[Check | Multiplier]:
+    def inverse(self) -> Checks:
         """Decide dcay dcay⁻¹ = I."""
         tangent, below_tangent = self._isotropic(self.cayley.tangent.coefficients)
         inverse, below_inverse = self._isotropic(self.cayley.tangent_inv.coefficients)
@@ -223,7 +223,7 @@ class Components:
             yield decide(name, claim, METHOD, everything, f"n = {self.cayley.order}", premises)
 
 
-def _checks(label: str, value: Any) -> Iterator[Check]:
+def _checks(label: str, value: Any) -> Checks:
     """Yield both parts of a dual number, or of every entry of an array."""
     for place, entry in np.ndenumerate(value):
         yield f"{label}{list(place) or ''}, real part", entry.re

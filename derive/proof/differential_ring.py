@@ -51,7 +51,7 @@ class DifferentialRing(RationalFunctions):
         self.zeroed = zeroed
         self.origin: dict[sympy.Symbol, Element] = {}
         self.cleared_by: list[Polynomial] = []
-        self._bases: dict[sympy.Expr, Polynomial] = {}
+        self.bases: dict[sympy.Expr, Polynomial] = {}  # by symbol of a power with a variable exponent
 
     def generator(self, symbol: sympy.Symbol) -> Element:
         """Return the generator of a symbol."""
@@ -66,10 +66,6 @@ class DifferentialRing(RationalFunctions):
         """Set a difference to 0; its numerator becomes a relation."""
         self.relations.append(difference.numerator)
         self.cleared_by.append(difference.denominator)
-
-    def set_power(self, symbol: sympy.Symbol, base: Element) -> None:
-        """Declare a symbol to be a power of a base, with a variable exponent."""
-        self._bases[symbol] = base.numerator
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
         """Return the factors by which a difference with this denominator is multiplied."""
@@ -105,7 +101,7 @@ class DifferentialRing(RationalFunctions):
 
     def _certified(self, factor: Polynomial) -> bool:
         """Return whether a factor is certified: for no n is it identically 0."""
-        factor = self._bases.get(self.expression(factor), factor)
+        factor = self.bases.get(self.expression(factor), factor)
         symbols = self.occurring(factor)
         if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:
             return bool(self.normal_form(factor))

@@ -46,6 +46,9 @@ class Residue(NamedTuple):
     value: Any
 
 
+Checks = Iterable[Check | Multiplier]
+"""Checks of a statement, and the factors by which differences were multiplied."""
+
 @dataclass(frozen=True)
 class Proof:
     """Outcome of deciding one statement.
@@ -128,7 +131,7 @@ def decide(
     name: str,
     claim: tuple[Equation, ...],
     method: str,
-    checks: Callable[[], Iterable[Check | Multiplier]],
+    checks: Callable[[], Checks],
     scope: str = ALL_ORDERS,
     premises: tuple[Premise, ...] = (),
     conditions: tuple[Equation, ...] = (),

@@ -14,7 +14,7 @@ from typing import Any
 import sympy
 
 from . import notation
-from .identity import ALL_ORDERS, Check, Multiplier
+from .identity import ALL_ORDERS, Checks
 from .setting import Setting, Symbols
 from .statement import Equation, Premise
 from .theorem import Method, Theorem
@@ -48,9 +48,7 @@ class Identity(InRing):
     def title(self) -> str:
         return f"identity, residues in Q[{self.names()}] localized, modulo the relations given"
 
-    def checks(
-        self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
         setting = Setting(self.symbols, theorem.premises, (*theorem.claim, *required), zeroed)
         yield from _check_consistency(setting, theorem.premises)
         for equation in theorem.claim:
@@ -90,7 +88,7 @@ class Determined(InRing):
 
     def _check_laws(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
-    ) -> Iterator[Check]:
+    ) -> Checks:
         """Check that every symbol that depends on the index or variable has a law."""
         index = self.start.left
         for symbol in self.symbols.scalars:
@@ -102,9 +100,7 @@ class Determined(InRing):
         elif index in self.symbols.scalars:
             yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
-    def checks(
-        self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
         premises, index, first = theorem.premises, self.start.left, self.start.right
         starts = _laws(premises, index, first)
         steps = _laws(premises, index, index + 1)
@@ -128,7 +124,7 @@ class Determined(InRing):
             yield from differences(ring, f"law, {notation.text(left)}", Equation(reached, law.xreplace(unknown)))
 
 
-def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
+def differences(setting: Setting, label: str, equation: Equation) -> Checks:
     """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
@@ -136,7 +132,7 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
         yield from setting.ring.multipliers(difference.denominator)
 
 
-def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
+def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Checks:
     """Check that premises are consistent.
 
     No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are

@@ -1,8 +1,8 @@
-r"""Proof that the scalars of an algebraic chart agree with its formulas and with its φ.
+r"""Proof that the formulas of a chart agree with its φ and, if it is algebraic, with its scalars.
 
-The functions of the chart are evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas
-contain this root. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist
-``ω = 2 vec(q̂' q̂*)`` is
+A chart with formulas in the angle α is an instance of the theorems on every φ. The functions of an algebraic chart are
+evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas contain this root. With
+``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
@@ -31,13 +31,16 @@ from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .identity import Check, Proof, decide
+from .identity import Checks, Proof, decide
 from .notation import Shifted, prime
+from .phi_theorems import PHI, SCALARS, any_phi, cosine, sine
 from .statement import Equation
 from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
+
+BY_PHI = "instance of the theorems on every phi, differences of the coefficients as functions of alpha"
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
 BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
@@ -163,13 +166,13 @@ class ScalarProofs:
             yield decide(name, claim, METHOD, partial(self._residues, claim), scope)
         yield decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, BY_ANGLE, self._angle, scope)
 
-    def _residues(self, claim: Iterable[Equation]) -> Iterator[Check]:
+    def _residues(self, claim: Iterable[Equation]) -> Checks:
         """Yield left side minus right side of each equation."""
         for equation in claim:
             left, right = (self.ring.lift(side, self.values) for side in (equation.left, equation.right))
             yield equation.text, left - right
 
-    def _angle(self) -> Iterator[Check]:
+    def _angle(self) -> Checks:
         """Yield left side minus right side at ``x = φ²``, and for the initial values at x = 0 and α = 0."""
         field = AngleField((), {alpha.name: _steps(self.chart.phi)})
         functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
@@ -198,3 +201,39 @@ def _steps(phi: sympy.Expr) -> int:
     """Return the least M such that all trigonometric functions in φ have multiples of α/M as arguments."""
     arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
     return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))
+
+
+def instance(chart: Chart) -> Iterator[Proof]:
+    """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
+    yield from any_phi()
+    in_angle = {premise.equation.left: premise.equation.right for premise in SCALARS}
+    claim = tuple(
+        Equation(expected.xreplace(in_angle), sympy.Symbol(f"{name}[{i}]"))
+        for name, values in FORMULAS.items()
+        for i, expected in enumerate(values)
+    )
+    stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
+    symbols = dict(zip(PHI, (chart.phi.diff(alpha, order) for order in range(len(PHI))), strict=True))
+    symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
+
+    def checks() -> Checks:
+        for equation, found in zip(claim, stated, strict=True):
+            difference = sympy.together(equation.left.xreplace(symbols) - found)
+            yield equation.text, sympy.expand(sympy.fraction(difference)[0])
+
+    yield decide("coefficients in alpha", claim, BY_PHI, checks, chart.name)
+    yield _at_origin(chart)
+
+
+def _at_origin(chart: Chart) -> Proof:
+    """Decide whether φ is odd with φ(0) = 0 and φ′(0) ≠ 0; then every scalar is a function of x, analytic at 0."""
+    claim = (Equation(Shifted(phi, alpha, 0), 0), Equation(Shifted(phi, alpha, -alpha), -phi))
+
+    def checks() -> Checks:
+        for equation in claim:
+            there = chart.phi.subs(alpha, equation.left.args[2])
+            yield equation.text, sympy.expand(there - equation.right.xreplace({phi: chart.phi}))
+        slope = chart.phi.diff(alpha).subs(alpha, 0)
+        yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
+
+    return decide("phi at 0", claim, BY_PHI, checks, chart.name)

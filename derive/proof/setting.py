@@ -31,14 +31,8 @@ from .statement import Equation, Premise
 class Symbols:
     """Symbols of a theorem without a definition.
 
-    Attributes
-    ----------
-    scalars : tuple of Symbol
-        Scalars in order: a relation eliminates the first of its symbols.
-    vectors : tuple of Symbol
-        Vectors, each with three independent components.
-    free : tuple of Symbol
-        Scalars and vectors that vary independently and may be 0. All others depend on them or are parameters.
+    A relation eliminates the first of its scalars. Vectors have three independent components each. Free scalars and
+    vectors vary independently and may be 0. All other symbols depend on them or are parameters.
     """
 
     scalars: tuple[sympy.Symbol, ...]
@@ -75,7 +69,7 @@ class Setting(Evaluation):
         for equation in given:
             self._assume(equation)
         for base, (symbol, _) in self._roots.items():
-            self.ring.set_power(symbol, self.value(base))
+            self.ring.bases[symbol] = self.value(base).numerator
 
     def _assume(self, equation: Equation) -> None:
         """Make a premise hold."""

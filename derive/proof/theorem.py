@@ -14,7 +14,7 @@ from typing import ClassVar
 import sympy
 
 from . import notation
-from .identity import ALL_ORDERS, Check, Multiplier, Proof, decide
+from .identity import ALL_ORDERS, Checks, Proof, decide
 from .statement import Equation, Premise
 
 
@@ -34,18 +34,10 @@ class Method(ABC):
         return iter(())
 
     @abstractmethod
-    def checks(
-        self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None
-    ) -> Iterator[Check | Multiplier]:
-        """Yield residues and multipliers.
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
+        """Yield residues and multipliers of a claim.
 
-        Parameters
-        ----------
-        theorem : Theorem
-        required : tuple of Equation
-            Definitions from cited theorems, which must hold here too.
-        zeroed : Expr, optional
-            Multiplier to be taken as 0, for controls.
+        The `required` definitions from cited theorems must hold too. Controls take a multiplier `zeroed` as 0.
         """
 
 
@@ -64,7 +56,7 @@ class Theorem:
         cited = self._cited_definitions(known)
         required = tuple(filter(self._defined_here, cited))
 
-        def checks() -> Iterator[Check | Multiplier]:
+        def checks() -> Checks:
             for premise in self.premises:
                 if premise.theorem:
                     yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1

@@ -10,11 +10,11 @@ from derive.maps import polynomials
 from derive.proof import citing, formulas, theorems
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXPONENTIAL
-from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.identity import ALL_ORDERS
 from derive.proof.notation import I, alpha, dcay, det, n, p, q, skew, u, v, x
 from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
+from derive.proof.proved import stated
 from derive.proof.statement import Equation, definition
 from derive.proof.theorem import Theorem, decided
 from tests.support.theorems import known
