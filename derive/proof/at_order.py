@@ -115,32 +115,28 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
     """
     at = at_order(order)
     halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
-    arguments = {"multiply": (*halves, at.x)}
+    arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (order,))}
 
-    def part(name: str, place: int) -> tuple[Any]:
-        return (functions[name](*arguments.get(name, (order, at.x)))[place],)
+    def computed(name: str, place: int = 0) -> tuple[Any, ...]:
+        found = functions[name](*arguments.get(name, (order, at.x)))
+        return _coefficients(found[place] if name in PAIRS else found)
 
-    def total(name: str) -> tuple[Any]:
-        return (functions[name](order),)
-
-    def form(name: str) -> tuple[Any, ...]:
-        return _coefficients(functions[name](order, at.x))
-
-    sums: Named = {f"polynomials.{a}({order})": (SYMBOLS[a[0]], partial(total, a)) for a in SUMS}
     pairs: Named = {
-        f"polynomials.{name}({order}).{symbol}": (SYMBOLS[symbol], partial(part, name, place))
+        f"polynomials.{name}({order}).{symbol}": (SYMBOLS[symbol], partial(computed, name, place))
         for name, symbols in PAIRS.items()
         for place, symbol in enumerate(symbols)
     }
-    closed: list[Named] = [{f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(form, a))} for a in FORMS]
-    return (*(same_as_theorem(at, named) for named in (sums, pairs, *closed)), _singular_angles(at, functions))
+    return (
+        same_as_theorem(at, {f"polynomials.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
+        same_as_theorem(at, pairs),
+        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
+        _singular_angles(at, functions),
+    )
 
 
 def _coefficients(found: Any) -> tuple[Any, ...]:
     """Return the coefficients of a quaternion, tensor or operator; a polynomial is its only coefficient."""
-    if isinstance(found, sympy.Expr):
-        return (found,)
-    return found if isinstance(found, tuple) else tuple(found.coefficients)
+    return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
 
 
 def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:

@@ -50,9 +50,6 @@ class AtPoint(Evaluation):
         known |= {m.point: Vector(*map(Fraction, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 
-    def number(self, value: Fraction) -> Fraction:
-        return value
-
     def differentiated(self, operator: Any, value: Any) -> Any:
         return mapped(dual_part, value)
 

@@ -247,12 +247,9 @@ def _linear(form: sympy.Expr) -> _Factorial:
     return form - constant, int(constant)
 
 
-def _between(form: Any, low: int, high: int) -> Any:
+def _between(form: sympy.Expr, low: int, high: int) -> Any:
     """Return ``(h + high)!/(h + low)!``."""
-    product = POLYNOMIALS.constant(1)
-    for t in range(low + 1, high + 1):
-        product *= _polynomial(form + t)
-    return product
+    return _polynomial(sympy.rf(form + low + 1, high - low))
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:

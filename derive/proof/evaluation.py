@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import reduce
@@ -41,7 +40,7 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
 """Functions on values of the algebra, by the operator that denotes them."""
 
 
-class Evaluation(ABC):
+class Evaluation:
     """Values of expressions, given the values of symbols and terms; the identity and ε are known.
 
     Further symbols and terms may have a defining expression in ``definitions``.
@@ -51,9 +50,9 @@ class Evaluation(ABC):
         self.values: dict[sympy.Expr, Any] = {**values, notation.I: Tensor.identity(), notation.epsilon: Dual(0, 1)}
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}
 
-    @abstractmethod
     def number(self, value: Fraction) -> Any:
         """Return a rational number as a value."""
+        return value
 
     def differentiated(self, by: Any, value: Any) -> Any:
         """Return the derivative of a value by the operator `rate` or `prime`."""

@@ -14,7 +14,6 @@ Therefore ``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from fractions import Fraction
 from functools import cached_property, partial
 from types import SimpleNamespace
 from typing import Any
@@ -39,7 +38,6 @@ from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
-
 BY_PHI = "instance of the theorems on every phi, differences of the coefficients as functions of alpha"
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
@@ -55,6 +53,9 @@ FORMULAS = {
     "tangent_inv": (fi / 2, -sympy.Rational(1, 2), hi / 2),
 }
 """Coefficients of each map in terms of the scalars."""
+
+STATED = tuple(Equation(e, sympy.Symbol(f"{name}[{i}]")) for name, of in FORMULAS.items() for i, e in enumerate(of))
+"""Equations of the scalars with the coefficients that a chart states."""
 
 RELATIONS = (
     Equation(s**2 + x * w**2, 1),
@@ -80,16 +81,13 @@ ANGLE = (
 )
 
 
-class _AtAngle(Evaluation):
-    """Values of expressions at a symbolic angle, as rational functions of a tangent."""
-
-    def number(self, value: Fraction) -> Fraction:
-        return value
-
-
 def is_algebraic(chart: Chart) -> bool:
     """Return whether the formulas of a chart are functions of x that the exact ring can represent."""
-    return all(c.free_symbols <= {x} for name in FORMULAS for c in getattr(chart, name).coefficients)
+    return all(coefficient.free_symbols <= {x} for coefficient in _coefficients(chart))
+
+
+def _coefficients(chart: Chart) -> list[sympy.Expr]:
+    return [coefficient for name in FORMULAS for coefficient in getattr(chart, name).coefficients]
 
 
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
@@ -132,9 +130,8 @@ class ScalarProofs:
 
     def __init__(self, chart: Chart, backend: str | None = None) -> None:
         self.chart = chart
-        self.stated = {name: getattr(chart, name).coefficients for name in FORMULAS}
-        root = root_of(e for coefficients in self.stated.values() for e in coefficients)
-        self.ring = Ring(root=root, backend=backend)
+        self.stated = _coefficients(chart)
+        self.ring = Ring(root=root_of(self.stated), backend=backend)
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
@@ -144,21 +141,14 @@ class ScalarProofs:
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
         values |= {prime(sympy.Symbol(name)): self.ring.derivative(found[name], "x") for name in (*VALUES, *SLOPES)}
-        values |= {
-            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: at_x})
-            for name, coefficients in self.stated.items()
-            for i, e in enumerate(coefficients)
-        }
+        values |= {e.right: self.ring.lift(c, {x: at_x}) for e, c in zip(STATED, self.stated, strict=True)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
         """Decide the statements one after the other."""
-        formulas = tuple(
-            Equation(value, sympy.Symbol(f"{name}[{i}]")) for name, of in FORMULAS.items() for i, value in enumerate(of)
-        )
         statements = {
-            "scalars as lowered": formulas, "scalars": RELATIONS, "slopes": DERIVATIVES,
+            "scalars as lowered": STATED, "scalars": RELATIONS, "slopes": DERIVATIVES,
             "second slopes": SECOND_DERIVATIVES,
         }  # fmt: skip
         scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
@@ -181,7 +171,7 @@ class ScalarProofs:
         values = {symbol: self._at(self.values[symbol], size * size) for symbol in (f, h, x)}
         starts = (self._at(self.values[s], size * 0), phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
-        at = _AtAngle(values | {slope: rate})
+        at = Evaluation(values | {slope: rate})
         for equation in ANGLE:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
@@ -207,17 +197,12 @@ def instance(chart: Chart) -> Iterator[Proof]:
     """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
     yield from any_phi()
     in_angle = {premise.equation.left: premise.equation.right for premise in SCALARS}
-    claim = tuple(
-        Equation(expected.xreplace(in_angle), sympy.Symbol(f"{name}[{i}]"))
-        for name, values in FORMULAS.items()
-        for i, expected in enumerate(values)
-    )
-    stated = [c for name in FORMULAS for c in getattr(chart, name).coefficients]
+    claim = tuple(e.replaced(in_angle) for e in STATED)
     symbols = dict(zip(PHI, (chart.phi.diff(alpha, order) for order in range(len(PHI))), strict=True))
     symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
 
     def checks() -> Checks:
-        for equation, found in zip(claim, stated, strict=True):
+        for equation, found in zip(claim, _coefficients(chart), strict=True):
             difference = sympy.together(equation.left.xreplace(symbols) - found)
             yield equation.text, sympy.expand(sympy.fraction(difference)[0])
 
