@@ -20,7 +20,7 @@ phi_theorems           theorems on every parameterization v = φ(α) u
 limit_theorems         theorems on the limit of growing order, and its rate
 at_order               formulas and functions of one order as instances of the theorems
 scalars                formulas of a chart, compared with its scalars and its φ
-vector_ring            `Ring`: components of vectors modulo v·v = x
+vector_ring            `Ring`: components of a vector modulo v·v = x
 components             the componentwise road: proofs at one order from the definition
 at_point               printed statements about one order, evaluated at a rational point
 proved                 all theorems for all n; `Proved`: a chart with its proofs, made only by `prove`

@@ -49,7 +49,7 @@ class AtOrder:
     def __init__(self, order: int) -> None:
         self.order = order
         self.ring = Ring(root=1)
-        self.x, root = self.ring.square("v"), self.ring.square_root() ** order
+        self.x, root = self.ring.x, self.ring.generator**order
         p_n, q_n = map(self.ring.element, polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
         tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}

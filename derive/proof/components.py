@@ -108,7 +108,7 @@ class Components:
         self.ring = Ring(extra=("d1", "d2", "d3"), backend=backend)
         self.zero, self.one = (_Dual(self.ring.constant(k), self.ring.constant(0)) for k in (0, 1))
         self.identity = np.where(np.eye(4, dtype=bool), self.one, self.zero)  # type: ignore[call-overload]
-        self.v = np.array([_Dual(self.ring.symbol(f"v{i}"), self.ring.symbol(f"d{i}")) for i in (1, 2, 3)])
+        self.v = np.array([_Dual(part, self.ring.symbol(f"d{i}")) for i, part in enumerate(self.ring.v, 1)])
         self.one_plus_v = np.array([self.one, *self.v])
         self.x = self.v @ self.v
         self.z = self.defined()

@@ -136,7 +136,7 @@ class ScalarProofs:
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
         """Values of the symbols: scalars as the chart computes them, their derivatives, and lifted coefficients."""
-        at_x = self.ring.square("v")
+        at_x = self.ring.x
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
