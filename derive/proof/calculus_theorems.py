@@ -10,7 +10,7 @@ Then ``df/dt = f_y (v · v')``. The theorems concern:
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import sympy
 
@@ -110,10 +110,7 @@ def _rate_jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
 
 
 def _image(
-    name: str,
-    operator: sympy.Expr,
-    derivative: Callable[..., sympy.Expr],
-    frames: tuple[sympy.Expr, sympy.Expr],
+    name: str, operator: sympy.Expr, derivative: Callable[..., sympy.Expr], frames: Sequence[sympy.Expr],
     *premises: Premise,
 ) -> Theorem:
     """Return the theorem on the derivative by v of the image of a fixed vector, in space and body frame."""

@@ -6,7 +6,7 @@ import sympy
 
 from .formulas import Formulas
 from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE
-from .methods import Determined, identity
+from .methods import determined, identity
 from .notation import *
 from .polynomial_theorems import ANGLES, ONE, SLOPES, pairs, turning
 from .setting import Symbols
@@ -34,12 +34,11 @@ def pythagoras(angle: sympy.Expr) -> Premise:
 
 
 FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, alpha / 2, alpha / (2 * n)))
-DOUBLE_ANGLE = Theorem(
-    "double angle",
+DOUBLE_ANGLE = determined(
+    "double angle", Symbols(HALF), ZERO,
     (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
-    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the initial value of cos(α/2) is not needed
-    Determined(Symbols(HALF), ZERO),
-)
+    *circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2),  # the initial value of cos(α/2) is not needed
+)  # fmt: skip
 
 
 def solution(
@@ -50,30 +49,28 @@ def solution(
 
 
 ROTATION = exponential(alpha * skew(u))
-EXPONENTIAL = Theorem(
-    "exponential",
+EXPONENTIAL = determined(
+    "exponential", Symbols(FULL, (u,)), ZERO,
     (Equation(ROTATION, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),),
-    (*solution(ROTATION, I, skew(u) * ROTATION), *circular(alpha), UNIT),
-    Determined(Symbols(FULL, (u,)), ZERO),
-)
+    *solution(ROTATION, I, skew(u) * ROTATION), *circular(alpha), UNIT,
+)  # fmt: skip
 VERSOR = exponential(alpha / 2 * u)
-VERSOR_EXPONENTIAL = Theorem(
-    "exponential of a quaternion",
+VERSOR_EXPONENTIAL = determined(
+    "exponential of a quaternion", Symbols(HALF, (u,)), ZERO,
     (Equation(VERSOR, HALF[1] + u * HALF[0], (23,)),),
-    (*solution(VERSOR, 1, u / 2 * VERSOR), *circular(alpha / 2), UNIT),
-    Determined(Symbols(HALF, (u,)), ZERO),
-)
+    *solution(VERSOR, 1, u / 2 * VERSOR), *circular(alpha / 2), UNIT,
+)  # fmt: skip
 TURNED_ROOT = sympy.cos(beta) - r * sympy.sin(beta)
 MOEBIUS = definition(r_k, (r * sympy.cos(beta) + sympy.sin(beta)) / TURNED_ROOT)
-TURNED = Theorem(
+_FREE = (r, sympy.sin(beta), sympy.cos(beta))
+TURNED = determined(
     "Moebius step",
+    Symbols((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r), free=_FREE), ONE,
     (
         Equation(p_k, (p * sympy.cos(n * beta) - r * q * sympy.sin(n * beta)) / TURNED_ROOT**n),
         Equation(q_k, (p * sympy.sin(n * beta) + r * q * sympy.cos(n * beta)) / (r_k * TURNED_ROOT**n)),
     ),
-    (*pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS),
-    Determined(Symbols((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r),
-                       free=(r, sympy.sin(beta), sympy.cos(beta))), ONE),
+    *pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS,
 )  # fmt: skip
 COMPOSITION = identity(
     "composition", Symbols((scalar, scalar_1, scalar_2), (vector, first, second)),

@@ -83,7 +83,9 @@ class Evaluation:
         if e.is_Add:
             return reduce(mixed.add, map(self.value, e.args))
         if e.is_Mul:
-            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in _factors(e)))
+            numbers, others = e.args_cnc()
+            parts = filter(None, (others, numbers))
+            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in parts))
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
         if e.func in (notation.rate, notation.prime):
@@ -98,12 +100,6 @@ class Evaluation:
             return value**exponent
         power: Any = reduce(mixed.multiply, [value] * abs(exponent))
         return power if exponent > 0 else power.inverse()
-
-
-def _factors(product: sympy.Expr) -> list[list[sympy.Expr]]:
-    """Return the noncommutative factors in their order, then the commutative ones, each if there are any."""
-    numbers, others = product.args_cnc()
-    return [part for part in (others, numbers) if part]
 
 
 def flat(value: Any) -> list[Any]:

@@ -124,6 +124,13 @@ class Determined(InRing):
             yield from differences(ring, f"law, {notation.text(left)}", Equation(reached, law.xreplace(unknown)))
 
 
+def determined(
+    name: str, symbols: Symbols, start: Equation, claim: tuple[Equation, ...], *premises: Premise
+) -> Theorem:
+    """Return a theorem on quantities that are determined by a start and a law."""
+    return Theorem(name, claim, premises, Determined(symbols, start))
+
+
 def differences(setting: Setting, label: str, equation: Equation) -> Checks:
     """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)

@@ -34,12 +34,13 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
     The numbers of controls are given by `title` of the proof.
     """
     again = tuple(at_order)
-    parts = [HEAD, "## For every order\n", *(_section(proof, controls) for proof in general)]
-    parts += [AT_ORDER.format(scope=again[0].scope), *(_section(proof, controls) for proof in again), COVERED]
+    lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]
+    lines += [AT_ORDER.format(scope=again[0].scope), *(line for proof in again for line in _section(proof, controls))]
+    lines.append(COVERED)
     for name, covered in COVERAGE.items():
         theorems = ", ".join(covered.theorems)
-        parts.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
-    return "\n".join([*parts, ""])
+        lines.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
+    return "\n".join([*lines, ""])
 
 
 def title(proof: Proof) -> str:
@@ -47,11 +48,8 @@ def title(proof: Proof) -> str:
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 
-def _section(proof: Proof, controls: Mapping[str, int]) -> str:
-    return "\n".join([f"### {title(proof)}\n", *_lines(proof), f"- controls: {controls[title(proof)]}\n"])
-
-
-def _lines(proof: Proof) -> Iterator[str]:
+def _section(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:
+    yield f"### {title(proof)}\n"
     for equation in proof.claim:
         numbers = ", ".join(f"({number})" for number in equation.numbers)
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
@@ -59,3 +57,4 @@ def _lines(proof: Proof) -> Iterator[str]:
     yield from (f"- where `{condition}`, by the theorems cited" for condition in proof.conditions)
     yield from (f"- multiplied by `{factor}`, zero where `{factor.text} = 0`" for factor in proof.multipliers)
     yield f"- by {proof.method}; residues: {len(proof.residues)}"
+    yield f"- controls: {controls[title(proof)]}\n"

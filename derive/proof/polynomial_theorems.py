@@ -9,7 +9,7 @@ import sympy
 
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
-from .methods import Determined, identity
+from .methods import determined, identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
@@ -45,31 +45,27 @@ RECURRENCE = pairs(n, p, q, x)
 SQUARE = definition(x, X**2)
 UNIT = definition(i**2, -1)
 
-POWERS = Theorem(
-    "powers of 1 + iX",
+POWERS = determined(
+    "powers of 1 + iX", Symbols((i, p, q, X)), ONE,
     (Equation((1 + i * X) ** n, p + i * X * q),),
-    (*RECURRENCE, SQUARE, UNIT, *power(1 + i * X)),
-    Determined(Symbols((i, p, q, X)), ONE),
-)
-VECTOR_POWERS = Theorem(
-    "powers of 1 + v",
+    *RECURRENCE, SQUARE, UNIT, *power(1 + i * X),
+)  # fmt: skip
+VECTOR_POWERS = determined(
+    "powers of 1 + v", Symbols((p, q), (v,)), ONE,
     (Equation((1 + v) ** n, p + q * v),),
-    (*RECURRENCE, definition(x, dot(v, v)), *power(1 + v)),
-    Determined(Symbols((p, q), (v,)), ONE),
-)
-NORM = Theorem(
-    "norm",
+    *RECURRENCE, definition(x, dot(v, v)), *power(1 + v),
+)  # fmt: skip
+NORM = determined(
+    "norm", Symbols((p, q, x)), ONE,
     (Equation((1 + x) ** n, p**2 + x * q**2),),
-    (*RECURRENCE, *power(1 + x)),
-    Determined(Symbols((p, q, x)), ONE),
-)
+    *RECURRENCE, *power(1 + x),
+)  # fmt: skip
 NEXT_SUM = zip((p_sum, q_sum), polynomials.following((p, q), x), polynomials.following((p_sum, q_sum), x), strict=True)
-ADDITION = Theorem(
-    "addition",
+ADDITION = determined(
+    "addition", Symbols((p_m, q_m, p, q, x)), Equation(m, 1),
     tuple(map(Equation, (p_sum, q_sum), polynomials.multiply((p_m, q_m), (p, q), x))),
-    (*pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM)),
-    Determined(Symbols((p_m, q_m, p, q, x)), Equation(m, 1)),
-)
+    *pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM),
+)  # fmt: skip
 TWICE = ((m, n), (p_m, p), (q_m, q), (p_sum, p_double), (q_sum, q_double))
 DOUBLING = identity(
     "doubling", Symbols((p, q, x)),
@@ -84,29 +80,27 @@ def _slope(e: sympy.Expr) -> sympy.Expr:
 
 
 _SLOPES = zip((prime(p), prime(q)), (0, 0), map(_slope, polynomials.following((p, q), x)), strict=True)
-SLOPES = Theorem(
-    "slopes",
+SLOPES = determined(
+    "slopes", Symbols((p, q, x, n), free=(x,)), ONE,
     (
         Equation(prime(p), n * (p - q) / (2 * (1 + x))),
         Equation(prime(q), (n * (p + x * q) / (1 + x) - q) / (2 * x)),
     ),
-    (*RECURRENCE, *recurring(n, *_SLOPES)),
-    Determined(Symbols((p, q, x, n), free=(x,)), ONE),
-)
+    *RECURRENCE, *recurring(n, *_SLOPES),
+)  # fmt: skip
 AT_ZERO = tuple(Shifted(term, x, 0) for term in (p, q, prime(p), prime(q)))
 _NEXT_AT_ZERO = (e.xreplace({x: sympy.Integer(0)} | dict(zip((p, q, prime(p), prime(q)), AT_ZERO, strict=True)))
                  for e in (*polynomials.following((p, q), x), *map(_slope, polynomials.following((p, q), x))))
-ORIGIN = Theorem(
-    "values at x = 0",
+ORIGIN = determined(
+    "values at x = 0", Symbols((n,)), ONE,
     (
         Equation(AT_ZERO[0], 1, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[1], n, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[2], -n * (n - 1) / 2),
         Equation(AT_ZERO[3], -n * (n - 1) * (n - 2) / 6),
     ),
-    recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
-    Determined(Symbols((n,)), ONE),
-)
+    *recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
+)  # fmt: skip
 BRACKETS_AT_ZERO = identity(
     "brackets at x = 0", Symbols((n,)),
     tuple(map(Equation, polynomials.brackets_of(*AT_ZERO), (2 * n * (n**2 - 1) / 3, n * (n**2 + 2) / 3))),
@@ -162,12 +156,11 @@ def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 
 
-ANGLES = Theorem(
-    "multiples of an angle",
+ANGLES = determined(
+    "multiples of an angle", Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE,
     (Equation(p, COSINE / TURN**n), Equation(q, SINE * TURN / (RISE * TURN**n))),
-    (*RECURRENCE, definition(x, (RISE / TURN) ** 2), *turning(theta)),
-    Determined(Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE),
-)
+    *RECURRENCE, definition(x, (RISE / TURN) ** 2), *turning(theta),
+)  # fmt: skip
 
 POLYNOMIAL_THEOREMS = (
     POWERS, VECTOR_POWERS, NORM, ADDITION, DOUBLING, SLOPES, ORIGIN, BRACKETS_AT_ZERO, BRACKETS, SUMS,

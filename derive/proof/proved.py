@@ -20,8 +20,6 @@ from .scalars import ScalarProofs, instance, is_algebraic
 from .theorem import Theorem, decided
 from .transport_theorems import transport_theorems
 
-LONGEST_RESIDUE = 200
-"""Greatest number of characters of a residue in an error message."""
 _MADE_HERE = object()
 
 
@@ -126,5 +124,4 @@ def _first_failure(proof: Proof) -> str:
         return "nothing was checked"
     first = proof.failures[0]
     text = str(first.value)
-    shown = text if len(text) <= LONGEST_RESIDUE else f"{text[:LONGEST_RESIDUE]} ..."
-    return f"{first.label}, residue {shown}"
+    return f"{first.label}, residue {text if len(text) <= 200 else f'{text[:200]} ...'}"
