@@ -19,11 +19,10 @@ from __future__ import annotations
 import sympy
 
 from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, UNIT, VERSOR_EXPONENTIAL, circular, pythagoras, solution
-from .methods import Determined, identity
+from .methods import determined, identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
-from .theorem import Theorem
 
 SCOPE = "1/(2n)^2 = epsilon, to first order"
 
@@ -35,23 +34,20 @@ SPEED = 1 / (1 + epsilon * r**2)
 SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 
 
-ANGLE = Theorem(
-    "growing order: angle",
+ANGLE = determined(
+    "growing order: angle", Symbols(SYMBOLS), Equation(r, 0),
     (
         Equation(alpha, r - epsilon * r**3 / 3),
         Equation(HALF[0], OF_LENGTH[0] + epsilon * r**3 / 6 * OF_LENGTH[1]),
         Equation(HALF[1], OF_LENGTH[1] - epsilon * r**3 / 6 * OF_LENGTH[0]),
     ),
-    (
-        *solution(alpha, 0, SPEED, r),
-        *solution(HALF[0], 1, -HALF[1] * SPEED / 2, r),
-        *solution(HALF[1], 0, HALF[0] * SPEED / 2, r),
-        *(Premise(premise.equation.replaced({alpha: r})) for premise in circular(alpha / 2)),
-        definition(rate(r), 1),
-    ),
-    Determined(Symbols(SYMBOLS), Equation(r, 0)),
-    SCOPE,
-)
+    *solution(alpha, 0, SPEED, r),
+    *solution(HALF[0], 1, -HALF[1] * SPEED / 2, r),
+    *solution(HALF[1], 0, HALF[0] * SPEED / 2, r),
+    *(Premise(premise.equation.replaced({alpha: r})) for premise in circular(alpha / 2)),
+    definition(rate(r), 1),
+    scope=SCOPE,
+)  # fmt: skip
 
 T, dexp = structure("T"), structure("dexp")
 AT_LENGTH = alpha, r

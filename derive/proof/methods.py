@@ -125,10 +125,11 @@ class Determined(InRing):
 
 
 def determined(
-    name: str, symbols: Symbols, start: Equation, claim: tuple[Equation, ...], *premises: Premise
+    name: str, symbols: Symbols, start: Equation, claim: tuple[Equation, ...], *premises: Premise,
+    scope: str = ALL_ORDERS,
 ) -> Theorem:
     """Return a theorem on quantities that are determined by a start and a law."""
-    return Theorem(name, claim, premises, Determined(symbols, start))
+    return Theorem(name, claim, premises, Determined(symbols, start), scope)
 
 
 def differences(setting: Setting, label: str, equation: Equation) -> Checks:

@@ -54,7 +54,9 @@ class Theorem:
     def decide(self, known: Mapping[str, Proof], zeroed: sympy.Expr | None = None) -> Proof:
         """Decide the theorem, given the proofs of cited theorems; controls take a multiplier `zeroed` as 0."""
         cited = self._cited_definitions(known)
-        required = tuple(filter(self._defined_here, cited))
+        own = [premise.equation for premise in self.premises if not premise.theorem]
+        defined = {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
+        required = tuple(e for e in cited if e.left in defined)  # the other definitions are conditions
 
         def checks() -> Checks:
             for premise in self.premises:
@@ -68,18 +70,10 @@ class Theorem:
 
     def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
         """Return definitions from cited theorems if all their symbols occur here, except definitions repeated here."""
-        own = {e.text for e in self._definitions()}
+        own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
-
-    def _definitions(self) -> list[Equation]:
-        return [premise.equation for premise in self.premises if not premise.theorem]
-
-    def _defined_here(self, equation: Equation) -> bool:
-        """Return whether a definition here has this left side on either side: then required, else a condition."""
-        own = self._definitions()
-        return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 
     def premise(self, place: int, *instance: tuple[sympy.Expr, sympy.Expr]) -> Premise:
         """Return an equation of the claim as a premise of another theorem, with symbols replaced."""

@@ -18,7 +18,7 @@ NEAR_ZERO = Fraction(1, 10**30)
 
 
 class Ring(RationalFunctions):
-    """Rational functions of the components v1, v2, v3 of a vector and of further symbols.
+    """Rational functions of the components v1, v2, v3 of a vector ``v``, of its square ``x``, and of further symbols.
 
     Parameters
     ----------
@@ -29,13 +29,6 @@ class Ring(RationalFunctions):
         square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint where it is installed.
-
-    Attributes
-    ----------
-    v : tuple of Element
-        The three components.
-    x : Element
-        The square v·v.
     """
 
     def __init__(self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None) -> None:
