@@ -34,7 +34,8 @@ class Equation:
     wrong: sympy.Expr | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "right", sympy.sympify(self.right))
+        if isinstance(self.right, int):
+            object.__setattr__(self, "right", sympy.Integer(self.right))
 
     @cached_property
     def symbols(self) -> frozenset[sympy.Symbol]:
