@@ -3,7 +3,7 @@
 ====================== =========================================================================
 notation               symbols and operators of statements, as SymPy expressions, and their printers
 statement              `Equation` and `Premise`
-identity               `Proof`, `Claim` and `decide`: all residues must be 0, all multipliers nonzero
+identity               `Proof` and `decide`: all residues must be 0, all multipliers nonzero
 theorem                `Theorem`: claim, premises and method
 methods                decision as an identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
@@ -18,15 +18,12 @@ calculus_theorems      theorems for all n on derivatives of the tangent operator
 transport_theorems     theorems for all n on rates at changes of branch, and on twists of products
 phi_theorems           theorems on every parameterization v = φ(α) u
 limit_theorems         theorems on the limit of growing order, and its rate
-every_order            all theorems for all n, proved once per process
-at_order               formulas of one order as instances of the theorems
-computations           further functions of `derive.maps` as instances of the theorems
-phi_instances          formulas of a chart in α as instances of the theorems on every φ
-scalars                scalars of an algebraic chart, compared with its formulas and its φ
-vector_ring            `Ring`: components of vectors modulo v·v = x
+at_order               formulas and functions of one order as instances of the theorems
+scalars                formulas of a chart, compared with its scalars and its φ
+vector_ring            `Ring`: components of a vector modulo v·v = x
 components             the componentwise road: proofs at one order from the definition
 at_point               printed statements about one order, evaluated at a rational point
-proved                 `Proved`: a chart with its proofs, made only by `prove`
+proved                 all theorems for all n; `Proved`: a chart with its proofs, made only by `prove`
 controls               altered theorems, formulas and definitions, which must fail
 coverage               theorems and validation behind each kernel function
 page                   docs/theorems.md
@@ -38,9 +35,8 @@ page                   docs/theorems.md
 from __future__ import annotations
 
 from ..algebra.element import Element
-from .every_order import citing, theorems
 from .identity import Proof, decide
-from .proved import ProofFailed, Proved, proofs, prove
+from .proved import ProofFailed, Proved, citing, proofs, prove, theorems
 from .scalars import is_algebraic, root_of
 from .vector_ring import Ring
 

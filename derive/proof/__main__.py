@@ -15,14 +15,13 @@ from ..maps import Cayley
 from ..output import files
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
-from .every_order import decided, stated
 from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
 from .limit_theorems import GROWING_ORDER
 from .page import page, title
 from .phi_theorems import ANY_PHI
-from .proved import proofs
-from .theorem import Theorem
+from .proved import proofs, stated
+from .theorem import Theorem, decided
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders of the proofs and controls at single orders: even and odd, with and without poles."""
@@ -33,12 +32,14 @@ SHOWN = 3
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove everything and run the controls, print failures and counts, and write or compare the page of theorems."""
-    options = _options(arguments)
+    parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
+    parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
+    parser.add_argument("--check", action="store_true", help="compare the page instead")
+    options = parser.parse_args(arguments)
     general = decided(claims())
-    altered = [*controls(claims(), {proof.name: proof for proof in general})]
     again = {n: at_order(n) for n in ORDERS}
-    for n in ORDERS:
-        altered += controlled_at(n)
+    altered = [*controls(claims(), {proof.name: proof for proof in general})]
+    altered += [control for n in ORDERS for control in controlled_at(n)]
     proved = (*general, *(proof for found in again.values() for proof in found))
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]
@@ -74,13 +75,6 @@ def _deliver(text: str, output: Path | None, check: bool) -> int:
         print(f"{output} is stale; accept with:  python -m derive.proof -o {output}", file=sys.stderr)
         return 1
     return 0
-
-
-def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
-    parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
-    parser.add_argument("--check", action="store_true", help="compare the page instead")
-    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":

@@ -1,88 +1,46 @@
-"""Proofs that the formulas of one order are instances of the theorems, as functions of x."""
+"""Proofs that the formulas and functions of `derive.maps` at one order are instances of the theorems.
+
+The formulas are functions of x. The functions compute binomial sums, the addition law, pairs by squaring and their
+brackets, closed forms, and the angles at which dcay loses rank.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache, partial
-from typing import Any, Protocol
+from itertools import product
+from typing import Any
 
 import sympy
 
-from ..maps import polynomials
+from ..maps import Cayley, closed_forms, polynomials
 from .evaluation import NoValueError
 from .formulas import Formulas
-from .identity import Check, Claim, Proof, decide
+from .identity import Checks, Proof, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
 
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
-Stated = Callable[[], Sequence[Any]]
-"""Function without arguments that returns the coefficients computed by the code."""
-
-
-class Coefficients(Protocol):
-    """Quaternion, tensor or tangent operator given by its coefficients."""
-
-    @property
-    def coefficients(self) -> tuple[sympy.Expr, ...]:
-        """Coefficients as SymPy expressions in x."""
-
-
-class CayleyFormulas(Protocol):
-    """Attributes of a Cayley map that proofs use: its order, and its formulas as SymPy expressions in x."""
-
-    @property
-    def order(self) -> int: ...
-    @property
-    def p(self) -> sympy.Expr: ...
-    @property
-    def q(self) -> sympy.Expr: ...
-    @property
-    def c(self) -> sympy.Expr: ...
-    @property
-    def d(self) -> sympy.Expr: ...
-    @property
-    def quaternion(self) -> Coefficients: ...
-    @property
-    def tensor(self) -> Coefficients: ...
-    @property
-    def tangent(self) -> Coefficients: ...
-    @property
-    def tangent_inv(self) -> Coefficients: ...
-
+Function = Callable[..., Any]
+Named = Mapping[str, tuple[sympy.Expr, Callable[[], Sequence[Any]]]]
+"""Symbol in the theorems, and function that returns the coefficients, by name in the code."""
 
 SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
 """Symbol in the theorems of each formula, by its attribute name in a Cayley map."""
 
-
-def instances(cayley: CayleyFormulas) -> tuple[Proof, ...]:
-    """Prove that the formulas of a Cayley map equal the theorems' formulas at its order.
-
-    Parameters
-    ----------
-    cayley : CayleyFormulas
-        Map to check, e.g. ``derive.Cayley(7)``.
-
-    Returns
-    -------
-    tuple of Proof
-        Proofs of scope "n = 7": polynomials, quaternion, orthogonal tensor, tangent operator and its inverse.
-    """
-
-    def stated(name: str) -> tuple[sympy.Expr, ...]:
-        found = getattr(cayley, name)
-        if isinstance(found, sympy.Expr):
-            return (found,)
-        return tuple(found.coefficients)
-
-    def proof(*names: str) -> Proof:
-        named = {f"Cayley({cayley.order}).{name}": (SYMBOLS[name], partial(stated, name)) for name in names}
-        return same_as_theorem(at_order(cayley.order), named)
-
-    return (proof("p", "q", "c", "d"), *map(proof, ("quaternion", "tensor", "tangent", "tangent_inv")))
+SUMS = ("p_binomial", "q_binomial", "c_binomial", "d_binomial")
+PAIRS = {"multiply": "pq", "pair_by_squaring": "pq", "brackets": "cd"}
+FORMS = ("quaternion", "tensor", "tangent", "tangent_inv")
+FUNCTIONS: Mapping[str, Function] = {
+    **{name: getattr(polynomials, name) for name in (*SUMS, *PAIRS)},
+    **{name: getattr(closed_forms, name) for name in FORMS},
+    "singular_angles": polynomials.singular_angles,
+    "poles": polynomials.poles,
+}
+"""Functions compared with the theorems; each control replaces one of them."""
 
 
 class AtOrder:
@@ -91,7 +49,7 @@ class AtOrder:
     def __init__(self, order: int) -> None:
         self.order = order
         self.ring = Ring(root=1)
-        self.x, root = self.ring.square("v"), self.ring.square_root() ** order
+        self.x, root = self.ring.x, self.ring.generator**order
         p_n, q_n = map(self.ring.element, polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
         tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}
@@ -104,7 +62,7 @@ class AtOrder:
             **{symbol: formula(order, self.x, p_n, q_n) for symbol, formula in tensors.items()},
         }
 
-    def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Iterator[Check]:
+    def same(self, name: sympy.Expr, stated: Sequence[Any], term: sympy.Expr) -> Checks:
         """Yield stated coefficients minus the theorems' coefficients for the symbol in `term`, at this order."""
         symbol, index, order = term.args
         if (index, order) != (n, self.order):
@@ -115,22 +73,91 @@ class AtOrder:
             yield f"{name}{label}", found - theorem
 
 
-@lru_cache(maxsize=2)
-def at_order(order: int) -> AtOrder:
-    """Return the formulas of the theorems at an order; the last two orders are cached."""
-    return AtOrder(order)
+at_order = lru_cache(maxsize=2)(AtOrder)
+"""Formulas of the theorems at an order; the last two orders are cached."""
 
 
-def same_as_theorem(at: AtOrder, named: Mapping[str, tuple[sympy.Expr, Stated]]) -> Proof:
+def same_as_theorem(at: AtOrder, named: Named) -> Proof:
     """Decide whether named formulas of the code equal the theorems' formulas for their symbols."""
-    code = {name: sympy.Symbol(name, commutative=symbol.is_commutative) for name, (symbol, _) in named.items()}
     claim = tuple(
-        Equation(code[name], Shifted(symbol, n, sympy.Integer(at.order))) for name, (symbol, _) in named.items()
+        Equation(sympy.Symbol(name, commutative=symbol.is_commutative), Shifted(symbol, n, sympy.Integer(at.order)))
+        for name, (symbol, _) in named.items()
     )
 
-    def checks() -> Iterator[Check]:
+    def checks() -> Checks:
         for equation in claim:
             _, stated = named[equation.left.name]
             yield from at.same(equation.left, stated(), equation.right)
 
-    return decide(Claim(", ".join(named), claim, METHOD), checks, f"n = {at.order}")
+    return decide(", ".join(named), claim, METHOD, checks, f"n = {at.order}")
+
+
+def instances(cayley: Cayley) -> tuple[Proof, ...]:
+    """Prove that the formulas of a Cayley map equal the theorems' formulas at its order."""
+
+    def proof(*names: str) -> Proof:
+        named = {
+            f"Cayley({cayley.order}).{name}": (SYMBOLS[name], partial(_coefficients, getattr(cayley, name)))
+            for name in names
+        }
+        return same_as_theorem(at_order(cayley.order), named)
+
+    return (proof("p", "q", "c", "d"), *map(proof, FORMS))
+
+
+def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> tuple[Proof, ...]:
+    """Prove that functions agree with the theorems at an order.
+
+    Returns
+    -------
+    tuple of Proof
+        Proofs for binomial sums, pairs and brackets, each closed form, and singular angles (sin α/2 and q_n vanish).
+    """
+    at = at_order(order)
+    halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
+    arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (order,))}
+
+    def computed(name: str, place: int = 0) -> tuple[Any, ...]:
+        found = functions[name](*arguments.get(name, (order, at.x)))
+        return _coefficients(found[place] if name in PAIRS else found)
+
+    pairs: Named = {
+        f"polynomials.{name}({order}).{symbol}": (SYMBOLS[symbol], partial(computed, name, place))
+        for name, symbols in PAIRS.items()
+        for place, symbol in enumerate(symbols)
+    }
+    return (
+        same_as_theorem(at, {f"polynomials.{a}({order})": (SYMBOLS[a[0]], partial(computed, a)) for a in SUMS}),
+        same_as_theorem(at, pairs),
+        *(same_as_theorem(at, {f"closed_forms.{a}({order}, x)": (SYMBOLS[a], partial(computed, a))}) for a in FORMS),
+        _singular_angles(at, functions),
+    )
+
+
+def _coefficients(found: Any) -> tuple[Any, ...]:
+    """Return the coefficients of a quaternion, tensor or operator; a polynomial is its only coefficient."""
+    return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
+
+
+def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:
+    """Decide whether sin α/2 = 0 at all singular angles except the last, nπ, and whether tan α/2n are all poles."""
+    names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
+    turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
+    claim = (
+        Equation(sympy.sin(turns / 2), 0),
+        Equation(poles, sympy.tan(turns / (2 * at.order))),
+        Equation(last, at.order * sympy.pi),
+    )
+
+    def checks() -> Checks:
+        *full_turns, end = functions["singular_angles"](at.order)
+        found = functions["poles"](at.order)
+        yield "the number of poles less that of angles", len(found) - len(full_turns)
+        places = [{turns: angle, poles: pole} for angle, pole in zip(full_turns, found, strict=False)]
+        for equation, values in (*product(claim[:2], places), (claim[2], {last: end})):
+            yield f"{equation.text} at {values}", (equation.left - equation.right).xreplace(values)
+        yield "their number less the degree of q", len(set(full_turns)) - at.values[q][0].numerator.degrees()[-1] // 2
+        outside = [angle for angle in full_turns if not 0 < angle / sympy.pi < at.order]
+        yield "how many are not between 0 and nπ", len(outside)
+
+    return decide(", ".join(names), claim, METHOD, checks, f"n = {at.order}")

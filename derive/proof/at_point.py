@@ -6,7 +6,6 @@ The evaluation is not a proof. It guards against a printed statement that differ
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -17,7 +16,7 @@ from ..maps import polynomials
 from . import notation as m
 from .evaluation import Evaluation, NoValueError, mapped
 from .formulas import Formulas
-from .identity import Check
+from .identity import Checks
 from .statement import Equation
 
 PLACE, SPEED, OTHER = (2, -4, 10), (3, 5, -1), (1, -2, 3)
@@ -34,13 +33,7 @@ def _root(square: Dual) -> Dual:
 
 
 class AtPoint(Evaluation):
-    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives.
-
-    Parameters
-    ----------
-    n : int
-        The order.
-    """
+    """Values of the symbols at order n and a moving v = (2, −4, 10). Dual parts are time derivatives."""
 
     def __init__(self, n: int) -> None:
         self.n = n
@@ -57,16 +50,13 @@ class AtPoint(Evaluation):
         known |= {m.point: Vector(*map(Fraction, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 
-    def number(self, value: Fraction) -> Fraction:
-        return value
-
     def differentiated(self, operator: Any, value: Any) -> Any:
         return mapped(dual_part, value)
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
         return _root(self.value(base)) ** int(2 * exponent)
 
-    def checks(self, equation: Equation) -> Iterator[Check]:
+    def checks(self, equation: Equation) -> Checks:
         """Yield left side minus right side at the point, component by component."""
         at_order = equation.replaced({m.n: sympy.Integer(self.n)})
         for place, (left, right) in enumerate(self.sides(at_order), 1):

@@ -10,13 +10,13 @@ Then ``df/dt = f_y (v · v')``. The theorems concern:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Sequence
 
 import sympy
 
 from .formulas import Formulas
 from .map_theorems import MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE
-from .methods import Identity
+from .methods import identity
 from .notation import *
 from .polynomial_theorems import SLOPES
 from .setting import Symbols
@@ -28,100 +28,74 @@ GROWTH = 2 * n / (1 + x)
 """Logarithmic slope ``2 N'/N`` of the norm N."""
 
 BRACKETS = (definition(c, 2 * (p * prime(q) - q * prime(p))), definition(d, q - 2 * prime(q) - 2 * prime(p)))
-SLOPES_OF = {
-    slope: definition(slope, 2 * prime(symbol))
-    for slope, symbol in zip((f_y, g_y, h_y, f_iy, h_iy), (f, g, h, f_i, h_i), strict=True)
-}
+SLOPES_OF = tuple(
+    definition(slope, 2 * prime(symbol)) for slope, symbol in zip((f_y, g_y, h_y, f_iy, h_iy), (f, g, h, f_i, h_i))
+)
 OF_X = Symbols((p, q, x, n), free=(x,))
 SPEED = dot(v, v_dot)
 FORWARD, BACKWARD = (g, h, f_y, g_y, h_y), (h_i, f_iy, h_iy)
 
 
+FIRST = (
+    Equation(f_y, h - GROWTH * g),
+    Equation(g_y, 8 * q * prime(q) / NORM - GROWTH * g),
+    Equation(h_y, 4 * prime(c) / NORM - GROWTH * h),
+    Equation(f_iy, -c / q**2),
+    Equation(h_iy, 2 * (prime(d) - d * prime(q) / q) / (n * q)),
+)
+"""Slopes of f, g, h, f_i, h_i."""
+
+_Q_X, _FALLING = prime(q), GROWTH**2 / n
+SECOND = (
+    Equation(2 * prime(f_y), h_y - GROWTH * g_y + _FALLING * g),
+    Equation(
+        2 * prime(g_y),
+        16 * (q * prime(_Q_X) + _Q_X**2) / NORM - GROWTH * (g_y + 8 * q * _Q_X / NORM) + _FALLING * g,
+    ),
+    Equation(2 * prime(h_y), 8 * prime(prime(c)) / NORM - GROWTH * (h_y + 4 * prime(c) / NORM) + _FALLING * h),
+    Equation(2 * prime(f_iy), (4 * c * _Q_X / q - 2 * prime(c)) / q**2),
+    Equation(2 * prime(h_iy), 4 * (prime(prime(d)) - d * prime(_Q_X) / q) / (n * q) - 4 * _Q_X / q * h_iy),
+)
+"""Second slopes of f, g, h, f_i, h_i, valid at x = 0 too."""
+
+
 def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
     """Return the theorems on derivatives of the given formulas."""
-    operator = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
-    tensor = formulas.defined(R, "tensor")
-    coefficients = dict(_coefficients(formulas))
-    slopes = _slopes(coefficients)
+    tangent, inverse = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
+    f_inverse, _, h_inverse = formulas.tangent_inv(n, x, p, q)
+    values = (*formulas.tangent(n, x, p, q), 2 * f_inverse, 2 * h_inverse)
+    coefficients = {a: definition(a, value) for a, value in zip((f, g, h, f_i, h_i), values, strict=True)}
+    given = (*coefficients.values(), *SLOPES_OF, *BRACKETS, *SLOPES.given(), ORIGIN_P, ORIGIN_Q)
+    slopes = identity("slopes of the tangent operators", OF_X, FIRST, *given)
     known = coefficients | {premise.equation.left: premise for premise in slopes.given()}
     return (
         slopes,
-        _second_slopes(coefficients),
-        *_of_operators(known, *operator),
-        *_of_images(known, *operator),
-        _structure(known, operator[0]),
-        _body(known, operator[0], tensor),
+        identity("second slopes of the tangent operators", OF_X, SECOND, *given),
+        *_along_motions(known, tangent, inverse),
+        *_structure(known, tangent, formulas.defined(R, "tensor")),
     )
 
 
-def _coefficients(formulas: Formulas) -> Iterator[tuple[sympy.Expr, Premise]]:
-    """Yield the definitions of f, g, h, f_i, h_i."""
-    inverse, _, dyadic = formulas.tangent_inv(n, x, p, q)
-    values = (*formulas.tangent(n, x, p, q), 2 * inverse, 2 * dyadic)
-    for symbol, value in zip((f, g, h, f_i, h_i), values, strict=True):
-        yield symbol, definition(symbol, value)
-
-
-def _slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
-    return Theorem(
-        "slopes of the tangent operators",
-        (
-            Equation(f_y, h - GROWTH * g),
-            Equation(g_y, 8 * q * prime(q) / NORM - GROWTH * g),
-            Equation(h_y, 4 * prime(c) / NORM - GROWTH * h),
-            Equation(f_iy, -c / q**2),
-            Equation(h_iy, 2 * (prime(d) - d * prime(q) / q) / (n * q)),
-        ),
-        (*coefficients.values(), *SLOPES_OF.values(), *BRACKETS, *SLOPES.given(), ORIGIN_P, ORIGIN_Q),
-        Identity(OF_X),
-    )
-
-
-def _second_slopes(coefficients: dict[sympy.Expr, Premise]) -> Theorem:
-    """Return the theorem on second slopes, valid at x = 0 too."""
-    q_x, falling = prime(q), GROWTH**2 / n
-    return Theorem(
-        "second slopes of the tangent operators",
-        (
-            Equation(2 * prime(f_y), h_y - GROWTH * g_y + falling * g),
-            Equation(
-                2 * prime(g_y),
-                16 * (q * prime(q_x) + q_x**2) / NORM - GROWTH * (g_y + 8 * q * q_x / NORM) + falling * g,
-            ),
-            Equation(2 * prime(h_y), 8 * prime(prime(c)) / NORM - GROWTH * (h_y + 4 * prime(c) / NORM) + falling * h),
-            Equation(2 * prime(f_iy), (4 * c * q_x / q - 2 * prime(c)) / q**2),
-            Equation(2 * prime(h_iy), 4 * (prime(prime(d)) - d * prime(q_x) / q) / (n * q) - 4 * q_x / q * h_iy),
-        ),
-        (*coefficients.values(), *SLOPES_OF.values(), *BRACKETS, *SLOPES.given(), ORIGIN_P, ORIGIN_Q),
-        Identity(OF_X),
-    )
-
-
-def _of_operators(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> Iterator[Theorem]:
-    """Yield the theorems on derivatives along a motion."""
+def _along_motions(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
+    """Return the theorems on the rates of T and T⁻¹, and on the derivatives by v of ``T a`` and ``T⁻¹ a``."""
     turned = dyad(v, v_dot) + dyad(v_dot, v)
-    yield Theorem(
-        "rate of the tangent operator",
-        (
-            Equation(
-                rate(dcay),
-                SPEED * (f_y * I + g_y * skew(v) + h_y * dyad(v, v)) + g * skew(v_dot) + h * turned,
-            ),
+    forward = *(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent
+    backward = *(known[symbol] for symbol in BACKWARD), *BRACKETS
+    of_tangent = SPEED * (f_y * I + g_y * skew(v) + h_y * dyad(v, v)) + g * skew(v_dot) + h * turned
+    of_inverse = (SPEED * (f_iy * I + h_iy * dyad(v, v)) - skew(v_dot) + h_i * turned) / 2
+    return (
+        identity("rate of the tangent operator", MOVING, (Equation(rate(dcay), of_tangent),), *forward, *MOTION),
+        identity(
+            "rate of the inverse operator", MOVING,
+            (Equation(rate(dcay_inv), of_inverse), Equation(dcay * rate(dcay_inv), -rate(dcay) * dcay_inv)),
+            *backward, tangent, inverse, *MOTION, ORIGIN_Q,
         ),
-        (*(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent, *MOTION),
-        Identity(MOVING),
-    )
-    yield Theorem(
-        "rate of the inverse operator",
-        (
-            Equation(
-                rate(dcay_inv), (SPEED * (f_iy * I + h_iy * dyad(v, v)) - skew(v_dot) + h_i * turned) / 2
-            ),
-            Equation(dcay * rate(dcay_inv), -rate(dcay) * dcay_inv),
+        _image("Jacobian of the twist", dcay, _jacobian, (twist_jacobian, body_jacobian), *forward, *MOTION),
+        _image(
+            "Jacobian of the rate", dcay_inv, _rate_jacobian, (rate_jacobian, body_rate_jacobian), *backward, inverse,
+            *MOTION[:-1], ORIGIN_Q,
         ),
-        (*(known[symbol] for symbol in BACKWARD), *BRACKETS, tangent, inverse, *MOTION, ORIGIN_Q),
-        Identity(MOVING),
-    )
+    )  # fmt: skip
 
 
 def _jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
@@ -135,67 +109,38 @@ def _rate_jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
     return (dyad(f_iy * of + h_iy * dot(v, of) * v, v) + hand * skew(of) + h_i * (dyad(v, of) + dot(v, of) * I)) / 2
 
 
-def _of_images(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> Iterator[Theorem]:
-    """Yield the theorems on the derivatives by v of the twist ``T a`` and the rate ``T⁻¹ a`` for a fixed a."""
-    symbols = Symbols((p, q, x, n), (v, v_dot, a), (x,))
-    yield Theorem(
-        "Jacobian of the twist",
-        (
-            Equation(rate(dcay) * a, twist_jacobian * v_dot),
-            Equation(transpose(rate(dcay)) * a, body_jacobian * v_dot),
-        ),
-        (
-            definition(twist_jacobian, _jacobian(a), wrong=_jacobian(a, -1)),
-            definition(body_jacobian, _jacobian(a, -1), wrong=_jacobian(a)),
-            *(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent, *MOTION,
-        ),
-        Identity(symbols),
-    )  # fmt: skip
-    yield Theorem(
-        "Jacobian of the rate",
-        (
-            Equation(rate(dcay_inv) * a, rate_jacobian * v_dot),
-            Equation(transpose(rate(dcay_inv)) * a, body_rate_jacobian * v_dot),
-        ),
-        (
-            definition(rate_jacobian, _rate_jacobian(a), wrong=_rate_jacobian(a, -1)),
-            definition(body_rate_jacobian, _rate_jacobian(a, -1), wrong=_rate_jacobian(a)),
-            *(known[symbol] for symbol in BACKWARD), *BRACKETS, inverse, *MOTION[:-1], ORIGIN_Q,
-        ),
-        Identity(symbols),
+def _image(
+    name: str, operator: sympy.Expr, derivative: Callable[..., sympy.Expr], frames: Sequence[sympy.Expr],
+    *premises: Premise,
+) -> Theorem:
+    """Return the theorem on the derivative by v of the image of a fixed vector, in space and body frame."""
+    space, body = frames
+    return identity(
+        name, Symbols((p, q, x, n), (v, v_dot, a), (x,)),
+        (Equation(rate(operator) * a, space * v_dot), Equation(transpose(rate(operator)) * a, body * v_dot)),
+        definition(space, derivative(a), wrong=derivative(a, -1)),
+        definition(body, derivative(a, -1), wrong=derivative(a)),
+        *premises,
     )  # fmt: skip
 
 
-def _structure(known: dict[sympy.Expr, Premise], tangent: Premise) -> Theorem:
-    """Return the theorem on the Maurer-Cartan equation."""
-    images = cross(dcay * a, dcay * b)
-    return Theorem(
-        "structure equation",
-        (Equation(twist_jacobian_b * a - twist_jacobian * b, images),),
-        (
-            definition(twist_jacobian, _jacobian(a)),
-            definition(twist_jacobian_b, _jacobian(b)),
-            *(known[symbol] for symbol in (g, f_y, g_y)), tangent, SQUARE, SLOPES.premise(1), ORIGIN_P,
-        ),
-        Identity(Symbols((p, q, x, n, h, h_y), (v, a, b), (x,))),
+def _structure(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> tuple[Theorem, ...]:
+    """Return the Maurer-Cartan equation in space, and in the body with a minus sign and J_B(b) a = Rᵀ J(a) b."""
+    body_of_b = body_jacobian.func("J_B(b)", commutative=False)
+    of_a = definition(twist_jacobian, _jacobian(a))
+    common = SQUARE, SLOPES.premise(1), ORIGIN_P
+    space = identity(
+        "structure equation", Symbols((p, q, x, n, h, h_y), (v, a, b), (x,)),
+        (Equation(twist_jacobian_b * a - twist_jacobian * b, cross(dcay * a, dcay * b)),),
+        of_a, definition(twist_jacobian_b, _jacobian(b)), *(known[e] for e in (g, f_y, g_y)), tangent, *common,
     )  # fmt: skip
-
-
-def _body(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> Theorem:
-    """Return the theorem in the body frame: a structure equation with a minus sign, and J_B(b) a = Rᵀ J(a) b."""
-    of_b = body_jacobian.func("J_B(b)", commutative=False)
-    images = cross(transpose(dcay) * a, transpose(dcay) * b)
-    return Theorem(
-        "structure equation in the body",
+    body = identity(
+        "structure equation in the body", Symbols((p, q, x, n, h_y), (v, a, b), (x,)),
         (
-            Equation(of_b * a - body_jacobian * b, -images),
-            Equation(of_b * a, transpose(R) * twist_jacobian * b),
+            Equation(body_of_b * a - body_jacobian * b, -cross(transpose(dcay) * a, transpose(dcay) * b)),
+            Equation(body_of_b * a, transpose(R) * twist_jacobian * b),
         ),
-        (
-            definition(twist_jacobian, _jacobian(a)),
-            definition(body_jacobian, _jacobian(a, -1)),
-            definition(of_b, _jacobian(b, -1)),
-            *(known[symbol] for symbol in (g, h, f_y, g_y)), tangent, tensor, SQUARE, SLOPES.premise(1), ORIGIN_P,
-        ),
-        Identity(Symbols((p, q, x, n, h_y), (v, a, b), (x,))),
+        of_a, definition(body_jacobian, _jacobian(a, -1)), definition(body_of_b, _jacobian(b, -1)),
+        *(known[symbol] for symbol in (g, h, f_y, g_y)), tangent, tensor, *common,
     )  # fmt: skip
+    return space, body

@@ -16,17 +16,17 @@ even at the borders of Pascal's triangle. The sum of these polynomials must be z
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 
 from ..algebra.exact import RationalFunctions
-from .identity import Check, Multiplier
+from .identity import Checks
 from .notation import Shifted, j, n, text, x
 from .statement import Equation, definition
-from .theorem import Task
+from .theorem import Method, Theorem
 
 POLYNOMIALS = RationalFunctions(("n", "j"))
 VALUES = {symbol: POLYNOMIALS.symbol(symbol.name) for symbol in (n, j)}
@@ -46,14 +46,9 @@ class NotDecidedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Series:
-    """Power series in x.
+    """Power series in x: a polynomial with coefficients in n, and tails.
 
-    Attributes
-    ----------
-    head : mapping of int to Expr
-        Coefficients of a polynomial, functions of n.
-    tails : tuple of (int, Expr)
-        First index of each tail, with its general coefficient in n and j.
+    A tail is given by its first index, and by its general coefficient in n and j.
     """
 
     head: Mapping[int, sympy.Expr] = field(default_factory=dict)
@@ -84,50 +79,43 @@ class Series:
 
 
 @dataclass(frozen=True)
-class Coefficients:
+class Coefficients(Method):
     """Decision of a claim whose right sides are series.
 
     Recurrences among the premises determine the left sides by induction on n. A left side without a recurrence must be
     the only unknown series in an equation among the premises.
     """
 
-    start: Equation = field(default_factory=lambda: Equation(n, sympy.Integer(1)))
-    sides = ("right",)
+    first: int = 1
+    """Least n, at which recurrences start."""
 
     @property
     def title(self) -> str:
         return "coefficient by coefficient as multiples of one quotient of factorials, residues in Q[n, j]"
 
-    def weaker(self) -> Iterator[tuple[str, Coefficients]]:
-        return iter(())
-
-    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        claim, given = task.claim, [premise.equation for premise in task.premises]
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
+        claim, given = theorem.claim, [premise.equation for premise in theorem.premises]
         rule = next(e.right for e in given if isinstance(e.left, sympy.binomial))
         known = {e.left: _written_out(e.right, rule) for e in [*given, *claim] if e.right.has(sympy.Sum)}
         reader = _Reader(known, [e for e in given if e.left in known and not e.right.has(sympy.Sum)])
-        first = self.start.right
         laws = [e for e in given if not isinstance(e.left, sympy.binomial) and e.left not in known]
-        for equation in task.required:
+        for equation in required:
             yield f"required, {equation.text}", 1  # this method cannot decide it
         for equation in claim:
             yield f"what determines {text(equation.left)}", 0 if self._determined(equation.left, laws) else 1
         for equation in laws:
-            left, right = equation.left, equation.right
-            at = equation.text
+            left, right, at = equation.left, equation.right, equation.text
             if isinstance(left, Shifted):
-                place = left.args[2]
-                stated = known[left.args[0]].xreplace({n: place})
-                yield from _zero(f"{'start' if place == first else 'step'}, {at}", reader.series(stated - right), first)
-            else:
-                yield from _zero(at, reader.series(left - right), first)
+                at = f"{'start' if left.args[2] == self.first else 'step'}, {at}"
+                left = known[left.args[0]].xreplace({n: left.args[2]})
+            yield from _zero(at, reader.series(left - right), self.first)
 
     def _determined(self, term: sympy.Expr, laws: Sequence[Equation]) -> bool:
         """Return whether premises determine a term, by start and step of its sequence or by an equation with it."""
         if any(e.left.has(term) or e.right.has(term) for e in laws if not isinstance(e.left, Shifted)):
             return True
         places = {e.left.args[2] for e in laws if e.left.args[:2] == (term, n)}
-        return places == {self.start.right, n + 1}
+        return places == {self.first, n + 1}
 
 
 @dataclass(frozen=True)
@@ -144,7 +132,7 @@ class _Reader:
             return Series({1: sympy.Integer(1)})
         if isinstance(e, sympy.Sum):
             ((_, start, _),) = e.limits
-            exponent = _power_of_x(e.function)
+            exponent = e.function.as_powers_dict()[x]
             offset = int(exponent - j)
             general = (e.function / x**exponent).xreplace({j: j - offset})
             return Series(tails=((int(start) + offset, general),))
@@ -168,25 +156,20 @@ class _Reader:
         return result
 
 
-def _power_of_x(term: sympy.Expr) -> sympy.Expr:
-    """Return the exponent of x in a term of a sum."""
-    return next(factor.as_base_exp()[1] for factor in sympy.Mul.make_args(term) if factor.as_base_exp()[0] == x)
-
-
 # ---- deciding ---------------------------------------------------------------------------------------------------
 
 
-def _zero(label: str, series: Series, first: sympy.Expr) -> Iterator[Check]:
+def _zero(label: str, series: Series, first: int) -> Checks:
     """Yield the residues of all coefficients of a series, which must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
-        yield f"{label}, general coefficient", residue(general, int(first))
+        yield f"{label}, general coefficient", residue(general, first)
         last = max([begun, *series.head])
     else:  # n is a number, so only finitely many coefficients are not 0
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
     for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
-        yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), int(first))
+        yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), first)
 
 
 def _last_index(term: sympy.factorial) -> int:
@@ -202,7 +185,7 @@ def residue(e: sympy.Expr, first: int) -> Any:
         term = _term(product)
         groups[term.kind].append(term)
     sums = (_together(terms, first) for terms in groups.values())
-    return next((total for total in sums if total != 0), POLYNOMIALS.constant(0))
+    return next(filter(None, sums), POLYNOMIALS.constant(0))
 
 
 _Factorial = tuple[sympy.Expr, int]
@@ -264,12 +247,9 @@ def _linear(form: sympy.Expr) -> _Factorial:
     return form - constant, int(constant)
 
 
-def _between(form: Any, low: int, high: int) -> Any:
+def _between(form: sympy.Expr, low: int, high: int) -> Any:
     """Return ``(h + high)!/(h + low)!``."""
-    product = POLYNOMIALS.constant(1)
-    for t in range(low + 1, high + 1):
-        product *= _polynomial(form + t)
-    return product
+    return _polynomial(sympy.rf(form + low + 1, high - low))
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:

@@ -7,38 +7,28 @@ check cannot fail, a premise is unused, or a theorem claims too little.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
 from typing import Any
 
 import sympy
 
 from ..algebra import Isotropic
 from ..algebra.arithmetic import Arithmetic
+from ..maps import Cayley
 from ..maps.chart import Chart
 from ..maps.families import alpha
-from .at_order import CayleyFormulas, instances
+from .at_order import FUNCTIONS, Function, computations, instances
 from .components import STATEMENTS, Components, hamilton
-from .computations import Computed, computations
 from .identity import NO_VALUE, Proof
 from .scalars import BENDS, SLOPES, VALUES, ScalarProofs
-from .statement import Premise
 from .theorem import Theorem
 
 
 @dataclass(frozen=True)
 class Control:
-    """Theorem with one deliberate error.
-
-    Attributes
-    ----------
-    theorem : str
-        Name of the theorem.
-    alteration : str
-        Description of the error.
-    proof : Proof
-        Outcome of deciding the altered theorem.
-    """
+    """Name of a theorem, description of one deliberate error in it, and outcome of deciding the altered theorem."""
 
     theorem: str
     alteration: str
@@ -54,36 +44,24 @@ class Control:
 
 
 def controls(claimed: Iterable[Theorem], known: Mapping[str, Proof]) -> Iterator[Control]:
-    """Yield all controls of theorems.
-
-    Parameters
-    ----------
-    claimed : iterable of Theorem
-    known : mapping of str to Proof
-        The proofs of these theorems, by name.
-    """
+    """Yield all controls of theorems, given the proofs of these theorems by name."""
     for theorem in claimed:
-        yield from _of_claim(theorem, known)
-        yield from _of_premises(theorem, known)
-        for hypothesis, method in theorem.method.weaker():
-            yield Control(theorem.name, hypothesis, replace(theorem, method=method).decide(known))
+        for alteration, altered in _altered_theorems(theorem):
+            yield Control(theorem.name, alteration, altered.decide(known))
         for multiplier in known[theorem.name].multipliers:
             zeroed = theorem.decide(known, multiplier.expression)
             yield Control(theorem.name, f"multiplier 0 in place of {multiplier.text}", zeroed)
 
 
-def _of_claim(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Control]:
+def _altered_theorems(theorem: Theorem) -> Iterator[tuple[str, Theorem]]:
     for place, equation in enumerate(theorem.claim):
         for variant in equation.variants(theorem.method.sides):
-            proof = theorem.with_claim(place, variant).decide(known)
-            yield Control(theorem.name, f"claim {variant.text} in place of {equation.text}", proof)
-
-
-def _of_premises(theorem: Theorem, known: Mapping[str, Proof]) -> Iterator[Control]:
+            yield f"claim {variant.text} in place of {equation.text}", theorem.with_claim(place, variant)
     for place, premise in enumerate(theorem.premises):
         altered = replace(premise.altered(), theorem="")
-        proof = theorem.with_premise(place, altered).decide(known)
-        yield Control(theorem.name, f"premise {altered.equation.text} in place of {premise}", proof)
+        yield f"premise {altered.equation.text} in place of {premise}", theorem.with_premise(place, altered)
+    for hypothesis, method in theorem.method.weaker():
+        yield hypothesis, replace(theorem, method=method)
 
 
 # ---- at one order -----------------------------------------------------------------------------------------------
@@ -101,23 +79,18 @@ class _Wrong:
         return self.value if name == self.name else getattr(self.right, name)
 
 
-@dataclass(frozen=True)
-class _Coefficients:
-    coefficients: tuple[sympy.Expr, ...]
-
-
 class _Doubled(Components):
     """z = (1 + 2v)ⁿ"""
 
     def defined(self) -> Any:
-        return self.power([self.one, *(c + c for c in self.v)])
+        return self.power(self.one_plus_v + self.one_plus_v - self.identity[0])
 
 
 class _Zero(Components):
     """z = 0."""
 
     def defined(self) -> Any:
-        return [self.zero] * 4
+        return self.identity[0] * self.zero
 
 
 class _Unconjugated(Components):
@@ -147,30 +120,23 @@ LOWERED, RELATED, DERIVED, DERIVED_TWICE = range(4)
 """Indices of the statements about the scalars of a chart; the statement about φ is the last."""
 
 
-def controls_at(cayley: CayleyFormulas) -> Iterator[Control]:
+def controls_at(cayley: Cayley) -> Iterator[Control]:
     """Yield all controls of a Cayley map at its order; each alters one formula, claim, premise or definition."""
     for name, places in _FORMULAS.items():
-        for alteration, wrong in _altered(cayley, name):
+        for alteration, wrong in _altered_formulas(cayley, name):
             name_in_code = f"Cayley({cayley.order}).{name}"
             failing = next(proof for proof in instances(wrong) if name_in_code in proof.name.split(", "))
-            yield Control(failing.name, alteration, failing)
             decided = tuple(Components(wrong).proofs()) if places else ()
-            yield from (Control(decided[place].name, alteration, decided[place]) for place in places)
-    for field in fields(Computed):
-        functions = replace(Computed(), **{field.name: _off(field.default)})
-        failing = next(proof for proof in computations(cayley.order, functions) if f".{field.name}(" in proof.name)
-        yield Control(failing.name, f"{field.name} off by one", failing)
-    altered_statements = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
-    for proof in Components(cayley).proofs(altered_statements):
-        yield Control(proof.name, f"claim {proof.statement}", proof)
-    for place in range(max(len(premises) for _, _, premises in STATEMENTS)):
-        altered_statements = [(name, claim, _with_altered(place, premises)) for name, claim, premises in STATEMENTS]
-        for proof in Components(cayley).proofs(altered_statements):
-            if place < len(proof.premises):
-                yield Control(proof.name, f"premise {proof.premises[place]}", proof)
-    for altered, places in _DEFINITIONS.items():
-        decided = tuple(altered(cayley).proofs())
-        yield from (Control(decided[place].name, str(altered.__doc__), decided[place]) for place in places)
+            for proof in (failing, *(decided[place] for place in places)):
+                yield Control(proof.name, alteration, proof)
+    for name, function in FUNCTIONS.items():
+        altered = computations(cayley.order, {**FUNCTIONS, name: _off(function)})
+        failing = next(proof for proof in altered if f".{name}(" in proof.name)
+        yield Control(failing.name, f"{name} off by one", failing)
+    yield from _altered_statements(cayley)
+    for definition, places in _DEFINITIONS.items():
+        decided = tuple(definition(cayley).proofs())
+        yield from (Control(decided[place].name, str(definition.__doc__), decided[place]) for place in places)
 
 
 def controls_of(chart: Chart) -> Iterator[Control]:
@@ -193,24 +159,36 @@ def controls_of(chart: Chart) -> Iterator[Control]:
         yield Control(failing.name, alteration, failing)
 
 
-def _with_altered(place: int, premises: tuple[Premise, ...]) -> tuple[Premise, ...]:
-    return tuple(premise.altered() if k == place else premise for k, premise in enumerate(premises))
+def _altered_statements(cayley: Cayley) -> Iterator[Control]:
+    """Yield the controls with false claims or premises on the componentwise road."""
+    components = Components(cayley)
+    false = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
+    for proof in components.proofs(false):
+        yield Control(proof.name, f"claim {proof.statement}", proof)
+    for place in range(max(len(premises) for _, _, premises in STATEMENTS)):
+        altered = [
+            (name, claim, tuple(premise.altered() if k == place else premise for k, premise in enumerate(premises)))
+            for name, claim, premises in STATEMENTS
+        ]
+        for proof in components.proofs(altered):
+            if place < len(proof.premises):
+                yield Control(proof.name, f"premise {proof.premises[place]}", proof)
 
 
-def _altered(cayley: CayleyFormulas, name: str) -> Iterator[tuple[str, CayleyFormulas]]:
+def _altered_formulas(cayley: Cayley, name: str) -> Iterator[tuple[str, Any]]:
     """Yield copies of the map with one coefficient altered: increased by one, or doubled in the quaternion."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
         yield f"{name} + 1", _Wrong(cayley, name, value + 1)
         return
     for place, coefficient in enumerate(value.coefficients):
-        changed = (*value.coefficients[:place], coefficient + 1, *value.coefficients[place + 1 :])
-        if name == "quaternion":  # doubled coefficients still have rational squares
-            changed = tuple(c * (2 if k == place else 1) for k, c in enumerate(value.coefficients))
-        yield f"coefficient {place + 1} of {name}", _Wrong(cayley, name, _Coefficients(changed))
+        # doubled coefficients of the quaternion still have rational squares
+        other = 2 * coefficient if name == "quaternion" else coefficient + 1
+        changed = (*value.coefficients[:place], other, *value.coefficients[place + 1 :])
+        yield f"coefficient {place + 1} of {name}", _Wrong(cayley, name, SimpleNamespace(coefficients=changed))
 
 
-def _off(function: Any) -> Callable[..., Any]:
+def _off(function: Function) -> Function:
     """Return a function that increases the first number of the result by one."""
 
     def wrong(*arguments: Any) -> Any:

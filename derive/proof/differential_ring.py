@@ -51,7 +51,7 @@ class DifferentialRing(RationalFunctions):
         self.zeroed = zeroed
         self.origin: dict[sympy.Symbol, Element] = {}
         self.cleared_by: list[Polynomial] = []
-        self._bases: dict[sympy.Expr, Polynomial] = {}
+        self.bases: dict[sympy.Expr, Polynomial] = {}  # by symbol of a power with a variable exponent
 
     def generator(self, symbol: sympy.Symbol) -> Element:
         """Return the generator of a symbol."""
@@ -66,10 +66,6 @@ class DifferentialRing(RationalFunctions):
         """Set a difference to 0; its numerator becomes a relation."""
         self.relations.append(difference.numerator)
         self.cleared_by.append(difference.denominator)
-
-    def set_power(self, symbol: sympy.Symbol, base: Element) -> None:
-        """Declare a symbol to be a power of a base, with a variable exponent."""
-        self._bases[symbol] = base.numerator
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
         """Return the factors by which a difference with this denominator is multiplied."""
@@ -93,14 +89,11 @@ class DifferentialRing(RationalFunctions):
     def expression(self, a: Polynomial) -> sympy.Expr:
         """Return a polynomial as a SymPy expression, with leading coefficient 1."""
         leading = a * (1 / self.library.leading_coefficient(a))
-        terms = self.library.terms(leading).items()
-        return sympy.Add(
-            *(
-                sympy.Rational(c.numerator, c.denominator)
-                * sympy.Mul(*(symbol**power for symbol, power in zip(self.symbols, exponents, strict=True)))
-                for exponents, c in terms
-            )
+        terms = (
+            sympy.Mul(sympy.Rational(c.numerator, c.denominator), *map(sympy.Pow, self.symbols, exponents))
+            for exponents, c in self.library.terms(leading).items()
         )
+        return sympy.Add(*terms)
 
     def occurring(self, a: Polynomial) -> set[sympy.Symbol]:
         """Return the symbols in a polynomial."""
@@ -108,7 +101,7 @@ class DifferentialRing(RationalFunctions):
 
     def _certified(self, factor: Polynomial) -> bool:
         """Return whether a factor is certified: for no n is it identically 0."""
-        factor = self._bases.get(self.expression(factor), factor)
+        factor = self.bases.get(self.expression(factor), factor)
         symbols = self.occurring(factor)
         if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:
             return bool(self.normal_form(factor))
@@ -119,13 +112,6 @@ class DifferentialRing(RationalFunctions):
         return not any(root.is_integer and root > 0 for root in roots)
 
     def _at_origin(self, a: Polynomial) -> Element:
-        """Return the value of a polynomial at the origin, with all other symbols kept."""
+        """Return the value of a polynomial at the origin, up to a factor, with all other symbols kept."""
         values = {symbol: self.generator(symbol) for symbol in self.symbols}
-        values |= {symbol: self.constant(0) for symbol in self.free} | self.origin
-        total = self.constant(0)
-        for exponents, coefficient in self.library.terms(a).items():
-            term = self.constant(coefficient)
-            for value, power in zip(values.values(), exponents, strict=True):
-                term = term * value**power if power else term
-            total = total + term
-        return total
+        return self.lift(self.expression(a), values | dict.fromkeys(self.free, self.constant(0)) | self.origin)

@@ -6,14 +6,14 @@ import sympy
 
 from .formulas import Formulas
 from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE
-from .methods import Determined, Identity
+from .methods import determined, identity
 from .notation import *
-from .polynomial_theorems import ANGLES, ONE, ORIGIN, SLOPES, pairs, turning
+from .polynomial_theorems import ANGLES, ONE, SLOPES, pairs, turning
 from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
-ZERO = Equation(alpha, sympy.Integer(0))
+ZERO = Equation(alpha, 0)
 UNIT = definition(dot(u, u), 1)
 
 
@@ -34,70 +34,67 @@ def pythagoras(angle: sympy.Expr) -> Premise:
 
 
 FULL, HALF, PART = ((sympy.sin(angle), sympy.cos(angle)) for angle in (alpha, alpha / 2, alpha / (2 * n)))
-DOUBLE_ANGLE = Theorem(
-    "double angle",
+DOUBLE_ANGLE = determined(
+    "double angle", Symbols(HALF), ZERO,
     (Equation(FULL[1], 1 - 2 * HALF[0] ** 2), Equation(FULL[0], 2 * HALF[0] * HALF[1])),
-    (*circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2)),  # the initial value of cos(α/2) is not needed
-    Determined(Symbols(HALF), ZERO),
-)
+    *circular(alpha), *circular(alpha / 2)[1:], pythagoras(alpha / 2),  # the initial value of cos(α/2) is not needed
+)  # fmt: skip
 
 
-def solution(term: sympy.Expr, start: sympy.Expr, slope: sympy.Expr) -> tuple[Premise, ...]:
-    """Return the initial value and the differential equation of a function of α."""
-    return definition(Shifted(term, alpha, 0), start), definition(rate(term), slope * term)
+def solution(
+    term: sympy.Expr, start: sympy.Expr | int, law: sympy.Expr, variable: sympy.Expr = alpha
+) -> tuple[Premise, ...]:
+    """Return the initial value and the differential equation of a function of a variable."""
+    return definition(Shifted(term, variable, 0), start), definition(rate(term), law)
 
 
 ROTATION = exponential(alpha * skew(u))
-EXPONENTIAL = Theorem(
-    "exponential",
+EXPONENTIAL = determined(
+    "exponential", Symbols(FULL, (u,)), ZERO,
     (Equation(ROTATION, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),),
-    (*solution(ROTATION, I, skew(u)), *circular(alpha), UNIT),
-    Determined(Symbols(FULL, (u,)), ZERO),
-)
+    *solution(ROTATION, I, skew(u) * ROTATION), *circular(alpha), UNIT,
+)  # fmt: skip
 VERSOR = exponential(alpha / 2 * u)
-QUATERNION_EXPONENTIAL = Theorem(
-    "exponential of a quaternion",
+VERSOR_EXPONENTIAL = determined(
+    "exponential of a quaternion", Symbols(HALF, (u,)), ZERO,
     (Equation(VERSOR, HALF[1] + u * HALF[0], (23,)),),
-    (*solution(VERSOR, sympy.Integer(1), u / 2), *circular(alpha / 2), UNIT),
-    Determined(Symbols(HALF, (u,)), ZERO),
-)
+    *solution(VERSOR, 1, u / 2 * VERSOR), *circular(alpha / 2), UNIT,
+)  # fmt: skip
 TURNED_ROOT = sympy.cos(beta) - r * sympy.sin(beta)
 MOEBIUS = definition(r_k, (r * sympy.cos(beta) + sympy.sin(beta)) / TURNED_ROOT)
-TURNED = Theorem(
+_FREE = (r, sympy.sin(beta), sympy.cos(beta))
+TURNED = determined(
     "Moebius step",
+    Symbols((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r), free=_FREE), ONE,
     (
         Equation(p_k, (p * sympy.cos(n * beta) - r * q * sympy.sin(n * beta)) / TURNED_ROOT**n),
         Equation(q_k, (p * sympy.sin(n * beta) + r * q * sympy.cos(n * beta)) / (r_k * TURNED_ROOT**n)),
     ),
-    (*pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS),
-    Determined(Symbols((p, q, sympy.cos(n * beta), sympy.sin(n * beta), sympy.sin(beta), sympy.cos(beta), r),
-                       free=(r, sympy.sin(beta), sympy.cos(beta))), ONE),
+    *pairs(n, p, q, r**2), *pairs(n, p_k, q_k, r_k**2), *turning(beta), MOEBIUS,
 )  # fmt: skip
-COMPOSITION = Theorem(
-    "composition",
+COMPOSITION = identity(
+    "composition", Symbols((scalar, scalar_1, scalar_2), (vector, first, second)),
     (
         Equation(sandwich(scalar + vector), I + 2 * scalar * skew(vector) + 2 * skew(vector) ** 2, (24,)),
         Equation(
             sandwich((scalar_2 + second) * (scalar_1 + first)), sandwich(scalar_2 + second) * sandwich(scalar_1 + first)
         ),
     ),
-    (definition(scalar**2 + dot(vector, vector), 1),),
-    Identity(Symbols((scalar, scalar_1, scalar_2), (vector, first, second))),
-)
-FIRST_ORDER = Theorem(
-    "composition at n = 1",
+    definition(scalar**2 + dot(vector, vector), 1),
+)  # fmt: skip
+FIRST_ORDER = identity(
+    "composition at n = 1", Symbols((), (b_1, b_2), (b_1,)),
     (
         Equation(b, (b_1 + b_2 + cross(b_2, b_1)) / (1 - dot(b_1, b_2)), (45,)),
         Equation((1 + b_2) * (1 + b_1), (1 - dot(b_1, b_2)) * (1 + b)),
     ),
-    (definition(b, first_order(b_2, b_1)),),
-    Identity(Symbols((), (b_1, b_2), (b_1,))),
-    "n = 1",
-)
+    definition(b, first_order(b_2, b_1)),
+    scope="n = 1",
+)  # fmt: skip
 _DOT, _CROSS = dot(sigma_2, sigma_1), cross(sigma_2, sigma_1)
 _ABOVE = (1 - dot(sigma_2, sigma_2)) * sigma_1 + (1 - dot(sigma_1, sigma_1)) * sigma_2 + 2 * _CROSS
-SECOND_ORDER = Theorem(
-    "composition at n = 2",
+SECOND_ORDER = identity(
+    "composition at n = 2", Symbols((), (sigma_1, sigma_2), (sigma_1,)),
     (
         Equation(sigma, _ABOVE / ((1 - _DOT) ** 2 + dot(_CROSS, _CROSS)), (41,)),
         Equation(
@@ -105,10 +102,9 @@ SECOND_ORDER = Theorem(
             (1 + dot(sigma_2, sigma_2)) * (1 + dot(sigma_1, sigma_1)) * (1 + sigma) ** 2,
         ),
     ),
-    (definition(sigma, second_order(sigma_2, sigma_1)),),
-    Identity(Symbols((), (sigma_1, sigma_2), (sigma_1,))),
-    "n = 2",
-)
+    definition(sigma, second_order(sigma_2, sigma_1)),
+    scope="n = 2",
+)  # fmt: skip
 COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
 """Theorems on closed forms of the composition, by order."""
 
@@ -116,79 +112,68 @@ COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
 def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
     """Return the theorems on displacements by the given formulas."""
     tensor = formulas.defined(R, "tensor")
-    along_axis = definition(v, PART[0] / PART[1] * u)
-    on_axis = ((theta, alpha / (2 * n)),)
-    screw = Theorem(
-        "screw",
-        (
-            Equation(q_hat, HALF[1] + u * HALF[0], (23, 37, 48)),
-            Equation(R, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),
-        ),
-        (
-            along_axis, definition(x, dot(v, v)), UNIT, definition(ROOT, 1 / PART[1] ** n), QUATERNION, tensor,
-            ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(), pythagoras(alpha / 2),
-            definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
-        ),
-        Identity(Symbols((*HALF, *PART), (u,), (PART[0],))),
-    )  # fmt: skip
-    return (
-        DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, screw, _pose(formulas), _line(tensor), TURNED,
-        *(_shadow(formulas, sign) for sign in (1, -1)), COMPOSITION,
-    )  # fmt: skip
-
-
-def _pose(formulas: Formulas) -> Theorem:
-    """Return the theorem on poses: R is the rotation Q followed by the translation dcay v°."""
-    follow = 2 * epsilon * dot(v, v_dual)
-    return Theorem(
-        "pose",
-        (Equation(R_dual, (I + epsilon * skew(rho)) * Q, (14,)),),
-        (
-            definition(V, v + epsilon * v_dual),
-            definition(x_dual, dot(V, V)),
-            definition(p_dual, p + follow * prime(p)),
-            definition(q_dual, q + follow * prime(q)),
-            formulas.defined(R_dual, "tensor", (n, x_dual, p_dual, q_dual), V),
-            definition(Q, real(R_dual)),
-            formulas.defined(dcay, "tangent"),
-            definition(rho, dcay * v_dual),
-            SQUARE,
-            *SLOPES.given(),
-            ORIGIN.premise(0),
-        ),
-        Identity(Symbols((p, q, x, n), (v, v_dual), (x,))),
-    )
-
-
-def _line(tensor: Premise) -> Theorem:
-    """Return the theorem on lines: a line through a point moves to the line through the moved point."""
-    return Theorem(
-        "line",
+    line = identity(
+        "line", Symbols((p, q, x, n), (v, point, along, rho), (x,)),
         (
             Equation(
                 (I + epsilon * skew(rho)) * R * (along + epsilon * cross(point, along)),
                 R * along + epsilon * cross(R * point + rho, R * along),
             ),
         ),
-        (tensor, SQUARE, ORIGIN_P),
-        Identity(Symbols((p, q, x, n), (v, point, along, rho), (x,))),
-    )
+        tensor, SQUARE, ORIGIN_P,
+    )  # fmt: skip
+    return (
+        DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL, _screw(tensor), _pose(formulas), line, TURNED,
+        *(_shadow(formulas, sign) for sign in (1, -1)), COMPOSITION,
+    )  # fmt: skip
+
+
+def _screw(tensor: Premise) -> Theorem:
+    """Return the theorem on screws: quaternion and tensor of v along the axis u, with the dual angle α."""
+    on_axis = ((theta, alpha / (2 * n)),)
+    return identity(
+        "screw", Symbols((*HALF, *PART), (u,), (PART[0],)),
+        (
+            Equation(q_hat, HALF[1] + u * HALF[0], (23, 37, 48)),
+            Equation(R, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),
+        ),
+        definition(v, PART[0] / PART[1] * u), definition(x, dot(v, v)), UNIT, definition(ROOT, 1 / PART[1] ** n),
+        QUATERNION, tensor, ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(),
+        pythagoras(alpha / 2), definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
+    )  # fmt: skip
+
+
+def _pose(formulas: Formulas) -> Theorem:
+    """Return the theorem on poses: R is the rotation Q followed by the translation dcay v°."""
+    follow = 2 * epsilon * dot(v, v_dual)
+    return identity(
+        "pose", Symbols((p, q, x, n), (v, v_dual), (x,)),
+        (Equation(R_dual, (I + epsilon * skew(rho)) * Q, (14,)),),
+        definition(V, v + epsilon * v_dual),
+        definition(x_dual, dot(V, V)),
+        definition(p_dual, p + follow * prime(p)),
+        definition(q_dual, q + follow * prime(q)),
+        formulas.defined(R_dual, "tensor", (n, x_dual, p_dual, q_dual), V),
+        definition(Q, real(R_dual)),
+        formulas.defined(dcay, "tangent"),
+        definition(rho, dcay * v_dual),
+        SQUARE, *SLOPES.given(), ORIGIN_P,
+    )  # fmt: skip
+
+
+def branch_step(sign: int) -> tuple[Premise, ...]:
+    """Return cosine and sine of nβ = kπ, for even k with sign 1 and odd k with sign −1, and the value of p at 0."""
+    cosine = definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0))
+    return cosine, definition(sympy.sin(n * beta), 0), ORIGIN_P
 
 
 def _shadow(formulas: Formulas, sign: int) -> Theorem:
     """Return the theorem on shadows: a Moebius step by an angle β with nβ = kπ leaves R unchanged."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
-    return Theorem(
-        f"shadow, {'even' if sign == 1 else 'odd'} branch",
+    return identity(
+        f"shadow, {'even' if sign == 1 else 'odd'} branch", Symbols((p, q, sine, cosine, r), (u,), (r, sine, cosine)),
         (Equation(R_k, R),),
-        (
-            formulas.defined(R, "tensor", (n, r**2, p, q), r * u),
-            formulas.defined(R_k, "tensor", (n, r_k**2, p_k, q_k), r_k * u),
-            *TURNED.given(),
-            MOEBIUS,
-            definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0)),
-            definition(sympy.sin(n * beta), 0),
-            ORIGIN_P,
-        ),
-        Identity(Symbols((p, q, sine, cosine, r), (u,), (r, sine, cosine))),
-    )
+        formulas.defined(R, "tensor", (n, r**2, p, q), r * u),
+        formulas.defined(R_k, "tensor", (n, r_k**2, p_k, q_k), r_k * u),
+        *TURNED.given(), MOEBIUS, *branch_step(sign),
+    )  # fmt: skip

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+import operator
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any, cast
 
 import sympy
@@ -39,29 +40,21 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
 """Functions on values of the algebra, by the operator that denotes them."""
 
 
-class Evaluation(ABC):
-    """Values of expressions.
+class Evaluation:
+    """Values of expressions, given the values of symbols and terms; the identity and ε are known.
 
-    Parameters
-    ----------
-    values : mapping of Expr to value
-        Values of symbols and terms; the identity and ε are known.
-
-    Attributes
-    ----------
-    definitions : dict of Expr to Expr
-        Defining expressions of symbols and terms.
+    Further symbols and terms may have a defining expression in ``definitions``.
     """
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
         self.values: dict[sympy.Expr, Any] = {**values, notation.I: Tensor.identity(), notation.epsilon: Dual(0, 1)}
         self.definitions: dict[sympy.Expr, sympy.Expr] = {}
 
-    @abstractmethod
     def number(self, value: Fraction) -> Any:
         """Return a rational number as a value."""
+        return value
 
-    def differentiated(self, operator: Any, value: Any) -> Any:
+    def differentiated(self, by: Any, value: Any) -> Any:
         """Return the derivative of a value by the operator `rate` or `prime`."""
         raise NoValueError("no premise gives a derivative")
 
@@ -88,12 +81,11 @@ class Evaluation(ABC):
         if e.is_Rational:
             return self.number(Fraction(int(e.p), int(e.q)))
         if e.is_Add:
-            return _folded(mixed.add, map(self.value, e.args))
+            return reduce(mixed.add, map(self.value, e.args))
         if e.is_Mul:
             numbers, others = e.args_cnc()
-            product = _folded(mixed.multiply, map(self.value, others)) if others else None
-            number = _folded(mixed.multiply, map(self.value, numbers)) if numbers else None
-            return product if number is None else number if product is None else product * number
+            parts = filter(None, (others, numbers))
+            return reduce(operator.mul, (reduce(mixed.multiply, map(self.value, part)) for part in parts))
         if e.is_Pow:
             return self._integer_power(self.value(e.base), int(e.exp)) if e.exp.is_Integer else self.power(*e.args)
         if e.func in (notation.rate, notation.prime):
@@ -106,7 +98,7 @@ class Evaluation(ABC):
     def _integer_power(value: Any, exponent: int) -> Any:
         if not isinstance(value, Structure):
             return value**exponent
-        power = _folded(mixed.multiply, [value] * abs(exponent))
+        power: Any = reduce(mixed.multiply, [value] * abs(exponent))
         return power if exponent > 0 else power.inverse()
 
 
@@ -118,10 +110,3 @@ def flat(value: Any) -> list[Any]:
 def mapped(function: Callable[[Any], Any], value: Any) -> Any:
     """Apply a function to a number, or to every component."""
     return cast(Any, value).map(function) if isinstance(value, Structure) else function(value)
-
-
-def _folded(operation: Callable[[Any, Any], Any], values: Iterable[Any]) -> Any:
-    first, *rest = values
-    for value in rest:
-        first = operation(first, value)
-    return first

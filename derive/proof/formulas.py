@@ -12,6 +12,7 @@ from .statement import Premise, definition
 
 Triple = tuple[Coefficient, Coefficient, Coefficient]
 CoefficientsOfOrder = Callable[[Any, Any, Any, Any], Triple]
+SYMBOLS = (notation.n, notation.x, notation.p, notation.q)
 
 
 def tensor(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) -> Triple:
@@ -42,12 +43,7 @@ class Formulas:
     tangent_inv: CoefficientsOfOrder = tangent_inv
 
     def defined(
-        self,
-        symbol: Any,
-        name: str,
-        at: Any = (notation.n, notation.x, notation.p, notation.q),
-        v: Any = notation.v,
-        numbers: tuple[int, ...] = (),
+        self, symbol: Any, name: str, at: Any = SYMBOLS, v: Any = notation.v, numbers: tuple[int, ...] = ()
     ) -> Premise:
         """Return the definition of a symbol by one of the formulas, ``a I + b skew(v) + c v⊗v``."""
         a, b, c = getattr(self, name)(*at)

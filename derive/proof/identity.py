@@ -6,7 +6,7 @@ import textwrap
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import sympy
 
@@ -21,16 +21,9 @@ Check = tuple[str, Any]
 
 @dataclass(frozen=True)
 class Multiplier:
-    """Factor by which both sides were multiplied before the comparison.
+    """Power of a polynomial by which both sides were multiplied before the comparison.
 
-    Attributes
-    ----------
-    expression : Expr
-        Polynomial.
-    power : int
-        Exponent.
-    nonzero : bool
-        True if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
+    It is `nonzero` if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
     """
 
     expression: sympy.Expr
@@ -42,35 +35,19 @@ class Multiplier:
         """Polynomial as plain text."""
         return text(self.expression)
 
-    @property
-    def vanishes(self) -> str:
-        """Zero set of the factor, where the equation holds by continuity if both sides have a value."""
-        return f"{self.text} = 0"
-
     def __str__(self) -> str:
         return self.text if self.power == 1 else f"({self.text})^{self.power}"
 
 
-@dataclass(frozen=True)
-class Residue:
-    """One checked difference.
-
-    Attributes
-    ----------
-    label : str
-        Part of the statement: "start", "step", "component (1, 2)" ...
-    value : polynomial, field or ring element
-        Left side minus right side, zero exactly when the equation holds.
-    """
+class Residue(NamedTuple):
+    """Label of a check, and left side minus right side, which is 0 exactly when the sides are equal."""
 
     label: str
     value: Any
 
-    @property
-    def vanishes(self) -> bool:
-        """True if the two sides are equal."""
-        return bool(self.value == 0)
 
+Checks = Iterable[Check | Multiplier]
+"""Checks of a statement, and the factors by which differences were multiplied."""
 
 @dataclass(frozen=True)
 class Proof:
@@ -132,18 +109,13 @@ class Proof:
 
     @property
     def failures(self) -> tuple[Residue, ...]:
-        """Residues that do not vanish."""
-        return tuple(residue for residue in self.residues if not residue.vanishes)
+        """Residues other than 0."""
+        return tuple(residue for residue in self.residues if residue.value != 0)
 
     def cells(self) -> dict[str, str]:
         """Return the row in a table of proofs."""
-        return {
-            "theorem": self.name,
-            "scope": self.scope,
-            "status": self.status,
-            "statement": f"$\\displaystyle {self.latex}$",
-            "method": self.method,
-        }
+        start = {"theorem": self.name, "scope": self.scope, "status": self.status}
+        return {**start, "statement": f"$\\displaystyle {self.latex}$", "method": self.method}
 
     def __str__(self) -> str:
         return f"{self.status} [{self.scope}] {self.statement} ({self.method})"
@@ -155,30 +127,24 @@ class Proof:
         return f"$\\displaystyle \\text{{{self.status} [{self.scope}]:}}\\quad {self.latex}$"
 
 
-@dataclass(frozen=True)
-class Claim:
-    """Statement before its decision: a :class:`Proof` without the outcome."""
-
-    name: str
-    equations: tuple[Equation, ...]
-    method: str
-    premises: tuple[Premise, ...] = ()
-    conditions: tuple[Equation, ...] = ()
-
-
-def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], scope: str = ALL_ORDERS) -> Proof:
-    """Decide a statement.
+def decide(
+    name: str,
+    claim: tuple[Equation, ...],
+    method: str,
+    checks: Callable[[], Checks],
+    scope: str = ALL_ORDERS,
+    premises: tuple[Premise, ...] = (),
+    conditions: tuple[Equation, ...] = (),
+) -> Proof:
+    """Decide a statement; see :class:`Proof` for its parts.
 
     The statement is proved if residues exist, all are exactly zero, and all multipliers are certified. An operation
     without a result (a division by zero, a symbol without a value) counts as a residue that is not zero.
 
     Parameters
     ----------
-    claim : Claim
     checks : callable
         Function that yields multipliers, and pairs (label, left side minus right side) in an exact ring.
-    scope : str
-        "all n" or "n = 7".
     """
     start = time.perf_counter()
     residues: list[Residue] = []
@@ -195,9 +161,8 @@ def decide(claim: Claim, checks: Callable[[], Iterable[Check | Multiplier]], sco
     except ArithmeticError as error:
         residues.append(Residue(NO_VALUE, f"{type(error).__name__}: {error}"))
     certified = all(multiplier.nonzero for multiplier in multipliers.values())
-    holds = bool(residues) and certified and all(residue.vanishes for residue in residues)
-    seconds = time.perf_counter() - start
+    holds = bool(residues) and certified and all(residue.value == 0 for residue in residues)
     return Proof(
-        claim.name, claim.equations, claim.premises, claim.conditions, scope, "proved" if holds else "failed",
-        claim.method, seconds, tuple(multipliers.values()), tuple(residues),
+        name, claim, premises, conditions, scope, "proved" if holds else "failed", method,
+        time.perf_counter() - start, tuple(multipliers.values()), tuple(residues),
     )  # fmt: skip

@@ -18,12 +18,11 @@ from __future__ import annotations
 
 import sympy
 
-from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, QUATERNION_EXPONENTIAL, UNIT, circular, pythagoras
-from .methods import Determined, Identity
+from .displacement_theorems import DOUBLE_ANGLE, EXPONENTIAL, UNIT, VERSOR_EXPONENTIAL, circular, pythagoras, solution
+from .methods import determined, identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
-from .theorem import Theorem
 
 SCOPE = "1/(2n)^2 = epsilon, to first order"
 
@@ -35,67 +34,45 @@ SPEED = 1 / (1 + epsilon * r**2)
 SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 
 
-def _of_length(premise: Premise) -> Premise:
-    """Return a premise on functions of α, rewritten for the same functions of r."""
-    return Premise(premise.equation.replaced({alpha: r}))
-
-
-def _solution(term: sympy.Expr, start: int, law: sympy.Expr) -> tuple[Premise, ...]:
-    """Return the initial value and the differential equation of a function of r."""
-    return definition(Shifted(term, r, 0), start), definition(rate(term), law)
-
-
-ANGLE = Theorem(
-    "growing order: angle",
+ANGLE = determined(
+    "growing order: angle", Symbols(SYMBOLS), Equation(r, 0),
     (
         Equation(alpha, r - epsilon * r**3 / 3),
         Equation(HALF[0], OF_LENGTH[0] + epsilon * r**3 / 6 * OF_LENGTH[1]),
         Equation(HALF[1], OF_LENGTH[1] - epsilon * r**3 / 6 * OF_LENGTH[0]),
     ),
-    (
-        *_solution(alpha, 0, SPEED),
-        *_solution(HALF[0], 1, -HALF[1] * SPEED / 2),
-        *_solution(HALF[1], 0, HALF[0] * SPEED / 2),
-        *map(_of_length, circular(alpha / 2)),
-        definition(rate(r), 1),
-    ),
-    Determined(Symbols(SYMBOLS), Equation(r, sympy.Integer(0))),
-    SCOPE,
-)
+    *solution(alpha, 0, SPEED, r),
+    *solution(HALF[0], 1, -HALF[1] * SPEED / 2, r),
+    *solution(HALF[1], 0, HALF[0] * SPEED / 2, r),
+    *(Premise(premise.equation.replaced({alpha: r})) for premise in circular(alpha / 2)),
+    definition(rate(r), 1),
+    scope=SCOPE,
+)  # fmt: skip
 
 T, dexp = structure("T"), structure("dexp")
-f, g, h = sympy.symbols("f g h")
 AT_LENGTH = alpha, r
 LENGTH = sympy.sin(r), sympy.cos(r)
 ROTATION = exponential(r * skew(u))
 ALONG = dyad(u, u)
 
-MAPS = Theorem(
-    "growing order: maps",
+MAPS = identity(
+    "growing order: maps", Symbols(SYMBOLS, (u,), (r,)),
     (
         Equation(q_hat, exponential(r / 2 * u) * (1 - epsilon * r**3 / 6 * u)),
         Equation(R, ROTATION * (I - epsilon * r**3 / 3 * skew(u))),
         Equation(T, dexp - epsilon * r**2 / 3 * (ROTATION + 2 * ALONG)),
     ),
-    (
-        definition(v, r * u),
-        definition(f, 2 * HALF[1] * HALF[0] / r),
-        definition(g, 2 * HALF[1] ** 2 / r**2),
-        definition(h, (SPEED - f) / r**2),
-        definition(q_hat, HALF[0] + HALF[1] / r * v),
-        definition(R, I + f * skew(v) + g * skew(v) ** 2),
-        definition(T, f * I + g * skew(v) + h * dyad(v, v)),
-        definition(dexp, (LENGTH[0] * I + (1 - LENGTH[1]) * skew(u) + (r - LENGTH[0]) * ALONG) / r),
-        ANGLE.premise(1),
-        ANGLE.premise(2),
-        EXPONENTIAL.premise(0, AT_LENGTH),
-        QUATERNION_EXPONENTIAL.premise(0, AT_LENGTH),
-        *(DOUBLE_ANGLE.premise(place, AT_LENGTH) for place in (0, 1)),
-        pythagoras(r / 2),
-        UNIT,
-    ),
-    Identity(Symbols(SYMBOLS, (u,), (r,))),
-    SCOPE,
-)
+    definition(v, r * u),
+    definition(f, 2 * HALF[1] * HALF[0] / r),
+    definition(g, 2 * HALF[1] ** 2 / r**2),
+    definition(h, (SPEED - f) / r**2),
+    definition(q_hat, HALF[0] + HALF[1] / r * v),
+    definition(R, I + f * skew(v) + g * skew(v) ** 2),
+    definition(T, f * I + g * skew(v) + h * dyad(v, v)),
+    definition(dexp, (LENGTH[0] * I + (1 - LENGTH[1]) * skew(u) + (r - LENGTH[0]) * ALONG) / r),
+    ANGLE.premise(1), ANGLE.premise(2), EXPONENTIAL.premise(0, AT_LENGTH), VERSOR_EXPONENTIAL.premise(0, AT_LENGTH),
+    *(DOUBLE_ANGLE.premise(place, AT_LENGTH) for place in (0, 1)), pythagoras(r / 2), UNIT,
+    scope=SCOPE,
+)  # fmt: skip
 
 GROWING_ORDER = (ANGLE, MAPS)

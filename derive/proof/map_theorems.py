@@ -5,10 +5,8 @@ Vectors are generic: v, its rate and rotated points have independent components.
 
 from __future__ import annotations
 
-import sympy
-
 from .formulas import Formulas
-from .methods import Identity
+from .methods import identity
 from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
 from .setting import Symbols
@@ -24,11 +22,11 @@ MOTION = (definition(rate(v), v_dot), definition(rate(x), 2 * dot(v, v_dot)), SQ
 SCALARS = (p, q, x, n)
 AT_V, MOVING = Symbols(SCALARS, (v,), (x,)), Symbols(SCALARS, (v, v_dot), (x,))
 
-
 POWER = (1 + x) ** n
 F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
 """Coefficients as printed in CP23."""
 BODY = definition(omega_body, transpose(R) * omega)
+STRETCHED = 2 * n / (1 + x) * v
 
 
 def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
@@ -40,104 +38,89 @@ def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
 
 def _of_tensor(tensor: Premise) -> tuple[Theorem, ...]:
     return (
-        Theorem(
-            "tensor",
+        identity(
+            "tensor", AT_V,
             (Equation(R, I + F * skew(v) + G * skew(v) ** 2, (57,)),),
-            (tensor, SQUARE, *NORM.given(), ORIGIN_P),
-            Identity(AT_V),
+            tensor, SQUARE, *NORM.given(), ORIGIN_P,
         ),
-        Theorem(
-            "orthogonality",
-            (Equation(R * transpose(R), I, (13, 72, 73)), Equation(det(R), sympy.Integer(1), (13, 73))),
-            (tensor, SQUARE, ORIGIN_P),
-            Identity(AT_V),
+        identity(
+            "orthogonality", AT_V,
+            (Equation(R * transpose(R), I, (13, 72, 73)), Equation(det(R), 1, (13, 73))),
+            tensor, SQUARE, ORIGIN_P,
         ),
-        Theorem(
-            "quaternion",
+        identity(
+            "quaternion", Symbols(SCALARS, (v, point), (x,)),
             (
                 Equation(q_hat, (1 + v) ** n / ROOT, (53,)),
-                Equation(q_hat * conjugate(q_hat), sympy.Integer(1)),
+                Equation(q_hat * conjugate(q_hat), 1),
                 Equation(q_hat * point * conjugate(q_hat), R * point),
             ),
-            (QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P),
-            Identity(Symbols(SCALARS, (v, point), (x,))),
+            QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P,
         ),
-    )
+    )  # fmt: skip
 
 
 def _of_tangent(tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
-    stretched = 2 * n / (1 + x) * v
     bracket = ((1 + x) * q - n * p) / (2 * n * x * q)
+
     return (
-        Theorem(
-            "tangent",
+        identity(
+            "tangent", AT_V,
             (Equation(dcay, F * I + G * skew(v) + BRACKET / (x * POWER) * dyad(v, v), (88,)),),
-            (tangent, *NORM.given(), ORIGIN_P),
-            Identity(AT_V),
+            tangent, *NORM.given(), ORIGIN_P,
         ),
-        Theorem(
-            "tangent_inv",
+        identity(
+            "tangent_inv", AT_V,
             (Equation(dcay_inv, p / (2 * q) * I - skew(v) / 2 + bracket * dyad(v, v), (89,)),),
-            (inverse, ORIGIN_Q),
-            Identity(AT_V),
+            inverse, ORIGIN_Q,
         ),
-        Theorem(
-            "inverse",
+        identity(
+            "inverse", AT_V,
             (Equation(dcay * dcay_inv, I), Equation(dcay_inv * dcay, I)),
-            (tangent, inverse, SQUARE, ORIGIN_P, ORIGIN_Q),
-            Identity(AT_V),
+            tangent, inverse, SQUARE, ORIGIN_P, ORIGIN_Q,
         ),
-        Theorem(
-            "axis",
-            (Equation(dcay * v, stretched), Equation(transpose(dcay) * v, stretched)),
-            (tangent, SQUARE, ORIGIN_P),
-            Identity(AT_V),
+        identity(
+            "axis", AT_V,
+            (Equation(dcay * v, STRETCHED), Equation(transpose(dcay) * v, STRETCHED)),
+            tangent, SQUARE, ORIGIN_P,
         ),
-        Theorem(
-            "determinant",
+        identity(
+            "determinant", AT_V,
             (Equation(det(dcay), 8 * n * q**2 / (1 + x) ** (n + 1)),),
-            (tangent, SQUARE, *NORM.given(), ORIGIN_P),
-            Identity(AT_V),
+            tangent, SQUARE, *NORM.given(), ORIGIN_P,
         ),
-    )
+    )  # fmt: skip
 
 
 def _of_motion(tensor: Premise, tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
-    twist = Theorem(
-        "twist",
+    twist = identity(
+        "twist", MOVING,
         (Equation(omega, dcay * rate(v), (86,)), Equation(rate(R), skew(omega) * R, (70,))),
-        (tensor, tangent, definition(omega, vect(rate(R) * transpose(R))), *MOTION),
-        Identity(MOVING),
-    )
+        tensor, tangent, definition(omega, vect(rate(R) * transpose(R))), *MOTION,
+    )  # fmt: skip
     spatial = twist.premise(0)
     return (
         twist,
-        Theorem(
-            "body twist",
+        identity(
+            "body twist", MOVING,
             (
                 Equation(transpose(dcay), transpose(R) * dcay),
                 Equation(omega_body, transpose(dcay) * rate(v), (86,)),
                 Equation(rate(R), R * skew(omega_body), (74,)),
             ),
-            (tensor, tangent, spatial, BODY, *MOTION),
-            Identity(MOVING),
+            tensor, tangent, spatial, BODY, *MOTION,
         ),
-        Theorem(
-            "quaternion rate",
-            (
-                Equation(rate(q_hat), omega * q_hat / 2, (75,)),
-                Equation(rate(q_hat), q_hat * omega_body / 2, (76,)),
-            ),
-            (tensor, tangent, QUATERNION, spatial, BODY, *MOTION, ROOT_SLOPE),
-            Identity(MOVING),
+        identity(
+            "quaternion rate", MOVING,
+            (Equation(rate(q_hat), omega * q_hat / 2, (75,)), Equation(rate(q_hat), q_hat * omega_body / 2, (76,))),
+            tensor, tangent, QUATERNION, spatial, BODY, *MOTION, ROOT_SLOPE,
         ),
-        Theorem(
-            "rates of v",
+        identity(
+            "rates of v", MOVING,
             (
                 Equation(rate(v), dcay_inv * omega, (87, 90)),
                 Equation(rate(v), transpose(dcay_inv) * omega_body, (87, 91)),
             ),
-            (tensor, tangent, inverse, spatial, BODY, *MOTION[:3], ORIGIN_P, ORIGIN_Q),
-            Identity(MOVING),
+            tensor, tangent, inverse, spatial, BODY, *MOTION[:3], ORIGIN_P, ORIGIN_Q,
         ),
-    )
+    )  # fmt: skip

@@ -9,54 +9,72 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any, TypeVar
+from typing import Any
 
 import sympy
 
 from . import notation
-from .identity import Check, Multiplier
+from .identity import ALL_ORDERS, Checks
 from .setting import Setting, Symbols
 from .statement import Equation, Premise
-from .theorem import Task
+from .theorem import Method, Theorem
 
 
 @dataclass(frozen=True)
-class Identity:
-    """Evaluation of both sides in the ring of the given symbols."""
+class InRing(Method):
+    """Method that evaluates equations in the ring of the given symbols."""
 
     symbols: Symbols
+
+    def names(self) -> str:
+        """Return the names of the symbols for the title."""
+        names = ", ".join(str(symbol) for symbol in (*self.symbols.scalars, *self.symbols.vectors))
+        free = ", ".join(map(str, self.symbols.free))
+        return f"{names}; {free} free" if free else names
+
+    def weaker(self) -> Iterator[tuple[str, Method]]:
+        for symbol in self.symbols.free:
+            rest = tuple(other for other in self.symbols.free if other != symbol)
+            yield f"{symbol} not free", replace(self, symbols=replace(self.symbols, free=rest))
+
+
+@dataclass(frozen=True)
+class Identity(InRing):
+    """Evaluation of both sides."""
+
     sides = ("left", "right")
 
     @property
     def title(self) -> str:
-        return f"identity, residues in Q[{_names(self.symbols)}] localized, modulo the relations given"
+        return f"identity, residues in Q[{self.names()}] localized, modulo the relations given"
 
-    def weaker(self) -> Iterator[tuple[str, Identity]]:
-        return _less_free(self)
-
-    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        setting = Setting(self.symbols, task.premises, (*task.claim, *task.required), task.zeroed)
-        yield from _check_consistency(setting, task.premises)
-        for equation in task.claim:
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
+        setting = Setting(self.symbols, theorem.premises, (*theorem.claim, *required), zeroed)
+        yield from _check_consistency(setting, theorem.premises)
+        for equation in theorem.claim:
             yield from differences(setting, equation.text, equation)
-        for equation in task.required:
+        for equation in required:
             yield from differences(setting, f"required, {equation.text}", equation)
 
 
+def identity(
+    name: str, symbols: Symbols, claim: tuple[Equation, ...], *premises: Premise, scope: str = ALL_ORDERS
+) -> Theorem:
+    """Return a theorem that is an identity in the ring of the given symbols."""
+    return Theorem(name, claim, premises, Identity(symbols), scope)
+
+
 @dataclass(frozen=True)
-class Determined:
+class Determined(InRing):
     """Comparison of starts and laws of both sides of each equation.
 
     Attributes
     ----------
-    symbols : Symbols
     start : Equation
         Index or variable, and its value at the start.
     """
 
-    symbols: Symbols
     start: Equation
-    sides = ("right",)
 
     @property
     def by_steps(self) -> bool:
@@ -66,14 +84,11 @@ class Determined:
     @property
     def title(self) -> str:
         way = "induction on" if self.by_steps else "initial value and differential equation in"
-        return f"{way} {self.start.left}, residues in Q[{_names(self.symbols)}] localized"
-
-    def weaker(self) -> Iterator[tuple[str, Determined]]:
-        return _less_free(self)
+        return f"{way} {self.start.left}, residues in Q[{self.names()}] localized"
 
     def _check_laws(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
-    ) -> Iterator[Check]:
+    ) -> Checks:
         """Check that every symbol that depends on the index or variable has a law."""
         index = self.start.left
         for symbol in self.symbols.scalars:
@@ -85,17 +100,16 @@ class Determined:
         elif index in self.symbols.scalars:
             yield f"rate of {index} less 1", ring.value(notation.rate(index)) - 1
 
-    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        claim, premises = task.claim, task.premises
-        index, first = self.start.left, self.start.right
-        starts = dict(_laws(premises, index, first))
-        steps = dict(_laws(premises, index, index + 1))
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
+        premises, index, first = theorem.premises, self.start.left, self.start.right
+        starts = _laws(premises, index, first)
+        steps = _laws(premises, index, index + 1)
         others = [p for p in premises if not _is_law(p.equation, index, (first, index + 1))]
-        unknown = {equation.left: equation.right for equation in claim}
+        unknown = {equation.left: equation.right for equation in theorem.claim}
         terms = [Equation(right, right) for right in unknown.values()]
-        ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, task.zeroed)
+        ring = Setting(self.symbols, [p for p in others if _rated(p) not in unknown], terms, zeroed)
         yield from _check_consistency(ring, premises)
-        for equation in task.required:
+        for equation in required:
             yield from differences(ring, f"required, {equation.text}", equation)
         yield from self._check_laws(ring, starts, steps, others)
         at_start = {index: first} | {term: value for term, value in starts.items() if term not in unknown}
@@ -110,7 +124,15 @@ class Determined:
             yield from differences(ring, f"law, {notation.text(left)}", Equation(reached, law.xreplace(unknown)))
 
 
-def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Check | Multiplier]:
+def determined(
+    name: str, symbols: Symbols, start: Equation, claim: tuple[Equation, ...], *premises: Premise,
+    scope: str = ALL_ORDERS,
+) -> Theorem:
+    """Return a theorem on quantities that are determined by a start and a law."""
+    return Theorem(name, claim, premises, Determined(symbols, start), scope)
+
+
+def differences(setting: Setting, label: str, equation: Equation) -> Checks:
     """Yield the residues of an equation by components, and its multipliers."""
     found = setting.differences(equation)
     for place, difference in enumerate(found, 1):
@@ -118,7 +140,7 @@ def differences(setting: Setting, label: str, equation: Equation) -> Iterator[Ch
         yield from setting.ring.multipliers(difference.denominator)
 
 
-def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Iterator[Check | Multiplier]:
+def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Checks:
     """Check that premises are consistent.
 
     No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
@@ -148,25 +170,7 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
     return isinstance(left, notation.Shifted) and left.args[1] == index and left.args[2] in values
 
 
-def _laws(
-    premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr
-) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-    """Yield u and the right side of each premise ``[u](index -> value) = right side``."""
-    for premise in premises:
-        if _is_law(premise.equation, index, (value,)):
-            yield premise.equation.left.args[0], premise.equation.right
-
-
-def _names(symbols: Symbols) -> str:
-    names = ", ".join(str(symbol) for symbol in (*symbols.scalars, *symbols.vectors))
-    return f"{names}; {', '.join(map(str, symbols.free))} free" if symbols.free else names
-
-
-_InSymbols = TypeVar("_InSymbols", Identity, Determined)
-
-
-def _less_free(method: _InSymbols) -> Iterator[tuple[str, _InSymbols]]:
-    """Yield copies of the method, each with one free symbol no longer free, and their descriptions."""
-    for symbol in method.symbols.free:
-        rest = tuple(other for other in method.symbols.free if other != symbol)
-        yield f"{symbol} not free", replace(method, symbols=replace(method.symbols, free=rest))
+def _laws(premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr) -> dict[sympy.Expr, sympy.Expr]:
+    """Return the right sides of the premises ``[u](index -> value) = right side``, by u."""
+    equations = (premise.equation for premise in premises)
+    return {e.left.args[0]: e.right for e in equations if _is_law(e, index, (value,))}

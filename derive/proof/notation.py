@@ -37,21 +37,16 @@ def structure(name: str) -> sympy.Symbol:
 
 
 I, v, v_dot, u, z, point, along = map(structure, ("I", "v", "velocity", "u", "z", "point", "along"))
-R, R_k, Q, dcay, dcay_inv, q_hat, omega, omega_body = map(
-    structure, ("R", "R(v_k)", "Q", "dcay_n", "dcay_n^-1", "qhat", "omega", "omega_B")
-)
-rho, vector, first, second = map(structure, ("rho", "vector", "vector_1", "vector_2"))
+R, R_k, Q, dcay, dcay_inv, q_hat = map(structure, ("R", "R(v_k)", "Q", "dcay_n", "dcay_n^-1", "qhat"))
+omega, omega_body, omega_1, omega_2 = map(structure, ("omega", "omega_B", "omega_1", "omega_2"))
+rho, vector, first, second, a = map(structure, ("rho", "vector", "vector_1", "vector_2", "a"))
 b, b_1, b_2, sigma, sigma_1, sigma_2 = map(structure, ("b", "b_1", "b_2", "sigma", "sigma_1", "sigma_2"))
 v_dual, V, R_dual = map(structure, ("v°", "V", "R(V)"))
-a, omega_1, omega_2 = map(structure, ("a", "omega_1", "omega_2"))
-twist_jacobian, twist_jacobian_b, body_jacobian, rate_jacobian, body_rate_jacobian = map(
-    structure, ("J(a)", "J(b)", "J_B(a)", "K(a)", "K_B(a)")
-)
-dcay_k, transport = map(structure, ("dcay_n(v_k)", "S_k"))
+twist_jacobian, twist_jacobian_b, body_jacobian = map(structure, ("J(a)", "J(b)", "J_B(a)"))
+rate_jacobian, body_rate_jacobian, dcay_k, transport = map(structure, ("K(a)", "K_B(a)", "dcay_n(v_k)", "S_k"))
 f, g, h, f_i, h_i, f_y, g_y, h_y, f_iy, h_iy = sympy.symbols("f g h f_i h_i f_y g_y h_y f_iy h_iy")
-x_dual, p_dual, q_dual, scalar, scalar_1, scalar_2, r_k, r_jk = sympy.symbols(
-    "x(V) p_n(V) q_n(V) scalar scalar_1 scalar_2 r_k r_{j+k}"
-)
+x_dual, p_dual, q_dual, r_k, r_jk = sympy.symbols("x(V) p_n(V) q_n(V) r_k r_{j+k}")
+scalar, scalar_1, scalar_2 = sympy.symbols("scalar scalar_1 scalar_2")
 
 TYPESET = {
     x: "x", q_hat: r"\hat q", dcay: r"\mathrm{dcay}_n", dcay_inv: r"\mathrm{dcay}_n^{-1}", omega_body: r"\omega_B",
@@ -69,13 +64,16 @@ class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
     typeset: ClassVar[str]
 
     def _sympystr(self, printer: StrPrinter) -> str:
-        return self.text.format(*(self._bracketed(printer, self.text, place) for place in range(len(self.args))))
+        return self._printed(printer, self.text)
 
     def _latex(self, printer: LatexPrinter, exp: str | None = None) -> str:
-        body = self.typeset.format(*(self._bracketed(printer, self.typeset, place) for place in range(len(self.args))))
+        body = self._printed(printer, self.typeset)
         if exp is None:
             return body
         return rf"\left({body}\right)^{{{exp}}}" if isinstance(self, prime) else f"{{{body}}}^{{{exp}}}"
+
+    def _printed(self, printer: Any, template: str) -> str:
+        return template.format(*(self._bracketed(printer, template, place) for place in range(len(self.args))))
 
     def _bracketed(self, printer: Any, template: str, place: int) -> str:
         """Return a printed argument, in brackets if it is a compound expression and the template has none."""
@@ -85,14 +83,8 @@ class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
         return f"({printed})" if bare and composed else printed
 
 
-class Scalar(Operator):
-    """Operator with a number as its value."""
-
-    is_commutative = True
-
-
-def _operator(name: str, text: str, typeset: str, base: type[Operator] = Operator) -> Any:
-    return type(name, (base,), {"text": text, "typeset": typeset, "__module__": __name__})
+def _operator(name: str, text: str, typeset: str, **attributes: Any) -> Any:
+    return type(name, (Operator,), {"text": text, "typeset": typeset, "__module__": __name__, **attributes})
 
 
 transpose = _operator("transpose", "{0}^T", "{{{0}}}^T")
@@ -107,11 +99,11 @@ first_order = _operator("first_order", "compose_1({0}, {1})", r"\mathrm{{compose
 second_order = _operator("second_order", "compose_2({0}, {1})", r"\mathrm{{compose}}_2({0}, {1})")
 real, dual = _operator("real", "Re({0})", r"\mathrm{{Re}}({0})"), _operator("dual", "Du({0})", r"\mathrm{{Du}}({0})")
 exponential = _operator("exponential", "exp({0})", r"\exp({0})")
-det = _operator("det", "det({0})", r"\det {0}", Scalar)
-norm2 = _operator("norm2", "|{0}|^2", r"|{0}|^2", Scalar)
-below = _operator("below", "denominator of {0}", r"\mathrm{{den}}({0})", Scalar)
-dot = _operator("dot", "{0}.{1}", r"{0} \cdot {1}", Scalar)
-prime = _operator("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", Scalar)
+det = _operator("det", "det({0})", r"\det {0}", is_commutative=True)
+norm2 = _operator("norm2", "|{0}|^2", r"|{0}|^2", is_commutative=True)
+below = _operator("below", "denominator of {0}", r"\mathrm{{den}}({0})", is_commutative=True)
+dot = _operator("dot", "{0}.{1}", r"{0} \cdot {1}", is_commutative=True)
+prime = _operator("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", is_commutative=True)
 
 
 class Shifted(sympy.Function):  # type: ignore[misc]

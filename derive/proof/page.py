@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import starmap
 
-from .coverage import COVERAGE, Coverage
+from .coverage import COVERAGE
 from .identity import ALL_ORDERS, Proof
-
-Counts = Mapping[str, int]
-"""Numbers of controls by title of the statement."""
 
 HEAD = """# Theorems
 
@@ -33,22 +28,19 @@ COVERED = """## Kernel functions
 | --- | --- | --- | --- |"""
 
 
-def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Counts) -> str:
-    """Return the page as Markdown.
+def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
+    """Return the page as Markdown, from the proofs for all orders and at one order.
 
-    Parameters
-    ----------
-    general : iterable of Proof
-        Proofs of theorems for all orders.
-    at_order : iterable of Proof
-        Proofs at one order.
-    controls : mapping of str to int
-        Numbers of controls by `title`.
+    The numbers of controls are given by `title` of the proof.
     """
     again = tuple(at_order)
-    parts = [HEAD, "## For every order\n", *(_section(proof, controls) for proof in general)]
-    parts += [AT_ORDER.format(scope=again[0].scope), *(_section(proof, controls) for proof in again)]
-    return "\n".join([*parts, COVERED, *starmap(_row, COVERAGE.items()), ""])
+    lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]
+    lines += [AT_ORDER.format(scope=again[0].scope), *(line for proof in again for line in _section(proof, controls))]
+    lines.append(COVERED)
+    for name, covered in COVERAGE.items():
+        theorems = ", ".join(covered.theorems)
+        lines.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
+    return "\n".join([*lines, ""])
 
 
 def title(proof: Proof) -> str:
@@ -56,24 +48,13 @@ def title(proof: Proof) -> str:
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 
-def counts(text: str) -> dict[str, int]:
-    """Read the numbers of controls from a page, by title."""
-    return {name: int(count) for name, count in re.findall(r"^### (.+)\n\n(?:.+\n)*?- controls: (\d+)$", text, re.M)}
-
-
-def _row(function: str, covered: Coverage) -> str:
-    return f"| `{function}` | {covered.validation} | {', '.join(covered.theorems)} | {covered.only_validated} |"
-
-
-def _section(proof: Proof, controls: Counts) -> str:
-    return "\n".join([f"### {title(proof)}\n", *_lines(proof), f"- controls: {controls[title(proof)]}\n"])
-
-
-def _lines(proof: Proof) -> Iterator[str]:
+def _section(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:
+    yield f"### {title(proof)}\n"
     for equation in proof.claim:
         numbers = ", ".join(f"({number})" for number in equation.numbers)
         yield f"- $`{equation.latex}`${f' — CP23 {numbers}' if numbers else ''}"
     yield from (f"- given `{premise}`" for premise in proof.premises)
     yield from (f"- where `{condition}`, by the theorems cited" for condition in proof.conditions)
-    yield from (f"- multiplied by `{factor}`, zero where `{factor.vanishes}`" for factor in proof.multipliers)
+    yield from (f"- multiplied by `{factor}`, zero where `{factor.text} = 0`" for factor in proof.multipliers)
     yield f"- by {proof.method}; residues: {len(proof.residues)}"
+    yield f"- controls: {controls[title(proof)]}\n"

@@ -16,11 +16,11 @@ from functools import cache
 import sympy
 
 from .identity import Proof
-from .methods import Identity
+from .methods import identity
 from .notation import *
 from .setting import Symbols
-from .statement import Equation, Premise, definition
-from .theorem import Theorem
+from .statement import Equation, definition
+from .theorem import Theorem, decided
 
 SCOPE = "every phi"
 
@@ -35,11 +35,7 @@ SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
 TURN = 2 * phi * phi_1
 """Derivative dx/dα."""
 
-SQUARES = (
-    definition(cosine**2, 1 - sine**2),
-    definition(dot(v, v), x, wrong=2 * x),
-    definition(x, phi**2),
-)
+SQUARES = definition(cosine**2, 1 - sine**2), definition(dot(v, v), x, wrong=2 * x), definition(x, phi**2)
 OF_ANGLE = (
     definition(prime(phi), phi_1 / TURN),
     definition(prime(sine), cosine / (2 * TURN)),
@@ -61,73 +57,56 @@ SCALARS = (
 )
 QUATERNION = definition(q_hat, s + w * v, wrong=s + 2 * w * v)
 TENSOR = definition(R, (1 - x * g) * I + f * skew(v) + g * dyad(v, v), wrong=2 * I)
-TANGENT = definition(T, f * I + g * skew(v) + h * dyad(v, v), wrong=2 * f * I + g * skew(v) + h * dyad(v, v))
-INVERSE = definition(
-    T_inv, fi / 2 * I - skew(v) / 2 + hi / 2 * dyad(v, v), wrong=fi * I - skew(v) / 2 + hi / 2 * dyad(v, v)
-)
+_REST = g * skew(v) + h * dyad(v, v)
+TANGENT = definition(T, f * I + _REST, wrong=2 * f * I + _REST)
+_REST_INV = hi / 2 * dyad(v, v) - skew(v) / 2
+INVERSE = definition(T_inv, fi / 2 * I + _REST_INV, wrong=fi * I + _REST_INV)
 
 SYMBOLS = (cosine, sine, x, *PHI)
-
-
-def _theorem(
-    name: str,
-    claim: tuple[Equation, ...],
-    *premises: Premise,
-    vectors: tuple[sympy.Symbol, ...] = (v,),
-    free: tuple[sympy.Symbol, ...] = (sine, phi, phi_1),
-) -> Theorem:
-    used = (*premises, *SQUARES) if vectors else (*premises, SQUARES[0], SQUARES[2])
-    return Theorem(name, claim, used, Identity(Symbols(SYMBOLS, vectors, free)), SCOPE)
+IN_V, MOVING = Symbols(SYMBOLS, (v,), (sine, phi, phi_1)), Symbols(SYMBOLS, (v, v_dot), (sine, phi, phi_1))
 
 
 def _of_maps() -> tuple[Theorem, ...]:
     return (
-        _theorem(
-            "any phi: orthogonality",
-            (Equation(R * transpose(R), I), Equation(det(R), sympy.Integer(1))),
-            TENSOR, *SCALARS[3:5],
-            free=(phi,),
+        identity(
+            "any phi: orthogonality", Symbols(SYMBOLS, (v,), (phi,)),
+            (Equation(R * transpose(R), I), Equation(det(R), 1)),
+            TENSOR, *SCALARS[3:5], *SQUARES, scope=SCOPE,
         ),
-        _theorem(
-            "any phi: quaternion",
-            (
-                Equation(q_hat * conjugate(q_hat), sympy.Integer(1)),
-                Equation(q_hat * point * conjugate(q_hat), R * point),
-            ),
-            QUATERNION, TENSOR, *SCALARS[:2], *SCALARS[3:5],
-            vectors=(v, point), free=(phi,),
+        identity(
+            "any phi: quaternion", Symbols(SYMBOLS, (v, point), (phi,)),
+            (Equation(q_hat * conjugate(q_hat), 1), Equation(q_hat * point * conjugate(q_hat), R * point)),
+            QUATERNION, TENSOR, *SCALARS[:2], *SCALARS[3:5], *SQUARES, scope=SCOPE,
         ),
-        _theorem(
-            "any phi: axis",
+        identity(
+            "any phi: axis", Symbols(SYMBOLS, (v,), (phi, phi_1)),
             (Equation(T * v, v / phi_1), Equation(det(T), 2 * (1 - COS) / (phi_1 * phi**2))),
-            TANGENT, *SCALARS[3:6],
-            free=(phi, phi_1),
+            TANGENT, *SCALARS[3:6], *SQUARES, scope=SCOPE,
         ),
-        _theorem(
-            "any phi: inverse",
+        identity(
+            "any phi: inverse", IN_V,
             (Equation(T * T_inv, I), Equation(T_inv * T, I)),
-            TANGENT, INVERSE, *SCALARS[3:],
+            TANGENT, INVERSE, *SCALARS[3:], *SQUARES, scope=SCOPE,
         ),
     )  # fmt: skip
 
 
 def _of_motion() -> tuple[Theorem, ...]:
-    twist = _theorem(
-        "any phi: twist",
+    given = *MOTION, *OF_ANGLE, *SQUARES
+    twist = identity(
+        "any phi: twist", Symbols(SYMBOLS, (v, v_dot), (phi, phi_1)),
         (Equation(omega, T * rate(v)), Equation(rate(R), skew(omega) * R)),
-        TENSOR, TANGENT, *SCALARS[3:6], definition(omega, vect(rate(R) * transpose(R))), *MOTION, *OF_ANGLE,
-        vectors=(v, v_dot), free=(phi, phi_1),
+        TENSOR, TANGENT, *SCALARS[3:6], definition(omega, vect(rate(R) * transpose(R))), *given, scope=SCOPE,
     )  # fmt: skip
-    body = _theorem(
-        "any phi: body twist",
+    body = identity(
+        "any phi: body twist", MOVING,
         (
             Equation(transpose(T), transpose(R) * T),
             Equation(omega_body, transpose(T) * rate(v)),
             Equation(rate(v), transpose(T_inv) * omega_body),
         ),
-        TENSOR, TANGENT, INVERSE, *SCALARS[3:], twist.premise(0), definition(omega_body, transpose(R) * omega), *MOTION,
-        *OF_ANGLE,
-        vectors=(v, v_dot),
+        TENSOR, TANGENT, INVERSE, *SCALARS[3:], twist.premise(0), definition(omega_body, transpose(R) * omega), *given,
+        scope=SCOPE,
     )  # fmt: skip
     return twist, body
 
@@ -165,10 +144,10 @@ def _of_slopes() -> tuple[Theorem, ...]:
         ),
         Equation(y(y(rho)), (3 * phi_2**2 / phi_1 - phi_3 + phi_2 * phi_1 / phi) / (phi**2 * phi_1**4)),
     )
-    given = (*SCALARS, *OF_ANGLE)
+    symbols, given, squares = Symbols(SYMBOLS, (), (sine, phi, phi_1)), (*SCALARS, *OF_ANGLE), SQUARES[::2]
     return (
-        _theorem("any phi: slopes", first, *given, OF_PHI[0], vectors=()),
-        _theorem("any phi: second slopes", second, *given, *OF_PHI, vectors=()),
+        identity("any phi: slopes", symbols, first, *given, OF_PHI[0], *squares, scope=SCOPE),
+        identity("any phi: second slopes", symbols, second, *given, *OF_PHI, *squares, scope=SCOPE),
     )
 
 
@@ -178,7 +157,4 @@ ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
 @cache
 def any_phi() -> tuple[Proof, ...]:
     """Return the proofs of the theorems on every φ, decided once per process."""
-    known: dict[str, Proof] = {}
-    for theorem in ANY_PHI:
-        known[theorem.name] = theorem.decide(known)
-    return tuple(known.values())
+    return decided(ANY_PHI)

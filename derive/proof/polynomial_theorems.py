@@ -9,13 +9,13 @@ import sympy
 
 from ..maps import polynomials
 from .coefficients import BINOMIAL, Coefficients
-from .methods import Determined, Identity
+from .methods import determined, identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
 
-ONE = Equation(n, sympy.Integer(1))
+ONE = Equation(n, 1)
 """Index at the start of sequences."""
 
 
@@ -45,38 +45,33 @@ RECURRENCE = pairs(n, p, q, x)
 SQUARE = definition(x, X**2)
 UNIT = definition(i**2, -1)
 
-POWERS = Theorem(
-    "powers of 1 + iX",
+POWERS = determined(
+    "powers of 1 + iX", Symbols((i, p, q, X)), ONE,
     (Equation((1 + i * X) ** n, p + i * X * q),),
-    (*RECURRENCE, SQUARE, UNIT, *power(1 + i * X)),
-    Determined(Symbols((i, p, q, X)), ONE),
-)
-VECTOR_POWERS = Theorem(
-    "powers of 1 + v",
+    *RECURRENCE, SQUARE, UNIT, *power(1 + i * X),
+)  # fmt: skip
+VECTOR_POWERS = determined(
+    "powers of 1 + v", Symbols((p, q), (v,)), ONE,
     (Equation((1 + v) ** n, p + q * v),),
-    (*RECURRENCE, definition(x, dot(v, v)), *power(1 + v)),
-    Determined(Symbols((p, q), (v,)), ONE),
-)
-NORM = Theorem(
-    "norm",
+    *RECURRENCE, definition(x, dot(v, v)), *power(1 + v),
+)  # fmt: skip
+NORM = determined(
+    "norm", Symbols((p, q, x)), ONE,
     (Equation((1 + x) ** n, p**2 + x * q**2),),
-    (*RECURRENCE, *power(1 + x)),
-    Determined(Symbols((p, q, x)), ONE),
-)
+    *RECURRENCE, *power(1 + x),
+)  # fmt: skip
 NEXT_SUM = zip((p_sum, q_sum), polynomials.following((p, q), x), polynomials.following((p_sum, q_sum), x), strict=True)
-ADDITION = Theorem(
-    "addition",
+ADDITION = determined(
+    "addition", Symbols((p_m, q_m, p, q, x)), Equation(m, 1),
     tuple(map(Equation, (p_sum, q_sum), polynomials.multiply((p_m, q_m), (p, q), x))),
-    (*pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM)),
-    Determined(Symbols((p_m, q_m, p, q, x)), Equation(m, sympy.Integer(1))),
-)
+    *pairs(m, p_m, q_m, x), *recurring(m, *NEXT_SUM),
+)  # fmt: skip
 TWICE = ((m, n), (p_m, p), (q_m, q), (p_sum, p_double), (q_sum, q_double))
-DOUBLING = Theorem(
-    "doubling",
+DOUBLING = identity(
+    "doubling", Symbols((p, q, x)),
     tuple(map(Equation, (p_double, q_double), polynomials.double((p, q), x))),
-    tuple(ADDITION.premise(place, *TWICE) for place in (0, 1)),
-    Identity(Symbols((p, q, x))),
-)
+    *(ADDITION.premise(place, *TWICE) for place in (0, 1)),
+)  # fmt: skip
 
 
 def _slope(e: sympy.Expr) -> sympy.Expr:
@@ -85,87 +80,72 @@ def _slope(e: sympy.Expr) -> sympy.Expr:
 
 
 _SLOPES = zip((prime(p), prime(q)), (0, 0), map(_slope, polynomials.following((p, q), x)), strict=True)
-SLOPES = Theorem(
-    "slopes",
+SLOPES = determined(
+    "slopes", Symbols((p, q, x, n), free=(x,)), ONE,
     (
         Equation(prime(p), n * (p - q) / (2 * (1 + x))),
         Equation(prime(q), (n * (p + x * q) / (1 + x) - q) / (2 * x)),
     ),
-    (*RECURRENCE, *recurring(n, *_SLOPES)),
-    Determined(Symbols((p, q, x, n), free=(x,)), ONE),
-)
+    *RECURRENCE, *recurring(n, *_SLOPES),
+)  # fmt: skip
 AT_ZERO = tuple(Shifted(term, x, 0) for term in (p, q, prime(p), prime(q)))
 _NEXT_AT_ZERO = (e.xreplace({x: sympy.Integer(0)} | dict(zip((p, q, prime(p), prime(q)), AT_ZERO, strict=True)))
                  for e in (*polynomials.following((p, q), x), *map(_slope, polynomials.following((p, q), x))))
-ORIGIN = Theorem(
-    "values at x = 0",
+ORIGIN = determined(
+    "values at x = 0", Symbols((n,)), ONE,
     (
-        Equation(AT_ZERO[0], sympy.Integer(1), wrong=sympy.Integer(0)),
+        Equation(AT_ZERO[0], 1, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[1], n, wrong=sympy.Integer(0)),
         Equation(AT_ZERO[2], -n * (n - 1) / 2),
         Equation(AT_ZERO[3], -n * (n - 1) * (n - 2) / 6),
     ),
-    recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
-    Determined(Symbols((n,)), ONE),
-)
-BRACKETS_AT_ZERO = Theorem(
-    "brackets at x = 0",
+    *recurring(n, *zip(AT_ZERO, (*polynomials.FIRST, 0, 0), _NEXT_AT_ZERO, strict=True)),
+)  # fmt: skip
+BRACKETS_AT_ZERO = identity(
+    "brackets at x = 0", Symbols((n,)),
     tuple(map(Equation, polynomials.brackets_of(*AT_ZERO), (2 * n * (n**2 - 1) / 3, n * (n**2 + 2) / 3))),
-    ORIGIN.given(),
-    Identity(Symbols((n,))),
-)
-BRACKETS = Theorem(
-    "brackets",
+    *ORIGIN.given(),
+)  # fmt: skip
+BRACKETS = identity(
+    "brackets", Symbols((p, q, x, n), free=(x,)),
     (Equation(n * (1 + x) ** (n - 1) - p * q, x * c), Equation((1 + x) * q - n * p, x * d)),
-    (
-        *map(definition, (c, d), polynomials.brackets_of(p, q, prime(p), prime(q))),
-        *SLOPES.given(),
-        *NORM.given(),
-    ),
-    Identity(Symbols((p, q, x, n), free=(x,))),
-)
+    *map(definition, (c, d), polynomials.brackets_of(p, q, prime(p), prime(q))), *SLOPES.given(), *NORM.given(),
+)  # fmt: skip
 
 
 def _series(coefficient: sympy.Expr, exponent: sympy.Expr = j, first: int = 0) -> sympy.Sum:
     return sympy.Sum(coefficient * x**exponent, (j, first, sympy.oo))
 
 
-def _choose(of: sympy.Expr, number: sympy.Expr) -> sympy.Expr:
-    return sympy.binomial(of, number)
-
-
+choose = sympy.binomial
 SIGN = sympy.Integer(-1) ** j
 SUMS = Theorem(
     "binomial sums",
     (
-        Equation(p, _series(SIGN * _choose(n, 2 * j)), (51, 63)),
-        Equation(q, _series(SIGN * _choose(n, 2 * j + 1)), (52, 64)),
+        Equation(p, _series(SIGN * choose(n, 2 * j)), (51, 63)),
+        Equation(q, _series(SIGN * choose(n, 2 * j + 1)), (52, 64)),
     ),
     (*RECURRENCE, BINOMIAL),
     Coefficients(),
 )
 BINOMIAL_THEOREM = Theorem(
     "binomial theorem",
-    (Equation((1 + x) ** n, _series(_choose(n, j))),),
+    (Equation((1 + x) ** n, _series(choose(n, j))),),
     (*recurring(n, ((1 + x) ** n, 1, (1 + x) * (1 + x) ** n), first=0), BINOMIAL),
-    Coefficients(Equation(n, sympy.Integer(0))),
+    Coefficients(first=0),
 )
 BRACKET_SUMS = Theorem(
     "binomial sums of the brackets",
     (
-        Equation(c, _series(n * _choose(n - 1, j) - SIGN * _choose(2 * n, 2 * j + 1) / 2, j - 1, 1)),
-        Equation(d, _series(SIGN * (_choose(n, 2 * j + 1) - _choose(n, 2 * j - 1) - n * _choose(n, 2 * j)), j - 1, 1)),
+        Equation(c, _series(n * choose(n - 1, j) - SIGN * choose(2 * n, 2 * j + 1) / 2, j - 1, 1)),
+        Equation(d, _series(SIGN * (choose(n, 2 * j + 1) - choose(n, 2 * j - 1) - n * choose(n, 2 * j)), j - 1, 1)),
     ),
     (
-        *BRACKETS.given(),
-        *SUMS.given(),
-        SUMS.premise(1, (n, 2 * n), (q, q_double)),
-        DOUBLING.premise(1),
-        BINOMIAL_THEOREM.premise(0, (n, n - 1)),
-        BINOMIAL,
+        *BRACKETS.given(), *SUMS.given(), SUMS.premise(1, (n, 2 * n), (q, q_double)), DOUBLING.premise(1),
+        BINOMIAL_THEOREM.premise(0, (n, n - 1)), BINOMIAL,
     ),
     Coefficients(),
-)
+)  # fmt: skip
 COSINE, SINE = sympy.cos(n * theta), sympy.sin(n * theta)
 TURN, RISE = sympy.cos(theta), sympy.sin(theta)
 
@@ -176,12 +156,11 @@ def turning(angle: sympy.Symbol) -> tuple[Premise, ...]:
     return recurring(n, (cosine, turn, turn * cosine - rise * sine), (sine, rise, rise * cosine + turn * sine))
 
 
-ANGLES = Theorem(
-    "multiples of an angle",
+ANGLES = determined(
+    "multiples of an angle", Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE,
     (Equation(p, COSINE / TURN**n), Equation(q, SINE * TURN / (RISE * TURN**n))),
-    (*RECURRENCE, definition(x, (RISE / TURN) ** 2), *turning(theta)),
-    Determined(Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE)), ONE),
-)
+    *RECURRENCE, definition(x, (RISE / TURN) ** 2), *turning(theta),
+)  # fmt: skip
 
 POLYNOMIAL_THEOREMS = (
     POWERS, VECTOR_POWERS, NORM, ADDITION, DOUBLING, SLOPES, ORIGIN, BRACKETS_AT_ZERO, BRACKETS, SUMS,

@@ -1,22 +1,49 @@
-"""Proof of a chart by `prove`, the only function that makes a `Proved`."""
+"""All theorems for every order n ≥ 1, and proofs of a chart; only `prove` makes a `Proved`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Container, Iterator
 from dataclasses import InitVar, dataclass
+from functools import cache
 
+from ..maps import Cayley
 from ..maps.chart import Chart
-from .at_order import CayleyFormulas, instances
+from .at_order import computations, instances
+from .calculus_theorems import calculus_theorems
 from .components import Components
-from .computations import computations
-from .displacement_theorems import COMPOSITION_AT
-from .every_order import theorems
+from .displacement_theorems import COMPOSITION_AT, displacement_theorems
+from .formulas import Formulas
 from .identity import Proof
-from .phi_instances import instance
-from .scalars import ScalarProofs, is_algebraic
+from .map_theorems import map_theorems
+from .polynomial_theorems import POLYNOMIAL_THEOREMS
+from .scalars import ScalarProofs, instance, is_algebraic
+from .theorem import Theorem, decided
+from .transport_theorems import transport_theorems
 
-Progress = Callable[[str], None]
 _MADE_HERE = object()
+
+
+def stated(formulas: Formulas) -> tuple[Theorem, ...]:
+    """Return all theorems on the given formulas, each after the theorems it uses."""
+    of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
+    return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
+
+
+def citing(numbers: Container[int]) -> tuple[Proof, ...]:
+    """Prove the theorems that claim CP23's equations of these numbers, and all theorems they use."""
+    claimed = stated(Formulas())
+    wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
+    needed = set(wanted)
+    for theorem in reversed(claimed):  # each theorem stands after the theorems it uses
+        if theorem.name in needed:
+            needed |= {premise.theorem for premise in theorem.premises}
+    return tuple(proof for proof in decided(t for t in claimed if t.name in needed) if proof.name in wanted)
+
+
+@cache
+def theorems() -> tuple[Proof, ...]:
+    """Return the proofs of scope "all n", decided once per process."""
+    return decided(stated(Formulas()))
 
 
 class ProofFailed(Exception):
@@ -60,54 +87,35 @@ class Proved:
         return f"<Proved {self.formulas.name}: {len(self.proofs)} proofs>"
 
 
-def proofs(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> tuple[Proof, ...]:
+def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
     """Decide every statement about a chart and return all proofs, including failed ones.
 
     Parameters
     ----------
     chart : Chart
         Chart to prove, e.g. ``derive.Cayley(7)``.
-    progress : callable, optional
-        Function called with a line of text before each stage.
     backend : {"flint", "sympy"}, optional
         Library of polynomials in x; by default python-flint where it is installed.
     """
-    return tuple(_decided(chart, progress or (lambda line: None), backend))
+    decided = tuple(_proofs_of_order(chart.cayley, backend)) if chart.cayley else ()
+    return (*decided, *(ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)))
 
 
-def prove(chart: Chart, progress: Progress | None = None, backend: str | None = None) -> Proved:
-    """Prove a chart; a Cayley map is proved by theorems and, independently, by components.
-
-    See :func:`proofs` for the parameters.
-
-    Raises
-    ------
-    ProofFailed
-        If any statement fails.
-    """
-    decided = proofs(chart, progress, backend)
+def prove(chart: Chart) -> Proved:
+    """Prove a chart; raise `ProofFailed` if any statement fails."""
+    decided = proofs(chart)
     failed = tuple(proof for proof in decided if not proof.proved)
     if failed:
         raise ProofFailed(failed)
     return Proved(chart, decided, _MADE_HERE)
 
 
-def _decided(chart: Chart, progress: Progress, backend: str | None) -> Iterator[Proof]:
-    if chart.cayley:
-        yield from _cayley(chart.cayley, progress, backend)
-    progress(f"{chart.name}: scalars and formulas")
-    yield from ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)
-
-
-def _cayley(cayley: CayleyFormulas, progress: Progress, backend: str | None) -> Iterator[Proof]:
-    progress("theorems for all n")
+def _proofs_of_order(cayley: Cayley, backend: str | None) -> Iterator[Proof]:
     yield from theorems()
-    progress(f"n = {cayley.order}: formulas as in the theorems")
     yield from instances(cayley)
     yield from computations(cayley.order)
     if cayley.order in COMPOSITION_AT:
         yield COMPOSITION_AT[cayley.order].decide({})
-    progress(f"n = {cayley.order}: componentwise from the definition")
     yield from Components(cayley, backend).proofs()
 
 
@@ -116,5 +124,4 @@ def _first_failure(proof: Proof) -> str:
         return "nothing was checked"
     first = proof.failures[0]
     text = str(first.value)
-    shown = text if len(text) <= 200 else f"{text[:200]} ..."
-    return f"{first.label}, residue {shown}"
+    return f"{first.label}, residue {text if len(text) <= 200 else f'{text[:200]} ...'}"

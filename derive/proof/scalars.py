@@ -1,8 +1,8 @@
-r"""Proof that the scalars of an algebraic chart agree with its formulas and with its φ.
+r"""Proof that the formulas of a chart agree with its φ and, if it is algebraic, with its scalars.
 
-The functions of the chart are evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas
-contain this root. With ``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist
-``ω = 2 vec(q̂' q̂*)`` is
+A chart with formulas in the angle α is an instance of the theorems on every φ. The functions of an algebraic chart are
+evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas contain this root. With
+``q̂ = s + w v`` and ``y = v · v̇``, ``ṡ = s_y y``, ``ẇ = w_y y``, the twist ``ω = 2 vec(q̂' q̂*)`` is
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
@@ -14,8 +14,7 @@ Therefore ``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -31,19 +30,20 @@ from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation
-from .identity import Check, Claim, Proof, decide
+from .identity import Checks, Proof, decide
 from .notation import Shifted, prime
+from .phi_theorems import PHI, SCALARS, any_phi, cosine, sine
 from .statement import Equation
 from .vector_ring import Ring
 
 METHOD = "residues in Q(x), with the root of 1 + x/k where formulas have it"
 BY_ANGLE = "residues in Q(tan(alpha/2M)), M such that phi is made of sines and cosines of multiples of alpha/M"
+BY_PHI = "instance of the theorems on every phi, differences of the coefficients as functions of alpha"
 
 VALUES, SLOPES = ("s", "w", "f", "g", "h", "fi", "hi"), ("sy", "wy", "fy", "gy", "hy", "fiy", "hiy")
 BENDS = ("fyy", "gyy", "hyy", "fiyy", "hiyy")
 s, w, f, g, h, fi, hi = sympy.symbols(VALUES)
 sy, wy, fy, gy, hy, fiy, hiy = sympy.symbols(SLOPES)
-fyy, gyy, hyy, fiyy, hiyy = sympy.symbols(BENDS)
 a, b, phi, slope = sympy.symbols("a b phi phi'")
 
 FORMULAS = {
@@ -54,13 +54,16 @@ FORMULAS = {
 }
 """Coefficients of each map in terms of the scalars."""
 
+STATED = tuple(Equation(e, sympy.Symbol(f"{name}[{i}]")) for name, of in FORMULAS.items() for i, e in enumerate(of))
+"""Equations of the scalars with the coefficients that a chart states."""
+
 RELATIONS = (
-    Equation(s**2 + x * w**2, sympy.Integer(1)),
+    Equation(s**2 + x * w**2, 1),
     Equation(f, 2 * s * w),
     Equation(g, 2 * w**2),
     Equation(h, 2 * (s * wy - w * sy)),
     Equation(fi * g, f),
-    Equation((f + x * h) * (fi + x * hi), sympy.Integer(2)),
+    Equation((f + x * h) * (fi + x * hi), 2),
     Equation(a * w, b * s),
 )
 """Equations for |q̂| = 1, R as the tensor of q̂, vect(Ṙ Rᵀ) = T v̇, T T⁻¹ = I, and a + b v as a multiple of q̂."""
@@ -69,26 +72,22 @@ DERIVATIVES = tuple(
     Equation(of, 2 * prime(value)) for of, value in zip((sy, wy, fy, gy, hy, fiy, hiy), (s, w, f, g, h, fi, hi))
 )
 SECOND_DERIVATIVES = tuple(
-    Equation(of, 2 * prime(slope)) for of, slope in zip((fyy, gyy, hyy, fiyy, hiyy), (fy, gy, hy, fiy, hiy))
+    Equation(sympy.Symbol(name), 2 * prime(of)) for name, of in zip(BENDS, (fy, gy, hy, fiy, hiy))
 )
-_ZERO, _ONE = sympy.Integer(0), sympy.Integer(1)
 ANGLE = (
-    Equation((f + x * h) * slope, _ONE),
-    Equation(Shifted(s, x, _ZERO), _ONE),
-    Equation(Shifted(phi, alpha, _ZERO), _ZERO),
+    Equation((f + x * h) * slope, 1),
+    Equation(Shifted(s, x, 0), 1),
+    Equation(Shifted(phi, alpha, 0), 0),
 )
-
-
-class _AtAngle(Evaluation):
-    """Values of expressions at a symbolic angle, as rational functions of a tangent."""
-
-    def number(self, value: Fraction) -> Fraction:
-        return value
 
 
 def is_algebraic(chart: Chart) -> bool:
     """Return whether the formulas of a chart are functions of x that the exact ring can represent."""
-    return all(c.free_symbols <= {x} for name in FORMULAS for c in getattr(chart, name).coefficients)
+    return all(coefficient.free_symbols <= {x} for coefficient in _coefficients(chart))
+
+
+def _coefficients(chart: Chart) -> list[sympy.Expr]:
+    return [coefficient for name in FORMULAS for coefficient in getattr(chart, name).coefficients]
 
 
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
@@ -131,61 +130,48 @@ class ScalarProofs:
 
     def __init__(self, chart: Chart, backend: str | None = None) -> None:
         self.chart = chart
-        self.stated = {name: getattr(chart, name).coefficients for name in FORMULAS}
-        root = root_of(e for coefficients in self.stated.values() for e in coefficients)
-        self.ring = Ring(root=root, backend=backend)
+        self.stated = _coefficients(chart)
+        self.ring = Ring(root=root_of(self.stated), backend=backend)
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """Values of the symbols: scalars as the chart computes them, and their derivatives."""
-        at_x = self.ring.square("v")
+        """Values of the symbols: scalars as the chart computes them, their derivatives, and lifted coefficients."""
+        at_x = self.ring.x
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
         values = {sympy.Symbol(name): value for name, value in found.items()}
         values |= {prime(sympy.Symbol(name)): self.ring.derivative(found[name], "x") for name in (*VALUES, *SLOPES)}
+        values |= {e.right: self.ring.lift(c, {x: at_x}) for e, c in zip(STATED, self.stated, strict=True)}
         size_s, size_w, _ = map(self.ring.element, at.ray)
         return values | {a: size_s, b: size_w, x: at_x}
 
     def proofs(self) -> Iterator[Proof]:
         """Decide the statements one after the other."""
-        formulas = tuple(
-            Equation(value, sympy.Symbol(f"{name}[{i}]"))
-            for name, values in FORMULAS.items()
-            for i, value in enumerate(values)
-        )
-        lifted = {
-            sympy.Symbol(f"{name}[{i}]"): self.ring.lift(e, {x: self.ring.square("v")})
-            for name, coefficients in self.stated.items()
-            for i, e in enumerate(coefficients)
-        }
-        yield self._decide("scalars as lowered", formulas, lambda: self._residues(formulas, lifted))
-        yield self._decide("scalars", RELATIONS, lambda: self._residues(RELATIONS))
-        yield self._decide("slopes", DERIVATIVES, lambda: self._residues(DERIVATIVES))
-        yield self._decide("second slopes", SECOND_DERIVATIVES, lambda: self._residues(SECOND_DERIVATIVES))
-        yield self._decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, self._angle, BY_ANGLE)
-
-    def _decide(self, name: str, claim: tuple[Equation, ...], checks: Any, method: str = METHOD) -> Proof:
+        statements = {
+            "scalars as lowered": STATED, "scalars": RELATIONS, "slopes": DERIVATIVES,
+            "second slopes": SECOND_DERIVATIVES,
+        }  # fmt: skip
         scope = f"n = {self.chart.order}" if self.chart.cayley else self.chart.name
-        return decide(Claim(name, claim, method), checks, scope)
+        for name, claim in statements.items():
+            yield decide(name, claim, METHOD, partial(self._residues, claim), scope)
+        yield decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, BY_ANGLE, self._angle, scope)
 
-    def _residues(
-        self, claim: Iterable[Equation], further: Mapping[sympy.Expr, Element] | None = None
-    ) -> Iterator[Check]:
+    def _residues(self, claim: Iterable[Equation]) -> Checks:
         """Yield left side minus right side of each equation."""
-        values = {**self.values, **(further or {})}
         for equation in claim:
-            yield equation.text, self.ring.lift(equation.left, values) - self.ring.lift(equation.right, values)
+            left, right = (self.ring.lift(side, self.values) for side in (equation.left, equation.right))
+            yield equation.text, left - right
 
-    def _angle(self) -> Iterator[Check]:
+    def _angle(self) -> Checks:
         """Yield left side minus right side at ``x = φ²``, and for the initial values at x = 0 and α = 0."""
         field = AngleField((), {alpha.name: _steps(self.chart.phi)})
         functions = SimpleNamespace(sin=field.sin, cos=field.cos, sqrt=Element.sqrt)
         angle, phi = field.symbol(alpha.name), self.chart.phi
         size, rate = (evaluate(e, alpha, angle, functions) for e in (phi, phi.diff(alpha)))
         values = {symbol: self._at(self.values[symbol], size * size) for symbol in (f, h, x)}
-        starts = (self._at(self.values[s], size * 0), self.chart.phi.subs(alpha, 0))
+        starts = (self._at(self.values[s], size * 0), phi.subs(alpha, 0))
         values |= dict(zip((e.left for e in ANGLE[1:]), starts, strict=True))
-        at = _AtAngle(values | {slope: rate})
+        at = Evaluation(values | {slope: rate})
         for equation in ANGLE:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
@@ -205,3 +191,34 @@ def _steps(phi: sympy.Expr) -> int:
     """Return the least M such that all trigonometric functions in φ have multiples of α/M as arguments."""
     arguments = (function.args[0] for function in phi.atoms(TrigonometricFunction))
     return int(sympy.ilcm(1, *(argument.coeff(alpha).q for argument in arguments)))
+
+
+def instance(chart: Chart) -> Iterator[Proof]:
+    """Yield the theorems, and the proof that a chart with scalars in α is an instance of them."""
+    yield from any_phi()
+    in_angle = {premise.equation.left: premise.equation.right for premise in SCALARS}
+    claim = tuple(e.replaced(in_angle) for e in STATED)
+    symbols = dict(zip(PHI, (chart.phi.diff(alpha, order) for order in range(len(PHI))), strict=True))
+    symbols |= {sine: sympy.sin(alpha / 2), cosine: sympy.cos(alpha / 2), x: chart.phi**2}
+
+    def checks() -> Checks:
+        for equation, found in zip(claim, _coefficients(chart), strict=True):
+            difference = sympy.together(equation.left.xreplace(symbols) - found)
+            yield equation.text, sympy.expand(sympy.fraction(difference)[0])
+
+    yield decide("coefficients in alpha", claim, BY_PHI, checks, chart.name)
+    yield _at_origin(chart)
+
+
+def _at_origin(chart: Chart) -> Proof:
+    """Decide whether φ is odd with φ(0) = 0 and φ′(0) ≠ 0; then every scalar is a function of x, analytic at 0."""
+    claim = (Equation(Shifted(phi, alpha, 0), 0), Equation(Shifted(phi, alpha, -alpha), -phi))
+
+    def checks() -> Checks:
+        for equation in claim:
+            there = chart.phi.subs(alpha, equation.left.args[2])
+            yield equation.text, sympy.expand(there - equation.right.xreplace({phi: chart.phi}))
+        slope = chart.phi.diff(alpha).subs(alpha, 0)
+        yield "phi' at 0 is a number other than 0", 0 if slope.is_finite and slope.is_nonzero else 1
+
+    return decide("phi at 0", claim, BY_PHI, checks, chart.name)

@@ -31,14 +31,8 @@ from .statement import Equation, Premise
 class Symbols:
     """Symbols of a theorem without a definition.
 
-    Attributes
-    ----------
-    scalars : tuple of Symbol
-        Scalars in order: a relation eliminates the first of its symbols.
-    vectors : tuple of Symbol
-        Vectors, each with three independent components.
-    free : tuple of Symbol
-        Scalars and vectors that vary independently and may be 0. All others depend on them or are parameters.
+    A relation eliminates the first of its scalars. Vectors have three independent components each. Free scalars and
+    vectors vary independently and may be 0. All other symbols depend on them or are parameters.
     """
 
     scalars: tuple[sympy.Symbol, ...]
@@ -49,14 +43,7 @@ class Symbols:
 class Setting(Evaluation):
     """Values of expressions in a ring where the premises hold.
 
-    Parameters
-    ----------
-    symbols : Symbols
-    premises : iterable of Premise
-    claim : iterable of Equation, optional
-        Equations to be evaluated; they may contain further powers with exponent n.
-    zeroed : Expr, optional
-        See `DifferentialRing`.
+    The equations of the claim may contain further powers with exponent n. See `DifferentialRing` for `zeroed`.
     """
 
     def __init__(
@@ -82,17 +69,15 @@ class Setting(Evaluation):
         for equation in given:
             self._assume(equation)
         for base, (symbol, _) in self._roots.items():
-            self.ring.set_power(symbol, self.value(base))
+            self.ring.bases[symbol] = self.value(base).numerator
 
     def _assume(self, equation: Equation) -> None:
         """Make a premise hold."""
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
             self._start(left, right)
-        elif isinstance(left, notation.rate):
-            self._derive(self._rates, left.args[0], right)
-        elif isinstance(left, notation.prime):
-            self._derive(self._slopes, left.args[0], right)
+        elif isinstance(left, notation.rate | notation.prime):
+            self._derive(self._rates if isinstance(left, notation.rate) else self._slopes, left.args[0], right)
         elif _is_power(left):
             self._powers[left.base] = equation
             if left.base in self._roots:

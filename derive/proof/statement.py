@@ -23,7 +23,7 @@ class Equation:
     left, right : Expr
         Expressions in the symbols and operators of :mod:`~derive.proof.notation`.
     numbers : tuple of int
-        Numbers of the equation in CP23, if CP23 has it as printed or after correction.
+        Numbers of the equation in CP23.
     wrong : Expr, optional
         False right side for controls, by default twice the right side. Theorems that use it must fail.
     """
@@ -32,6 +32,10 @@ class Equation:
     right: sympy.Expr
     numbers: tuple[int, ...] = ()
     wrong: sympy.Expr | None = field(default=None, compare=False)
+
+    def __post_init__(self) -> None:
+        if isinstance(self.right, int):
+            object.__setattr__(self, "right", sympy.Integer(self.right))
 
     @cached_property
     def symbols(self) -> frozenset[sympy.Symbol]:
@@ -65,37 +69,25 @@ class Equation:
         """Yield `altered`, and copies of the equation with one integer of these sides increased by one."""
         yield self.altered()
         for side in sides:
-            expression = getattr(self, side)
-            for changed in _increased(expression):
-                if changed != expression:
-                    yield replace(self, numbers=(), **{side: changed})
+            changed = (e for e in _increased(getattr(self, side)) if e != getattr(self, side))
+            yield from (replace(self, numbers=(), **{side: e}) for e in changed)
 
 
 @dataclass(frozen=True)
 class Premise:
-    """Equation that a theorem assumes.
+    """Equation that a theorem assumes: a definition, or proved by another theorem.
 
-    Attributes
-    ----------
-    equation : Equation
-    theorem : str
-        Name of the theorem that proves it; empty for a definition.
-    instance : tuple of (Expr, Expr)
-        Replacements of symbols in the theorem's equation.
+    The `instance` consists of pairs of a symbol in the other theorem and the expression that replaces it.
     """
 
     equation: Equation
     theorem: str = ""
     instance: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
-    @property
-    def source(self) -> str:
-        """Reason why the premise may be used."""
-        at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)
-        return f"theorem {self.theorem!r}{f' at {at}' if at else ''}" if self.theorem else "definition"
-
     def __str__(self) -> str:
-        return f"{self.equation.text} ({self.source})"
+        at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)
+        source = f"theorem {self.theorem!r}{f' at {at}' if at else ''}" if self.theorem else "definition"
+        return f"{self.equation.text} ({source})"
 
     def altered(self) -> Premise:
         """Return the premise with a false equation."""
@@ -106,7 +98,7 @@ def definition(
     left: sympy.Expr, right: sympy.Expr | int, numbers: tuple[int, ...] = (), wrong: sympy.Expr | None = None
 ) -> Premise:
     """Return the definition of a symbol or a term."""
-    return Premise(Equation(left, sympy.Integer(right) if isinstance(right, int) else right, numbers, wrong))
+    return Premise(Equation(left, right, numbers, wrong))
 
 
 def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:

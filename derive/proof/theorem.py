@@ -6,68 +6,44 @@ the replaced index, and where symbols have the same definitions.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import ClassVar
 
 import sympy
 
 from . import notation
-from .identity import ALL_ORDERS, Check, Claim, Multiplier, Proof, decide
+from .identity import ALL_ORDERS, Checks, Proof, decide
 from .statement import Equation, Premise
 
 
-class Method(Protocol):
+class Method(ABC):
     """Method to decide a claim under premises."""
 
-    @property
-    def sides(self) -> tuple[str, ...]:
-        """Sides of an equation that controls alter; a left side that only names the unknown is left out."""
+    sides: ClassVar[tuple[str, ...]] = ("right",)
+    """Sides of an equation that controls alter; a left side that only names the unknown is left out."""
 
     @property
+    @abstractmethod
     def title(self) -> str:
         """Description of the method."""
 
     def weaker(self) -> Iterator[tuple[str, Method]]:
         """Yield the name of each hypothesis and the method without this hypothesis, for controls."""
+        return iter(())
 
-    def checks(self, task: Task) -> Iterator[Check | Multiplier]:
-        """Yield residues and multipliers."""
+    @abstractmethod
+    def checks(self, theorem: Theorem, required: tuple[Equation, ...], zeroed: sympy.Expr | None) -> Checks:
+        """Yield residues and multipliers of a claim.
 
-
-@dataclass(frozen=True)
-class Task:
-    """Claim and premises that a method decides.
-
-    Attributes
-    ----------
-    claim : tuple of Equation
-    premises : tuple of Premise
-    required : tuple of Equation
-        Definitions from cited theorems, which must hold here too.
-    zeroed : Expr, optional
-        Multiplier to be taken as 0, for controls.
-    """
-
-    claim: tuple[Equation, ...]
-    premises: tuple[Premise, ...]
-    required: tuple[Equation, ...] = ()
-    zeroed: sympy.Expr | None = None
+        The `required` definitions from cited theorems must hold too. Controls take a multiplier `zeroed` as 0.
+        """
 
 
 @dataclass(frozen=True)
 class Theorem:
-    """Statement to be proved.
-
-    Attributes
-    ----------
-    name : str
-    claim : tuple of Equation
-    premises : tuple of Premise
-    method : Method
-    scope : str
-        "all n", or one order.
-    """
+    """Statement to be proved; its scope is "all n", or one order."""
 
     name: str
     claim: tuple[Equation, ...]
@@ -76,26 +52,21 @@ class Theorem:
     scope: str = ALL_ORDERS
 
     def decide(self, known: Mapping[str, Proof], zeroed: sympy.Expr | None = None) -> Proof:
-        """Decide the theorem, given the proofs of the theorems that its premises cite.
-
-        Parameters
-        ----------
-        known : mapping of str to Proof
-        zeroed : Expr, optional
-            Multiplier to be taken as 0, for controls.
-        """
+        """Decide the theorem, given the proofs of cited theorems; controls take a multiplier `zeroed` as 0."""
         cited = self._cited_definitions(known)
-        required = tuple(filter(self._defined_here, cited))
+        own = [premise.equation for premise in self.premises if not premise.theorem]
+        defined = {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
+        required = tuple(e for e in cited if e.left in defined)  # the other definitions are conditions
 
-        def checks() -> Iterator[Check | Multiplier]:
+        def checks() -> Checks:
             for premise in self.premises:
                 if premise.theorem:
                     yield f"premise by {premise.theorem}", 0 if _is_proved(premise, known, self.scope) else 1
-            yield from self.method.checks(Task(self.claim, self.premises, required, zeroed))
+            yield from self.method.checks(self, required, zeroed)
 
         laws = notation.Shifted, notation.rate, notation.prime  # definitions of sequences and functions hold everywhere
         conditions = tuple(e for e in cited if e not in required and not isinstance(e.left, laws))
-        return decide(Claim(self.name, self.claim, self.method.title, self.premises, conditions), checks, self.scope)
+        return decide(self.name, self.claim, self.method.title, checks, self.scope, self.premises, conditions)
 
     def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
         """Return definitions from cited theorems if all their symbols occur here, except definitions repeated here."""
@@ -103,11 +74,6 @@ class Theorem:
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
         return tuple({e.text: e for e in there if e.symbols <= here and e.text not in own}.values())
-
-    def _defined_here(self, equation: Equation) -> bool:
-        """Return whether a definition here has this left side on either side: then required, else a condition."""
-        own = [premise.equation for premise in self.premises if not premise.theorem]
-        return equation.left in {e.left for e in own} | {e.right for e in own if e.right.is_Symbol}
 
     def premise(self, place: int, *instance: tuple[sympy.Expr, sympy.Expr]) -> Premise:
         """Return an equation of the claim as a premise of another theorem, with symbols replaced."""
@@ -125,6 +91,14 @@ class Theorem:
     def with_premise(self, place: int, premise: Premise) -> Theorem:
         """Return the theorem with another premise."""
         return replace(self, premises=(*self.premises[:place], premise, *self.premises[place + 1 :]))
+
+
+def decided(claimed: Iterable[Theorem]) -> tuple[Proof, ...]:
+    """Decide the theorems in their order; each may cite the proofs of the theorems before it."""
+    known: dict[str, Proof] = {}
+    for theorem in claimed:
+        known[theorem.name] = theorem.decide(known)
+    return tuple(known.values())
 
 
 def _rests_on(premise: Premise, known: Mapping[str, Proof]) -> Iterator[Equation]:

@@ -31,4 +31,4 @@ def test_a_tensor_is_no_quaternion() -> None:
 
 def test_exact_numbers_take_their_own_root() -> None:
     ring = Ring()
-    assert sqrt((1 + ring.square("v")) ** 2) == 1 + ring.square("v")
+    assert sqrt((1 + ring.x) ** 2) == 1 + ring.x

@@ -19,10 +19,10 @@ from derive.proof import formulas
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import COMPOSITION_AT
-from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
+from derive.proof.proved import stated
 from derive.proof.statement import Equation
 
 SYMBOLS = {

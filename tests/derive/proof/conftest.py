@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -12,51 +12,24 @@ import sympy
 from derive.maps import Cayley, x
 
 
-@dataclass(frozen=True)
-class Stated:
-    """Map with given coefficients."""
-
-    coefficients: tuple[sympy.Expr, ...]
-
-
-@dataclass(frozen=True)
 class StatedCayley:
-    """Formulas of an order, each replaceable."""
+    """Cayley map of an order with other values of some attributes."""
 
-    order: int
-    p: sympy.Expr
-    q: sympy.Expr
-    c: sympy.Expr
-    d: sympy.Expr
-    quaternion: Stated
-    tensor: Stated
-    tangent: Stated
-    tangent_inv: Stated
-
-    @classmethod
-    def of(cls, n: int) -> StatedCayley:
-        cayley = Cayley(n)
-        names = ("quaternion", "tensor", "tangent", "tangent_inv")
-        maps = {name: Stated(tuple(getattr(cayley, name).coefficients)) for name in names}
-        return cls(n, cayley.p, cayley.q, cayley.c, cayley.d, **maps)
-
-    @property
-    def cayley(self) -> StatedCayley:
-        return self
+    def __init__(self, order: int, **changes: Any) -> None:
+        self.right, self.cayley = Cayley(order), self
+        self.__dict__.update(changes)
 
     def __getattr__(self, name: str) -> Any:
-        """Return an unchanged attribute of the chart."""
-        return getattr(Cayley(self.order), name)
+        return getattr(self.right, name)
 
     def with_map(self, name: str, coefficients: tuple[sympy.Expr, ...]) -> StatedCayley:
-        changed: dict[str, Any] = {name: Stated(coefficients)}
-        return replace(self, **changed)
+        return StatedCayley(self.order, **{name: SimpleNamespace(coefficients=coefficients)})
 
 
 @pytest.fixture
-def stated() -> Callable[[int], StatedCayley]:
-    """Provide the correct formulas of an order, each replaceable."""
-    return StatedCayley.of
+def stated() -> Callable[..., StatedCayley]:
+    """Provide the formulas of an order, each replaceable."""
+    return StatedCayley
 
 
 @pytest.fixture
@@ -67,7 +40,7 @@ def mutations() -> Callable[[int], Iterator[tuple[str, str, StatedCayley]]]:
 
 def _mutations(n: int) -> Iterator[tuple[str, str, StatedCayley]]:
     """Yield (map, description, copy) with each coefficient of each numerator of the three tensors increased by one."""
-    right = StatedCayley.of(n)
+    right = StatedCayley(n)
     for name in ("tensor", "tangent", "tangent_inv"):
         coefficients = getattr(right, name).coefficients
         for i, coefficient in enumerate(coefficients):

@@ -58,7 +58,7 @@ def test_false_identities_are_refused(wrong: sympy.Expr) -> None:
 @pytest.mark.parametrize("tails", [(), ((1, j * 0),), ((2, n - n),)])
 @pytest.mark.parametrize("power", [0, 1, 3])
 def test_each_head_coefficient_is_decided(power: int, tails: tuple[tuple[int, sympy.Expr], ...]) -> None:
-    found = dict(_zero("", Series({power: n}, tails), sympy.Integer(1)))
+    found = dict(_zero("", Series({power: n}, tails), 1))
     assert [label for label, value in found.items() if value != 0] == [f", coefficient of x^{power}"]
 
 

@@ -9,7 +9,6 @@ import sympy
 
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
-from derive.proof.every_order import stated
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.methods import Identity
@@ -29,6 +28,7 @@ from derive.proof.polynomial_theorems import (
     TURN,
     TWICE,
 )
+from derive.proof.proved import stated
 from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import Equation, Premise, definition
 from derive.proof.theorem import Theorem

@@ -53,8 +53,3 @@ def test_validation_column_matches_the_table() -> None:
         else:
             assert coverage.validation == ("exact" if row.exact else "50 digits"), name
             assert row.exact or coverage.only_validated, name
-
-
-def test_lines() -> None:
-    assert COVERAGE["pose"].lines() == ("theorem: pose", "theorem: orthogonality", "validation: exact")
-    assert COVERAGE["from_screw"].lines()[-1] == "validation: 50 digits, alone: tan of a dual angle"

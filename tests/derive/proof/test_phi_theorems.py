@@ -12,8 +12,8 @@ from derive.maps import family
 from derive.maps.families import alpha
 from derive.proof import ProofFailed, prove
 from derive.proof.controls import controls
-from derive.proof.phi_instances import _at_origin
 from derive.proof.phi_theorems import ANY_PHI, any_phi
+from derive.proof.scalars import _at_origin
 
 
 def test_theorems_hold():

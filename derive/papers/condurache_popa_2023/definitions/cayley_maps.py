@@ -10,7 +10,7 @@ from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
 from derive.maps import first_principles
 from derive.maps.families import Family, rodrigues
 from derive.papers.numbers.every_order import EveryOrder
-from derive.proof.every_order import citing
+from derive.proof.proved import citing
 
 from ...language import values
 from ...language.evaluation import Env
