@@ -6,7 +6,8 @@ brackets if the language would read, round or warn otherwise without them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+import textwrap
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -207,6 +208,11 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
         statements=tuple(map(statement, program.statements)),
         outputs=tuple(map(new, program.outputs)),
     )
+
+
+def tuple_lines(names: Iterable[str]) -> str:
+    """Return names as lines of a tuple."""
+    return textwrap.fill(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8)
 
 
 def fill(text: str, indent: str) -> Iterator[str]:
