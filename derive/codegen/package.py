@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Any, Protocol
 
 import mpmath
@@ -19,7 +20,7 @@ from ..maps.chart import Chart
 from ..output import render
 from ..proof import Proved, theorems
 from .lowered import Lowered, geometry
-from .programs.program import Call, Program, Statement
+from .programs.program import Call, Program
 from .rows import Table
 
 DIGITS = 40
@@ -147,7 +148,8 @@ class Facts:
     def header(self, command: str, template: str) -> list[str]:
         """Return the header lines: command, licence, template, φ, polynomials, and the number of proofs."""
         chart = self.chart
-        polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
+        letters = ((letter, sympy.sstr(value, order="rev-lex")) for letter, value in chart.letters)
+        polynomials = [f"  {letter} = {value.replace('**', '^')}" for letter, value in letters]
         if sum(map(len, polynomials)) > LETTERS_MAX:
             polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
         own = sum(proof not in theorems() for proof in self.proved.proofs)
@@ -186,11 +188,7 @@ def numbers(equations: Iterable[int]) -> str:
 
 def _wrap(line: str) -> list[str]:
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    return textwrap.wrap(line, WIDTH, subsequent_indent=indent, drop_whitespace=True) or [""]
-
-
-def _plain(expression: sympy.Expr) -> str:
-    return str(sympy.sstr(expression, order="rev-lex")).replace("**", "^")
+    return textwrap.wrap(line, WIDTH, subsequent_indent=indent) or [""]
 
 
 def _decimal(value: Any) -> str:
@@ -222,21 +220,19 @@ def _geometry_lines(table: Table) -> Sequence[str]:
 def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
     for name, program in programs.items():
         yield f"{name} {program.inputs} -> {program.outputs}"
-        yield from map(_statement_line, program.statements)
-
-
-def _statement_line(statement: Statement) -> str:
-    if isinstance(statement, Call):  # sorted, since a set has no order
-        return f"{statement.names} {statement.function} {statement.args} {statement.rest} {sorted(statement.truths)}"
-    return f"{statement.name} {statement.op} {statement.args}"
+        for s in program.statements:
+            if isinstance(s, Call):
+                yield f"{s.names} {s.function} {s.args} {s.rest} {sorted(s.truths)}"  # sets have no order
+            else:
+                yield f"{s.name} {s.op} {s.args}"
 
 
 Data = Mapping[str, Any]
 """Values for the names in a template, except ``header``."""
 
 
-class Printer(Protocol):
-    """Part of a target that prints texts."""
+class Target(Protocol):
+    """Language in which kernels are printed: its files and texts, and the execution of printed text."""
 
     name: str
     """Name of the target and of its template folder."""
@@ -250,6 +246,15 @@ class Printer(Protocol):
     comment: str
     """Prefix of a comment line."""
 
+    unproved: str
+    """Parts of the text that validation does not execute."""
+
+    tables: Sequence[Table]
+    """Tables whose functions are printed, poses first; every chart has a module for each table."""
+
+    imports_bases: bool
+    """True if the module of a multiple imports the module of its base chart."""
+
     def shared(self) -> Mapping[str, Data]:
         """Return the files that every package of the target holds, each from the template of its name."""
 
@@ -262,8 +267,20 @@ class Printer(Protocol):
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Raise ValueError unless the shared texts define the functions of the table."""
 
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Execute the text of a module in a folder; return the number of calls that equal the formula.
 
-def shared_texts(target: Printer) -> dict[str, str]:
+        With ``geometry``, execute all functions and so the shared text; otherwise only the chart's own functions.
+        """
+
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Call the functions of a module on floats, as `validate` does; return the number of calls that agree."""
+
+    def test(self, folder: Path, chart: Chart) -> int | None:
+        """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
+
+
+def shared_texts(target: Target) -> dict[str, str]:
     """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
     for name, data in target.shared().items():
@@ -276,12 +293,12 @@ def shared_texts(target: Printer) -> dict[str, str]:
     return texts
 
 
-def module_name(chart: Chart, target: Printer) -> str:
+def module_name(chart: Chart, target: Target) -> str:
     """Return the file name of a chart's module."""
     return f"{chart.name}.{target.extension}"
 
 
-def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
+def module_texts(facts: Facts, target: Target) -> dict[str, str]:
     """Render the module of a proved chart and its companions, by file name."""
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
@@ -293,7 +310,7 @@ def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
     return texts
 
 
-def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
+def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     """Render the entry file that a package has while its other files are replaced, by name."""
     template = f"interrupted/{target.entry}.j2"
     made_by = command(target.name, *charts)
@@ -301,5 +318,5 @@ def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
     return {target.entry: render(template, header=header, command=made_by)}
 
 
-def _mark(name: str, target: Printer) -> str:
+def _mark(name: str, target: Target) -> str:
     return "#" if name.endswith(HASH_COMMENTS) else target.comment

@@ -211,6 +211,14 @@ class Table:
         public = {name: row for name, row in functions.items() if row.public}
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
 
+    def require_complete(self, where: str, found: Iterable[str]) -> None:
+        """Raise ValueError if functions of a text are not the public ones; the message names them."""
+        names = set(found)
+        if names != self.public.keys():
+            missing = ", ".join(sorted(self.public.keys() - names)) or "none"
+            extra = ", ".join(sorted(names - self.public.keys())) or "none"
+            raise ValueError(f"{where}: functions of the table that are missing: {missing}; not in it: {extra}")
+
     def aliases(self, chart: Chart) -> dict[str, str]:
         """Return further names in the module of a chart, each with the name of its function."""
         return {alias: name for name, row in self.public.items() for alias in row.aliases_in(chart)}

@@ -26,7 +26,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.float_cases import Case, cases
 from . import c99
-from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
@@ -211,8 +210,8 @@ class C:
             where = inside(table, GEOMETRY)
             found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)
             plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
-            require_functions(where, plain, table)
-            require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
+            table.require_complete(where, plain)
+            table.require_complete(f"{where}, rows", [name.removesuffix("_rows") for name in rows])
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)

@@ -20,7 +20,6 @@ from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from . import infix
-from .target import require_functions
 
 INTERFACE = "_interface.py"
 
@@ -163,7 +162,7 @@ class PythonTarget:
         classes = (c for c in ast.parse(texts[where]).body if isinstance(c, ast.ClassDef) and c.name == CLASSES[table])
         found = (method for kernels in classes for method in kernels.body if isinstance(method, ast.FunctionDef))
         methods = {method.name: method for method in found if not method.name.startswith("_")}
-        require_functions(where, [name for name in methods if name not in self.plain], table)
+        table.require_complete(where, methods.keys() - set(self.plain))
         for name, method in methods.items():
             if name in table.functions:
                 self._require_parameters(where, table.functions[name], method.args)
