@@ -11,7 +11,7 @@ from ..maps.chart import Chart
 from ..proof import Proved
 from .lowering.scalars import scalar_programs
 from .programs.program import Program
-from .programs.written_out import written_out
+from .programs.trace import written_out
 from .rows import Table
 from .signatures import POSES
 

@@ -11,9 +11,7 @@ Operand = str | int | Fraction
 """Name of an input or step, or an exact constant."""
 
 
-ARITHMETIC = ("add", "sub", "mul", "div", "neg")
 FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
-SELECTION = ("lt", "eq", "and", "or", "where")
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,14 +133,3 @@ class Program:
         """Return all operands of statements, and the outputs."""
         read = {arg for statement in self.statements for arg in statement.args}
         return read | set(self.outputs)
-
-
-def summary(operations: Counter[str]) -> str:
-    """Return the printed form of an operation count: ``67: 24 +, 31 *, 2 /``."""
-    symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
-    counts: Counter[str] = Counter()
-    for op, count in operations.items():
-        counts[symbols.get(op, op)] += count
-    order = ["+", "*", "/", "neg", *FUNCTIONS, *SELECTION]
-    parts = ", ".join(f"{counts[key]} {key}" for key in order if counts[key])
-    return f"{operations.total()}: {parts}" if parts else "0"
