@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from ..lowering.scalars import SCALARS
 from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results
 from ..rows import Array
-from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Text, Texts, bracket, fill, renamed
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Text, Texts, bracket, fill, items, renamed
 
 REAL = "dualcay_real"
 TABLE = "table"
@@ -29,17 +29,7 @@ _COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("e
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """C function for its template.
-
-    Parameters
-    ----------
-    name : str
-        Name of the program.
-    parameters : str
-        Parameters between the brackets of its definition.
-    text : str
-        Loads, statements and stores. All loads come first, so that results may overlap arguments.
-    """
+    """C function for its template; all loads come first in its text, so that results may overlap arguments."""
 
     name: str
     parameters: str
@@ -157,9 +147,9 @@ def _loads(lists: Lists, array: str, names: Sequence[str]) -> Iterator[str]:
 
 def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
     """Yield the declaration of several numbers, wrapped into as few lines as possible."""
-    items = [f"{name} = {value}" for name, value in values]
-    if items:
-        text = filled([f"const {REAL} {items[0]}", *items[1:]], 2 * _INDENT)
+    texts = [f"{name} = {value}" for name, value in values]
+    if texts:
+        text = filled([f"const {REAL} {texts[0]}", *texts[1:]], 2 * _INDENT)
         yield f"{_INDENT}{text};"
 
 
@@ -237,11 +227,6 @@ def _wrap(target: str, text: str) -> Iterator[str]:
         yield from fill(f"{text};", 2 * _INDENT)
 
 
-def filled(items: Iterable[str], indent: str = _INDENT) -> str:
-    """Return a comma-separated list, wrapped into indented lines."""
-    lines = [""]
-    for item in items:
-        if lines[-1] and len(f"{indent}{lines[-1]} {item},") > WIDTH:
-            lines.append("")
-        lines[-1] += f"{' ' if lines[-1] else ''}{item},"
-    return f"\n{indent}".join(lines)[:-1]
+def filled(texts: Iterable[str], indent: str = _INDENT) -> str:
+    """Return a comma-separated list, wrapped into lines that are indented except the first."""
+    return items(texts, indent).lstrip()[:-1]

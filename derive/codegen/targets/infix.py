@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import textwrap
+from collections.abc import Callable, Iterable, Iterator
 
 from ..programs.program import FUNCTIONS, Call, Program
-from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, left_associative
+from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, items, unpacked
 
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
@@ -17,8 +18,8 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     return Dialect(
         operators=ARITHMETIC
         | {
-            "and": left_associative("&", 3),
-            "or": left_associative("|", 2),
+            "and": Operator("&", 3, 3, 4),
+            "or": Operator("|", 2, 2, 3),
             "lt": Operator("<", 1, 4, 4),
             "eq": Operator("==", 1, 4, 4),
         },
@@ -53,21 +54,8 @@ def body(
     from the text of its arguments. ``first`` are lines of text before the statements.
     """
     lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement, indent)]
-    return "\n".join([*_docstring(program.contract, indent), *first, *lines])
-
-
-def _docstring(contract: str, indent: str) -> list[str]:
-    if not contract:
-        return []
-    first, *further = contract.split("\n")
-    if not further:
-        return [f'{indent}"""{first}"""']
-    return [f'{indent}"""{first}', *(f"{indent}{line}" for line in further), f'{indent}"""']
-
-
-def unpacked(names: Sequence[str], argument: str) -> str:
-    """Return an assignment that unpacks an argument into names."""
-    return f"{', '.join(names)}{',' * (len(names) == 1)} = {argument}"
+    contract = textwrap.indent(f'"""{program.contract}' + ("\n" * ("\n" in program.contract)) + '"""', indent)
+    return "\n".join([*([contract] if program.contract else []), *first, *lines])
 
 
 def _statements(
@@ -98,42 +86,23 @@ def _statements(
 
 def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
     """Yield the lines of a statement; a long one gets brackets and breaks before operators or after commas."""
-    if isinstance(statement, list):
-        yield from _wrap_result(statement, indent)
-    elif len(indent + statement) <= WIDTH:
-        yield indent + statement
-    else:
-        names, _, value = statement.partition("return " if statement.startswith("return ") else " = ")
-        if not names:
-            yield f"{indent}return ("
-            yield from fill(value, indent + "    ")
-            yield f"{indent})"
-            return
-        if len(names) > WIDTH // 2 and "," in names:
-            yield f"{indent}("
-            yield from fill(f"{names},", indent + "    ")
-            names = f"{indent})"
-        else:
-            names = indent + names
-        if len(f"{names} = {value}") <= WIDTH:
-            yield f"{names} = {value}"
-            return
-        yield f"{names} = ("
-        yield from fill(value, indent + "    ")
-        yield f"{indent})"
-
-
-def _wrap_result(outputs: list[str], indent: str) -> Iterator[str]:
-    line = f"{indent}return {', '.join(outputs)}{',' * (len(outputs) == 1)}"
-    if len(line) <= WIDTH:
-        yield line
+    inner = indent + "    "
+    listed = not isinstance(statement, str)
+    line = f"return {', '.join(statement)}{',' * (len(statement) == 1)}" if listed else str(statement)
+    head, equals, value = line.partition(" = ")
+    if len(indent + line) <= WIDTH:
+        yield indent + line
         return
-    yield f"{indent}return ("
-    line = ""
-    for output in (f"{output}," for output in outputs):
-        if line and len(f"{indent}    {line} {output}") > WIDTH:
-            yield from fill(line, indent + "    ")
-            line = ""
-        line = f"{line} {output}" if line else output
-    yield from fill(line, indent + "    ")
-    yield f"{indent})"
+    if listed:
+        head, lines = "return", [part for row in items(statement, inner).split("\n") for part in fill(row, inner)]
+    elif not equals:
+        head, lines = "return", fill(line.removeprefix("return "), inner)
+    else:
+        lines = fill(value, inner)
+        if len(head) > WIDTH // 2 and "," in head:
+            yield from (f"{indent}(", *fill(f"{head},", inner))
+            head = ")"
+        if len(f"{indent}{head} = {value}") <= WIDTH:
+            yield f"{indent}{head} = {value}"
+            return
+    yield from (f"{indent}{head}{equals or ' '}(", *lines, f"{indent})")

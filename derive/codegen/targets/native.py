@@ -45,29 +45,20 @@ class Operand:
         return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
-@dataclass(frozen=True, slots=True)
-class Loop:
-    """Loop for its template: NumPy's signature, arrays with the result last, and arguments of the core."""
-
-    name: str
-    signature: str
-    arguments: tuple[Operand, ...]
-    result: Operand
-    passed: str
-
-    @property
-    def operands(self) -> tuple[Operand, ...]:
-        """Return the arguments and the result."""
-        return *self.arguments, self.result
-
-
-def loop(row: Function, program: Program) -> Loop:
-    """Return the loop around the core of a kernel."""
+def loop(row: Function, program: Program) -> Data:
+    """Return the loop around the core of a kernel: NumPy's signature, the arrays, and the arguments of the core."""
     table = next((len(names) for argument, names in program.inputs if argument == c99.TABLE), 0)
     given = [(array.name.lower(), array.shape) for array in row.arguments] + [(c99.TABLE, (table,))] * bool(table)
-    *arguments, result = _operands([*given, ("made", row.shape)])
-    taken, made = (",".join(_shape(array.shape) for array in arrays) for arrays in (arguments, [result]))
-    return Loop(row.name, f"{taken}->{made}", tuple(arguments), result, c99.filled(_passed(row, table)))
+    *arguments, result = operands = list(_operands([*given, ("made", row.shape)]))
+    *taken, made = (f"({','.join(map(str, array.shape))})" for array in operands)
+    return {
+        "name": row.name,
+        "signature": f"{','.join(taken)}->{made}",
+        "arguments": arguments,
+        "result": result,
+        "operands": operands,
+        "passed": c99.filled(_passed(row, table)),
+    }
 
 
 def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
@@ -76,10 +67,6 @@ def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
     for name, shape in arrays:
         yield Operand(name, shape, place)
         place += len(shape)
-
-
-def _shape(shape: tuple[int, ...]) -> str:
-    return f"({','.join(map(str, shape))})"
 
 
 def _passed(row: Function, table: int) -> Iterator[str]:
@@ -103,13 +90,13 @@ class Native(C):
     def shared(self) -> Mapping[str, Data]:
         headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
         loops = {table: [loop(table.kernels[name], p) for name, p in geometry(table).items()] for table in self.tables}
-        every = [each for found in loops.values() for each in found]
+        every = [each["operands"] for found in loops.values() for each in found]
         further = [table.name for table in self.tables if table.name]
         return {
             **headers,
             "tiles.h": {
-                "most": max(array.size for each in every for array in each.operands),
-                "operands": max(len(each.operands) for each in every),
+                "most": max(array.size for operands in every for array in operands),
+                "operands": max(map(len, every)),
                 "axes": MOST_AXES,
             },
             "direct.h": {},
@@ -122,9 +109,9 @@ class Native(C):
             "pyproject.toml": {},
         }
 
-    def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+    def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
-        found = dict(super().further(facts))
+        found = super().further(facts)
         for table in self.tables:
             chart = facts.chart
             data = {

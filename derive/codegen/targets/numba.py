@@ -21,7 +21,7 @@ from ..programs.program import Call, Program
 from ..rows import Function, Table
 from ..validation import Library
 from . import infix
-from .expression import WIDTH, Lists, tuple_lines
+from .expression import WIDTH, Lists, items
 from .python import Printed, PythonTarget, formula_of
 
 MOST_OUTPUTS = 9
@@ -120,7 +120,7 @@ class Numba(PythonTarget):
             "programs": programs,
             "kernels": [loops(row, geometry(table)[name]) for name, row in table.kernels.items()],
             "calls": sorted(["prange", *_called(programs)]),
-            "names": tuple_lines([*(program.name for program in programs), *sorted(same)]),
+            "names": items([*(program.name for program in programs), *sorted(same)], " " * 8),
             "same": sorted(same),
         }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..lowered import Lowered, lower_chart
 from ..package import Data, Facts, fingerprint
 from ..validation import Machinery
-from .expression import tuple_lines
+from .expression import items
 from .python import PythonTarget, printed_scalars
 
 
@@ -26,7 +26,7 @@ class Numpy(PythonTarget):
         inherited = lower_chart(base).scalars.values() if base else ()
         return {
             "scalars": scalars,
-            "names": tuple_lines(f"_{program.name}" for program in scalars),
+            "names": items((f"_{program.name}" for program in scalars), " " * 8),
             "programs": fingerprint(facts, facts.lowered),
             "base": base.name if base else None,
             "factor": facts.chart.factor,
