@@ -19,9 +19,10 @@ from ..maps import Formula
 from ..maps.chart import Chart
 from ..output import render
 from ..proof import Proved, theorems
-from .lowered import Lowered, geometry
+from .lowered import Lowered, geometry, lower_chart
 from .programs.program import Call, Program
 from .rows import Table
+from .signatures import POSES
 
 DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
@@ -86,19 +87,17 @@ class Package:
 
 @dataclass(frozen=True)
 class Facts:
-    """Proved chart and its programs, with the texts that templates use."""
+    """Proved chart, with its programs and the texts that templates use."""
 
     proved: Proved
-    lowered: Lowered
 
     @property
     def chart(self) -> Chart:
         return self.proved.formulas
 
-    @property
-    def parameter(self) -> str:
-        """Formula φ(α) in ASCII, for comments of any language."""
-        return self.chart.parameter.replace("α", "alpha")
+    @cached_property
+    def lowered(self) -> Lowered:
+        return lower_chart(self.chart, POSES)
 
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
@@ -156,7 +155,8 @@ class Facts:
         shared = len(self.proved.proofs) - own
         general = f" and {shared} theorems for every n" if shared else ""
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
-        return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
+        title = f"{chart.title}, v = {chart.parameter.replace('α', 'alpha')} u"
+        return [*head(command, template), "", title, *polynomials, proved]
 
 
 def command(target: str, *charts: Chart) -> str:
@@ -232,28 +232,33 @@ Data = Mapping[str, Any]
 
 
 class Target(Protocol):
-    """Language in which kernels are printed: its files and texts, and the execution of printed text."""
+    """Language in which kernels are printed: its files and texts, and the execution of printed text.
+
+    Attributes
+    ----------
+    name : str
+        Name of the target and of its template folder.
+    extension : str
+        Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``.
+    entry : str
+        Name of the shared file that is read before any other.
+    comment : str
+        Prefix of a comment line.
+    unproved : str
+        Parts of the text that validation does not execute.
+    tables : sequence of Table
+        Tables whose functions are printed, poses first; every chart has a module for each table.
+    imports_bases : bool
+        True if the module of a multiple imports the module of its base chart.
+    """
 
     name: str
-    """Name of the target and of its template folder."""
-
     extension: str
-    """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
-
     entry: str
-    """Name of the shared file that is read before any other."""
-
     comment: str
-    """Prefix of a comment line."""
-
     unproved: str
-    """Parts of the text that validation does not execute."""
-
     tables: Sequence[Table]
-    """Tables whose functions are printed, poses first; every chart has a module for each table."""
-
     imports_bases: bool
-    """True if the module of a multiple imports the module of its base chart."""
 
     def shared(self) -> Mapping[str, Data]:
         """Return the files that every package of the target holds, each from the template of its name."""
@@ -268,9 +273,9 @@ class Target(Protocol):
         """Raise ValueError unless the shared texts define the functions of the table."""
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Execute the text of a module in a folder; return the number of calls that equal the formula.
+        """Execute the functions of a module in a folder; return the number of calls that equal the formula.
 
-        With ``geometry``, execute all functions and so the shared text; otherwise only the chart's own functions.
+        Without ``geometry``, execute only the chart's own functions, and not the text that all charts share.
         """
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:

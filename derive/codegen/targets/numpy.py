@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..lowered import Lowered, lower_chart
 from ..package import Data, Facts, fingerprint
+from ..signatures import POSES
 from ..validation import Machinery
 from .expression import items
 from .python import PythonTarget, printed_scalars
@@ -23,7 +24,7 @@ class Numpy(PythonTarget):
         """Return the scalar programs; for a multiple, its base, the factor, and the base's programs of integers."""
         base = facts.chart.base
         scalars = [] if base else printed_scalars(facts)
-        inherited = lower_chart(base).scalars.values() if base else ()
+        inherited = lower_chart(base, POSES).scalars.values() if base else ()
         return {
             "scalars": scalars,
             "names": items((f"_{program.name}" for program in scalars), " " * 8),

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from derive.codegen import package
-from derive.codegen.lowered import geometry, lower
+from derive.codegen.lowered import geometry
 from derive.codegen.package import Facts, fingerprint
 from derive.codegen.programs.program import Call, Program
 from derive.maps import Cayley
@@ -19,7 +19,7 @@ from derive.proof import prove
 @pytest.fixture(scope="module")
 def facts() -> Facts:
     proved = prove(Cayley(3))
-    return Facts(proved, lower(proved))
+    return Facts(proved)
 
 
 CHANGES: dict[str, Callable[[Program], Program]] = {
