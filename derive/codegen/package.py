@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -117,8 +118,7 @@ class Facts:
 
     @property
     def maps(self) -> tuple[Formula, ...]:
-        chart = self.chart
-        return chart.quaternion, chart.tensor, chart.tangent, chart.tangent_inv
+        return self.chart.quaternion, self.chart.tensor, self.chart.tangent, self.chart.tangent_inv
 
     def definitions(self, indent: str) -> dict[str, str]:
         """Return the formulas of the maps in LaTeX, wrapped into lines."""
@@ -151,9 +151,8 @@ class Facts:
         polynomials = [f"  {letter} = {value.replace('**', '^')}" for letter, value in letters]
         if sum(map(len, polynomials)) > LETTERS_MAX:
             polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
-        own = sum(proof not in theorems() for proof in self.proved.proofs)
-        shared = len(self.proved.proofs) - own
-        general = f" and {shared} theorems for every n" if shared else ""
+        shared = sum(proof in theorems() for proof in self.proved.proofs)
+        own, general = len(self.proved.proofs) - shared, f" and {shared} theorems for every n" if shared else ""
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
         title = f"{chart.title}, v = {chart.parameter.replace('α', 'alpha')} u"
         return [*head(command, template), "", title, *polynomials, proved]
@@ -161,10 +160,9 @@ class Facts:
 
 def command(target: str, *charts: Chart) -> str:
     """Return the command that writes the modules of charts; without charts, the command for shared files."""
-    chosen: dict[str, list[str]] = {}
-    for option, value in (chart.selection for chart in charts):
-        chosen.setdefault(option, []).append(value)
-    options = "".join(f" {option} {','.join(values)}" for option, values in chosen.items())
+    chosen = [chart.selection for chart in charts]
+    values = {option: ",".join(value for other, value in chosen if other == option) for option, _ in chosen}
+    options = "".join(f" {option} {value}" for option, value in values.items())
     largest = max((chart.order for chart in charts), default=0)
     cap = f" --max-n {largest}" if largest > about.MAX_ORDER else ""
     return f"python -m derive generate{options} --target {target}{cap}"
@@ -176,19 +174,15 @@ def head(command: str, template: str) -> list[str]:
 
 
 def comment(lines: Iterable[str], mark: str) -> str:
-    """Return lines as comment lines, with long ones wrapped."""
-    wrapped = [part for line in lines for part in _wrap(line)]
-    return "\n".join(f"{mark} {line}".rstrip() for line in wrapped)
+    """Return lines as comment lines, with long ones wrapped and indented."""
+    indents = ((line, " " * (len(line) - len(line.lstrip()) + 4)) for line in lines)
+    wrapped = (textwrap.wrap(line, WIDTH, subsequent_indent=indent) or [""] for line, indent in indents)
+    return "\n".join(f"{mark} {line}".rstrip() for line in itertools.chain(*wrapped))
 
 
 def numbers(equations: Iterable[int]) -> str:
     """Return equation numbers in brackets, separated by commas."""
     return ", ".join(f"({number})" for number in equations)
-
-
-def _wrap(line: str) -> list[str]:
-    indent = " " * (len(line) - len(line.lstrip()) + 4)
-    return textwrap.wrap(line, WIDTH, subsequent_indent=indent) or [""]
 
 
 def _decimal(value: Any) -> str:
@@ -234,22 +228,10 @@ Data = Mapping[str, Any]
 class Target(Protocol):
     """Language in which kernels are printed: its files and texts, and the execution of printed text.
 
-    Attributes
-    ----------
-    name : str
-        Name of the target and of its template folder.
-    extension : str
-        Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``.
-    entry : str
-        Name of the shared file that is read before any other.
-    comment : str
-        Prefix of a comment line.
-    unproved : str
-        Parts of the text that validation does not execute.
-    tables : sequence of Table
-        Tables whose functions are printed, poses first; every chart has a module for each table.
-    imports_bases : bool
-        True if the module of a multiple imports the module of its base chart.
+    ``name`` is also the name of the template folder. Modules have the suffix ``extension``, comment lines the prefix
+    ``comment``. The shared file ``entry`` is read before any other. Validation does not execute the ``unproved`` parts
+    of the text. Every chart has a module for each of the ``tables``, poses first. ``imports_bases`` is True if the
+    module of a multiple imports the module of its base chart.
     """
 
     name: str
