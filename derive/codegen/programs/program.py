@@ -10,7 +10,6 @@ Constant = int | Fraction
 Operand = str | int | Fraction
 """Name of an input or step, or an exact constant."""
 
-
 FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 
@@ -28,24 +27,10 @@ class Step:
 class Call:
     """Call of another program, which gives several values at once: ``f, g, h = pose(x)``.
 
-    Parameters
-    ----------
-    names : tuple of str
-        Names of the values, ``_`` for a value that is not read.
-    function : str
-        Name of a scalar program of a chart, or of a geometry program.
-    args : tuple
-        Arguments, with lists written out.
-    rest : str
-        Argument of the calling program, of any length, whose components follow ``args``.
-    truths : set of str
-        Names of the values that are truth values.
-    lists : tuple of int
-        For a geometry program: the length of each list argument, 0 for a number.
-    result : str
-        For a geometry program: the name of the list of all values.
-    context : str
-        For a geometry program: the leading arguments that it takes among ``m`` and ``c``.
+    A value that is not read has the name ``_``; ``truths`` are the values that are truth values. The components of the
+    caller's argument ``rest``, of any length, follow ``args``. For a geometry program, ``lists`` are the lengths of
+    list arguments in ``args``, 0 for a number. ``result`` then names the list of all values, and ``context`` gives the
+    leading arguments among ``m`` and ``c``.
     """
 
     names: tuple[str, ...]

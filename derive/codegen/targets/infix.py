@@ -8,6 +8,14 @@ from collections.abc import Callable, Iterable, Iterator
 from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, items, unpacked
 
+OPERATORS = {
+    **ARITHMETIC,
+    "and": Operator("&", 3, 3, 4),
+    "or": Operator("|", 2, 2, 3),
+    "lt": Operator("<", 1, 4, 4),
+    "eq": Operator("==", 1, 4, 4),
+}
+
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     """Return the dialect of Python with this prefix of functions and this notation of constants."""
@@ -15,18 +23,7 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     def where(condition: Text, first: Text, second: Text) -> Text:
         return f"{prefix}where({condition[0]}, {first[0]}, {second[0]})", ATOM
 
-    return Dialect(
-        operators=ARITHMETIC
-        | {
-            "and": Operator("&", 3, 3, 4),
-            "or": Operator("|", 2, 2, 3),
-            "lt": Operator("<", 1, 4, 4),
-            "eq": Operator("==", 1, 4, 4),
-        },
-        calls={name: prefix + name for name in FUNCTIONS},
-        select=where,
-        literal=literal,
-    )
+    return Dialect(OPERATORS, {name: prefix + name for name in FUNCTIONS}, where, literal=literal)
 
 
 PLAIN = python("m.")
