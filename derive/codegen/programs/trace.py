@@ -27,7 +27,6 @@ class Trace(Folding):
     def __init__(self) -> None:
         self._values: list[Value] = []
         self._recorded: dict[tuple[str, tuple[Number, ...]], Value] = {}
-        self._named: set[str] = set()
         self._taken: set[str] = set()
         self._inputs: list[tuple[str, tuple[str, ...]]] = []
         self._calls: dict[Value, Call] = {}
@@ -68,10 +67,9 @@ class Trace(Folding):
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
-        if name in self._named:
+        if name in self._taken:
             raise ValueError(f"the name {name!r} is already taken in this program")
         value.name = name
-        self._named.add(name)
         self._taken.add(name)
 
     # --- recording --------------------------------------------------------------------------------------------

@@ -13,12 +13,11 @@ from dataclasses import dataclass, replace
 from ..lowering.scalars import SCALARS
 from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results
 from ..rows import Array
-from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Text, Texts, bracket, fill, items, renamed
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
 
 REAL = "dualcay_real"
 TABLE = "table"
 _INDENT = "    "
-_SELECTED = 1
 _CONDITIONS = ("lt", "eq", "and", "or")
 _EXACT_IN_FLOAT = 2.0**24
 
@@ -40,23 +39,12 @@ class Printed:
     text: str
 
 
-def _ternary(condition: Text, first: Text, second: Text) -> Text:
-    test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
-    return f"{test} ? {real(a)} : {real(b)}", _SELECTED
-
-
 def real(text: str) -> str:
     """Return a text; cast an integer to the real type, since nothing else would make it real."""
     return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
-C99 = Dialect(
-    operators=OPERATORS,
-    calls={name: f"dualcay_{name}" for name in FUNCTIONS},
-    select=_ternary,
-    largest=_EXACT_IN_FLOAT,
-    passed=real,
-)
+C99 = Dialect(OPERATORS, {name: f"dualcay_{name}" for name in FUNCTIONS}, _EXACT_IN_FLOAT, passed=real)
 """C dialect: beside an operand of the real type, integer constants convert to it exactly."""
 
 

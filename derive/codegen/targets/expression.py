@@ -18,6 +18,7 @@ from ..programs.program import Call, Operand, Program, Statement, Step
 WIDTH = 120
 ATOM = 9
 NEGATION = 6
+SELECTION = 1
 BINARY = r"(?:[-+*/&|<?:]|==)"
 """Pattern of infix operators, before which lines break."""
 
@@ -49,15 +50,14 @@ ARITHMETIC = {
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Notation of a language for expressions; an operation is an infix operator, a function, or a selection.
+    """Notation of a language for expressions, with an infix operator or a function for each operation.
 
-    ``select`` returns the text of a selection between two values. Constants have magnitudes up to ``largest``.
-    ``literal`` returns the text of a constant, and ``passed`` the passed form of an argument's text.
+    A selection without a function is a conditional expression. Constants have magnitudes up to ``largest``.
+    ``literal`` returns the text of a constant, and ``passed`` the form of an argument or a selected value.
     """
 
     operators: Mapping[str, Operator]
     calls: Mapping[str, str]
-    select: Callable[[Text, Text, Text], Text]
     largest: float = float("inf")
     literal: Callable[[int], str] = str
     passed: Callable[[str], str] = str
@@ -68,8 +68,8 @@ class Dialect:
         if step.op in self.calls:
             return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
         if step.op == "where":
-            condition, first, second = args
-            return self.select(condition, first, second)
+            condition, first, second = (bracket(text, SELECTION + 1) for text in args)
+            return f"{condition} ? {self.passed(first)} : {self.passed(second)}", SELECTION
         if step.op == "neg":
             return f"-{bracket(args[0], NEGATION)}", NEGATION
         operator = self.operators[step.op]
@@ -127,18 +127,15 @@ class Lists:
         made: dict[tuple[Operand, ...], str] = {call.names: call.result for call in program.calls if call.result}
         named = {**made}
         named.update((names, argument) for argument, names in program.inputs if names != (argument,))
-        groups = [group for call in program.calls for group in call.groups]
         self.outputs = list(_with_lists(program.outputs, made))
-        used = [*groups, *self.outputs]
+        used = [*(group for call in program.calls for group in call.groups), *self.outputs]
         self.whole = {group: named[group] for group in used if isinstance(group, tuple) and group in named}
         self.read: set[Operand] = {arg for step in program.steps for arg in step.args}
         for group in used:
             if group not in self.whole:
                 self.read.update(group if isinstance(group, tuple) else (group,))
-
-        *_, last = (None, *program.statements)
-        ends = isinstance(last, Call) and last.result and last.names == program.outputs
-        self.returned = last if ends else None
+        last = program.statements[-1] if program.statements else None
+        self.returned = last if isinstance(last, Call) and last.result and last.names == program.outputs else None
 
     def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
         """Yield an assignment to the names that are read, if there are any."""

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator
 
 from ..programs.program import FUNCTIONS, Call, Program
-from .expression import ARITHMETIC, ATOM, WIDTH, Dialect, Lists, Operator, Text, fill, items, unpacked
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, fill, items, unpacked
 
 OPERATORS = {
     **ARITHMETIC,
@@ -19,11 +19,7 @@ OPERATORS = {
 
 def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     """Return the dialect of Python with this prefix of functions and this notation of constants."""
-
-    def where(condition: Text, first: Text, second: Text) -> Text:
-        return f"{prefix}where({condition[0]}, {first[0]}, {second[0]})", ATOM
-
-    return Dialect(OPERATORS, {name: prefix + name for name in FUNCTIONS}, where, literal=literal)
+    return Dialect(OPERATORS, {name: prefix + name for name in (*FUNCTIONS, "where")}, literal=literal)
 
 
 PLAIN = python("m.")
