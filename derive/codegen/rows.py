@@ -143,11 +143,11 @@ class Function:
 
     def embedded(self, arguments: Sequence[Sequence[Any]], zero: Any) -> list[tuple[Any, ...]]:
         """Return flat arguments for the function of poses, with dual parts 0."""
-        made = []
-        for array, given in zip((self.pose or self).arguments, arguments):
-            found = dict(zip(array.places if self.pose else range(array.size), given, strict=True))
-            made.append(tuple(found.get(place, zero) for place in range(array.size)))
-        return made
+        if self.pose is None:
+            return list(map(tuple, arguments))
+        pairs = zip(self.pose.arguments, arguments)
+        found = [(array.size, dict(zip(array.places, given, strict=True))) for array, given in pairs]
+        return [tuple(components.get(place, zero) for place in range(size)) for size, components in found]
 
     def restricted(self, arguments: Sequence[Sequence[Any]]) -> tuple[tuple[Any, ...], ...]:
         """Select this function's arguments from the flat arguments of the function of poses."""

@@ -57,17 +57,6 @@ class Call:
 Statement = Step | Call
 
 
-def results(statement: Statement) -> tuple[str, ...]:
-    """Return the names that a statement assigns."""
-    return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
-
-
-def all_results(call: Call) -> tuple[str, ...]:
-    """Return a name for every result of a call, because results that are not read need a place too."""
-    first = results(call)[0]
-    return tuple(f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names))
-
-
 @dataclass(frozen=True, slots=True)
 class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.

@@ -39,7 +39,6 @@ IDLE: Mapping[str, Program] = {
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
-
 GATE = 8
 """Largest error in a differential test, in machine epsilons times the scale of the result."""
 
@@ -105,10 +104,9 @@ def shared_geometry(table: Table) -> Data:
 
 def _made(program: Program, table: Table) -> tuple[Array, ...]:
     """Return the arrays of a geometry program's results: one for each result of a function, or one list."""
-    if program.name in table.kernels:
-        return table.kernels[program.name].results
     count = len(program.outputs)
-    return (Array("made", (count,), (0,) * count),)
+    made = (Array("made", (count,), (0,) * count),)
+    return table.kernels[program.name].results if program.name in table.kernels else made
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
@@ -175,10 +173,9 @@ class C:
         """Require both forms of every public function in the geometry of its table, and no other function."""
         for table in self.tables:
             where = inside(table, GEOMETRY)
-            found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)
-            plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
-            table.require_complete(where, plain)
-            table.require_complete(f"{where}, rows", [name.removesuffix("_rows") for name in rows])
+            found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+?)(_rows)?\)\(", texts[where], re.MULTILINE)
+            table.require_complete(where, [name for name, rows in found if not rows])
+            table.require_complete(f"{where}, rows", [name for name, rows in found if rows])
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)

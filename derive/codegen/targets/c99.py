@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results
+from ..programs.program import FUNCTIONS, Call, Program, Step
 from ..rows import Array
 from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
 
@@ -91,9 +91,8 @@ def _printed(program: Program, given: Sequence[str], read: Sequence[str], lines:
 
 def _lower_case(program: Program) -> Program:
     """Return a program with lower-case names, safe from macros (N, I, R1); trailing underscores keep names apart."""
-    names = {name for _, parts in program.inputs for name in parts}
-    names |= {name for statement in program.statements for name in results(statement)}
-    names |= {call.result for call in program.calls if call.result}
+    names = {step.name for step in program.steps}.union(*(parts for _, parts in program.inputs))
+    names.update(name for call in program.calls for name in (*call.names, call.result))
     taken = {name for name in names if name == name.lower()} | {argument.lower() for argument, _ in program.inputs}
     new: dict[str, str] = {}
     for name in sorted(names - taken):
@@ -166,7 +165,8 @@ def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Seq
 
 def _call_scalar(call: Call, arguments: str) -> Iterator[str]:
     """Yield declarations of all results, read or not, and the call."""
-    names = all_results(call)
+    first = next(name for name in call.names if name != "_")
+    names = [f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names)]
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
         if places:

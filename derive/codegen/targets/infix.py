@@ -64,12 +64,10 @@ def _statements(
         text = ", ".join(t if isinstance(t, str) else f"({', '.join(t)}{',' * (len(t) == 1)})" for t in texts)
         if not isinstance(statement, Call):
             yield f"{statement.name} = {text}"
-        elif not statement.result:
-            yield unpacked(statement.names, ask(statement, text))
         elif statement is lists.returned:
             yield f"return {ask(statement, text)}"
             return
-        elif statement.names in lists.whole:
+        elif statement.result and statement.names in lists.whole:
             yield f"{statement.result} = {ask(statement, text)}"
             yield from lists.unpacked(statement.names, statement.result)
         else:
