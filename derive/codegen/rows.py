@@ -63,19 +63,15 @@ class Function:
     ----------
     recipe : callable, optional
         Function that traces its program; None if it ``shares`` the program of another function.
-    exact : bool
-        True if its expected result is exact, on elements of a ring; otherwise it has 50 digits.
-    constants : tuple of str
-        Components of its program's argument ``table``, if they are the same for all charts.
-    branch, real, public : bool
-        True if a branch is its last argument; if it selects branches or angles and so takes no complex numbers; if
-        users call it.
+    exact, branch, real, public : bool
+        True if its expected result is exact on elements of a ring, otherwise it has 50 digits; if a branch is its last
+        argument; if it selects branches or angles and so takes no complex numbers; if users call it.
+    constants, keywords : tuple of str
+        Components of its program's argument ``table``, if equal for all charts; further keyword parameters.
     at_rest : str
         Function that replaces it for a turn by no branch; empty if the argument is then returned unchanged.
     aliases : tuple of str
         Further names in the modules of Cayley maps; with dexp for dcay, also in the module of the exponential.
-    keywords : tuple of str
-        Keyword parameters in addition to the common ones, in languages that have them; they change no program.
     remainder : float
         Truncation error of its own series, independent of the number of digits.
     rotation : str, optional

@@ -147,13 +147,8 @@ class C:
         }
 
     def module(self, facts: Facts) -> Data:
-        return {
-            **own_geometry(facts, facts.lowered, {}),
-            "order": facts.chart.order,
-            "domain": facts.domain,
-            "singular_angles": facts.singular_angles,
-            "turns": facts.turns,
-        }
+        found = {name: getattr(facts, name) for name in ("domain", "singular_angles", "turns")}
+        return {**own_geometry(facts, facts.lowered, {}), **found, "order": facts.chart.order}
 
     def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the header of the chart for rotations."""

@@ -8,6 +8,11 @@ from collections.abc import Callable, Iterable, Iterator
 from ..programs.program import FUNCTIONS, Call, Program
 from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, fill, items, unpacked
 
+INDENT = "    "
+
+Ask = Callable[[Call, str], str]
+"""Function that returns the text of a call, given the text of its arguments."""
+
 OPERATORS = {
     **ARITHMETIC,
     "and": Operator("&", 3, 3, 4),
@@ -34,26 +39,20 @@ def ask_namespace(call: Call, arguments: str) -> str:
 
 
 def body(
-    program: Program,
-    indent: str = "    ",
-    dialect: Dialect = PLAIN,
-    alone: bool = False,
-    ask: Callable[[Call, str], str] = ask_namespace,
-    first: Iterable[str] = (),
+    program: Program, dialect: Dialect = PLAIN, alone: bool = False, ask: Ask = ask_namespace, first: Iterable[str] = ()
 ) -> str:
     """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
-    Components of a program that stands `alone` are its parameters: nothing is unpacked. `ask` makes the text of a call
-    from the text of its arguments. ``first`` are lines of text before the statements.
+    Components of a program that stands `alone` are its parameters: nothing is unpacked. `ask` prints its
+    calls. ``first`` are lines of text before the statements.
     """
-    lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement, indent)]
-    contract = textwrap.indent(f'"""{program.contract}' + ("\n" * ("\n" in program.contract)) + '"""', indent)
-    return "\n".join([*([contract] if program.contract else []), *first, *lines])
+    end = "\n" if "\n" in program.contract else ""
+    contract = [textwrap.indent(f'"""{program.contract}{end}"""', INDENT)] if program.contract else []
+    lines = [line for statement in _statements(program, dialect, not alone, ask) for line in _wrap(statement)]
+    return "\n".join([*contract, *first, *lines])
 
 
-def _statements(
-    program: Program, dialect: Dialect, unpack: bool, ask: Callable[[Call, str], str]
-) -> Iterator[str | list[str]]:
+def _statements(program: Program, dialect: Dialect, unpack: bool, ask: Ask) -> Iterator[str | list[str]]:
     """Yield assignments, then the list of outputs or the call that returns them."""
     lists = Lists(program)
     for argument, names in program.inputs if unpack else ():
@@ -75,14 +74,14 @@ def _statements(
     yield statements[1]
 
 
-def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
+def _wrap(statement: str | list[str]) -> Iterator[str]:
     """Yield the lines of a statement; a long one gets brackets and breaks before operators or after commas."""
-    inner = indent + "    "
+    inner = 2 * INDENT
     listed = not isinstance(statement, str)
     line = f"return {', '.join(statement)}{',' * (len(statement) == 1)}" if listed else str(statement)
     head, equals, value = line.partition(" = ")
-    if len(indent + line) <= WIDTH:
-        yield indent + line
+    if len(INDENT + line) <= WIDTH:
+        yield INDENT + line
         return
     if listed:
         head, lines = "return", [part for row in items(statement, inner).split("\n") for part in fill(row, inner)]
@@ -91,9 +90,9 @@ def _wrap(statement: str | list[str], indent: str) -> Iterator[str]:
     else:
         lines = fill(value, inner)
         if len(head) > WIDTH // 2 and "," in head:
-            yield from (f"{indent}(", *fill(f"{head},", inner))
+            yield from (f"{INDENT}(", *fill(f"{head},", inner))
             head = ")"
-        if len(f"{indent}{head} = {value}") <= WIDTH:
-            yield f"{indent}{head} = {value}"
+        if len(f"{INDENT}{head} = {value}") <= WIDTH:
+            yield f"{INDENT}{head} = {value}"
             return
-    yield from (f"{indent}{head}{equals or ' '}(", *lines, f"{indent})")
+    yield from (f"{INDENT}{head}{equals or ' '}(", *lines, f"{INDENT})")

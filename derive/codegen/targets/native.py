@@ -7,6 +7,7 @@ are installed, they replace the array operations of those modules. Their last ar
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -15,8 +16,7 @@ from ... import about
 from ..lowered import geometry, lower_chart
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
-from ..rows import Function, Table, inside
-from ..signatures import POSES
+from ..rows import Function, inside
 from ..validation import c_text
 from . import c99
 from .c import C
@@ -74,10 +74,8 @@ def _passed(row: Function, table: int) -> Iterator[str]:
     for array in row.arguments:
         yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
     yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
-    start = 0
-    for array in row.results:
+    for start in itertools.accumulate((array.size for array in row.results[:-1]), initial=0):
         yield from (f"made.at + {start} * made.by + j", "made.by")
-        start += array.size
 
 
 class Native(C):
@@ -90,17 +88,15 @@ class Native(C):
     def shared(self) -> Mapping[str, Data]:
         headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
         loops = {table: [loop(table.kernels[name], p) for name, p in geometry(table).items()] for table in self.tables}
+        inner = {inside(t, "loops.h"): {"loops": found, "up": "../" * bool(t.name)} for t, found in loops.items()}
         every = [each["operands"] for found in loops.values() for each in found]
+        most = max(array.size for operands in every for array in operands)
         further = [table.name for table in self.tables if table.name]
         return {
             **headers,
-            "tiles.h": {
-                "most": max(array.size for operands in every for array in operands),
-                "operands": max(map(len, every)),
-                "axes": MOST_AXES,
-            },
+            "tiles.h": {"most": most, "operands": max(map(len, every)), "axes": MOST_AXES},
             "direct.h": {},
-            **{inside(table, "loops.h"): {"loops": found, "up": _up(table)} for table, found in loops.items()},
+            **inner,
             "gufuncs.h": {"package": PACKAGE},
             **{inside(table, "__init__.py"): {} for table in self.tables},
             **{f"{name}/meson.build": {"place": f"{PACKAGE}/{name}"} for name in further},
@@ -113,17 +109,11 @@ class Native(C):
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
         found = super().further(facts)
         for table in self.tables:
-            chart = facts.chart
             data = {
-                "name": chart.name,
-                "prefix": c_text.prefix(chart, table),
-                "programs": fingerprint(facts, facts.lowered if table is POSES else lower_chart(chart, table)),
-                "up": _up(table),
+                "name": facts.chart.name,
+                "prefix": c_text.prefix(facts.chart, table),
+                "programs": fingerprint(facts, lower_chart(facts.chart, table)),
+                "up": "../" * bool(table.name),
             }
-            found[inside(table, f"{chart.name}.c")] = ("module.c", data)
+            found[inside(table, f"{facts.chart.name}.c")] = ("module.c", data)
         return found
-
-
-def _up(table: Table) -> str:
-    """Return the relative path from a table's folder to the package folder."""
-    return "../" if table.name else ""
