@@ -120,10 +120,11 @@ class Facts:
     def maps(self) -> tuple[Formula, ...]:
         return self.chart.quaternion, self.chart.tensor, self.chart.tangent, self.chart.tangent_inv
 
-    def definitions(self, indent: str) -> dict[str, str]:
-        """Return the formulas of the maps in LaTeX, wrapped into lines."""
+    @property
+    def definitions(self) -> dict[str, str]:
+        """Formulas of the maps in LaTeX, wrapped into indented lines."""
         texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
-        return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
+        return {n: "\n    ".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
 
     @property
     def domain(self) -> dict[str, str]:

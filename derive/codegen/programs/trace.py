@@ -105,7 +105,7 @@ class Trace(Folding):
         self, function: str, args: Sequence[Number], names: Sequence[str], truths: Iterable[str] = (), rest: str = ""
     ) -> tuple[Value, ...]:
         """Return the named results of a scalar program, applied to named values and inputs."""
-        return self._called(Call(tuple(names), function, (), rest, frozenset(truths)), args, names)
+        return self._called(Call(tuple(names), function, (), rest, frozenset(truths)), args)
 
     def call_program(
         self, program: Program, result: str, names: Sequence[str], arguments: Sequence[Number | Sequence[Number]]
@@ -114,16 +114,17 @@ class Trace(Folding):
         lists = tuple(len(given) if isinstance(given, tuple) else 0 for given in arguments)
         flat = [number for given in arguments for number in (given if isinstance(given, tuple) else (given,))]
         self._programs[program.name] = program
-        return self._called(Call((), program.name, (), "", frozenset(), lists, result, program.context), flat, names)
+        call = Call(tuple(names), program.name, (), lists=lists, result=result, context=program.context)
+        return self._called(call, flat)
 
-    def _called(self, call: Call, args: Sequence[Number], names: Sequence[str]) -> tuple[Value, ...]:
+    def _called(self, call: Call, args: Sequence[Number]) -> tuple[Value, ...]:
         value = self.record(f"{'apply' if call.result else 'call'} {call.function}", *args)
         if value not in self._calls:
             result = self.free_name(call.result) if call.result else ""
             self._taken.add(result)
             self._calls[value] = replace(call, result=result)
-            self._results[value] = tuple(self.record("result", value, number) for number in range(len(names)))
-            for name, made in zip(names, self._results[value], strict=True):
+            self._results[value] = tuple(self.record("result", value, number) for number in range(len(call.names)))
+            for name, made in zip(call.names, self._results[value], strict=True):
                 self._rename(made, self.free_name(name) if call.result else name)
         return self._results[value]
 

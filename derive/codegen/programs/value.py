@@ -91,7 +91,7 @@ class Folding(ABC):
         if _constant(a, b):
             return _tidy(a + b)
         for one, other in ((a, b), (b, a)):
-            if _is(one, 0):
+            if one == 0:
                 return other
         for one, other in ((b, a), (a, b)):
             if (negated := self.negated(one)) is not None:
@@ -104,9 +104,9 @@ class Folding(ABC):
     def sub(self, a: Number, b: Number) -> Number:
         if _constant(a, b):
             return _tidy(a - b)
-        if _is(a, 0):
+        if a == 0:
             return self.neg(b)
-        if _is(b, 0):
+        if b == 0:
             return a
         if (negated := self.negated(b)) is not None:
             return self.add(a, negated)
@@ -133,11 +133,11 @@ class Folding(ABC):
         return self.record("mul", constant, value)
 
     def div(self, a: Number, b: Number) -> Number:
-        if _is(b, 0):
+        if b == 0:
             raise ZeroDivisionError("a traced program divides by the constant 0")
         if _constant(a, b):
             return _tidy(Fraction(a) / Fraction(b))
-        if _is(b, 1) or _is(a, 0):
+        if b == 1 or a == 0:
             return a
         if isinstance(b, Fraction):
             return self.mul(1 / b, a)
@@ -159,7 +159,7 @@ class Folding(ABC):
         return abs(a) if _constant(a) else self.record("abs", a)
 
     def sqrt(self, a: Number) -> Number:
-        return a if _is(a, 1) or _is(a, 0) else self.record("sqrt", a)
+        return a if a in (0, 1) else self.record("sqrt", a)
 
     def less(self, a: Number, b: Number) -> Number:
         return bool(a < b) if _constant(a, b) else self.record("lt", a, b)
@@ -191,10 +191,6 @@ class Folding(ABC):
 
 def _constant(*numbers: Number) -> bool:
     return not any(isinstance(number, Value) for number in numbers)
-
-
-def _is(number: Number, constant: int) -> bool:
-    return _constant(number) and number == constant
 
 
 def _tidy(value: Constant) -> Constant:

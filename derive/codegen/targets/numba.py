@@ -44,17 +44,13 @@ class Loops:
 
 
 def loops(row: Function, program: Program) -> Loops:
-    """Return the loops of a kernel function."""
+    """Return the loops of a kernel function; parts of equal size stay together, such as the rows of Q, then rho."""
     sizes = [array.parts[part] for array in row.results for part in array.part_of]
-    parameters = tuple(argument for argument, _ in program.inputs)
-    rows = tuple(_call(program, group, "        ", ", i") for group in _groups(sizes))
-    return Loops(row, parameters, rows, _call(program, range(len(sizes)), "    ", ""))
-
-
-def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
-    """Return the outputs of each loop; parts of equal size stay together, such as the rows of Q, then rho."""
     order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
-    return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
+    groups = (order[first : first + MOST_OUTPUTS] for first in range(0, len(order), MOST_OUTPUTS))
+    rows = tuple(_call(program, group, "        ", ", i") for group in groups)
+    parameters = tuple(argument for argument, _ in program.inputs)
+    return Loops(row, parameters, rows, _call(program, range(len(sizes)), "    ", ""))
 
 
 def _printed(program: Program, formula: str = "") -> Printed:

@@ -123,9 +123,8 @@ class PythonTarget:
         return {}
 
     def module(self, facts: Facts) -> Data:
-        names = ("domain", "singular_angles", "overflow", "largest", "turns", "returns")
-        found = {name: getattr(facts, name) for name in names}
-        return {**described(facts, POSES), **found, "definitions": facts.definitions("    "), **self.programs(facts)}
+        names = ("definitions", "domain", "singular_angles", "overflow", "largest", "turns", "returns")
+        return {**described(facts, POSES), **{name: getattr(facts, name) for name in names}, **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""
@@ -189,23 +188,19 @@ def described(facts: Facts, table: Table) -> Data:
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
-    context = ("m: Any", "c: Any")[: 2 if kernel else len(program.context.split(", ")) if program.context else 0]
-    numbers = (names == (argument,) for argument, names in program.inputs)
-    given = (f"{argument}: {'Any' if n else 'Components'}" for n, (argument, _) in zip(numbers, program.inputs))
-    return (*context, *given)
+    """Return the parameters of a geometry program; all that users call take ``m`` and ``c``."""
+    context = "m, c" if kernel else program.context
+    given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
+    return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
 def printed_scalars(facts: Facts) -> list[Printed]:
     """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
-    return [
-        Printed(
-            name,
-            tuple(name for _, names in program.inputs for name in names),
-            infix.body(program, alone=True),
-            formula_of(name, facts.chart),
-        )
-        for name, program in facts.lowered.scalars.items()
-    ]
+    found = []
+    for name, program in facts.lowered.scalars.items():
+        parameters = tuple(part for _, parts in program.inputs for part in parts)
+        found.append(Printed(name, parameters, infix.body(program, alone=True), formula_of(name, facts.chart)))
+    return found
 
 
 def formula_of(scalar: str, chart: Chart) -> str:
