@@ -7,7 +7,7 @@ import itertools
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -201,15 +201,10 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Return a digest of a chart's programs and the geometry: packages with equal digests compute the same."""
-    lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
+    lines = [*_program_lines(geometry(lowered.table)), *_program_lines(lowered.scalars)]
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
-
-
-@cache  # every chart has the same geometry
-def _geometry_lines(table: Table) -> Sequence[str]:
-    return tuple(_program_lines(geometry(table)))
 
 
 def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
@@ -256,13 +251,10 @@ class Target(Protocol):
         """Raise ValueError unless the shared texts define the functions of the table."""
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Execute the functions of a module in a folder; return the number of calls that equal the formula.
-
-        Without ``geometry``, execute only the chart's own functions, and not the text that all charts share.
-        """
+        """Execute the chart's own functions, or with ``geometry`` all; return the number of calls that agree."""
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Call the functions of a module on floats, as `validate` does; return the number of calls that agree."""
+        """Call the same functions on floats; return the number of calls that agree with the formula."""
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
@@ -273,9 +265,8 @@ def shared_texts(target: Target) -> dict[str, str]:
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"
-        lines = head(command(target.name), template)
-        if name == target.entry:  # the only file that a release changes
-            lines.append(f"Version {about.__version__}.")
+        version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
+        lines = [*head(command(target.name), template), *version]
         texts[name] = render(template, header=comment(lines, _mark(name, target)), **data)
     target.require_complete(texts)
     return texts
@@ -300,8 +291,7 @@ def module_texts(facts: Facts, target: Target) -> dict[str, str]:
 
 def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     """Render the entry file that a package has while its other files are replaced, by name."""
-    template = f"interrupted/{target.entry}.j2"
-    made_by = command(target.name, *charts)
+    template, made_by = f"interrupted/{target.entry}.j2", command(target.name, *charts)
     header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))
     return {target.entry: render(template, header=header, command=made_by)}
 
