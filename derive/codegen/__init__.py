@@ -23,12 +23,5 @@ from .publish import check, generate, generate_charts
 from .validation import ValidationFailed
 
 __all__ = [
-    "Difference",
-    "Module",
-    "Package",
-    "RefusedError",
-    "ValidationFailed",
-    "check",
-    "generate",
-    "generate_charts",
-]
+    "Difference", "Module", "Package", "RefusedError", "ValidationFailed", "check", "generate", "generate_charts",
+]  # fmt: skip

@@ -14,7 +14,6 @@ from ..maps.chart import Chart
 from ..output import files
 from ..proof import prove
 from ..workers import each
-from .lowered import lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target
 
@@ -64,7 +63,7 @@ def print_module(chart: Chart, target: Target, report: Progress) -> Module:
     report(f"{chart.name}: proving")
     proved = prove(chart)
     report(f"{chart.name}: printing")
-    return Module(module_name(chart, target), proved, module_texts(Facts(proved, lower(proved)), target))
+    return Module(module_name(chart, target), proved, module_texts(Facts(proved), target))
 
 
 def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:

@@ -35,15 +35,10 @@ def charts(
 ) -> list[Chart]:
     """Return the charts of the orders or the chart of φ, then the charts of the families, without duplicates.
 
-    If φ is given, the order is the value of n in it.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For an order or a family that does not exist, a φ that is refused, or a reserved name.
+    If φ is given, the order is the value of n in it. Raise ValueError or TypeError for an order or a family that does
+    not exist, a φ that is refused, or a reserved name.
     """
-    named: list[Chart] = [*map(family, dict.fromkeys(families))]
-    given = sorted(set(orders))
+    named, given = [*map(family, dict.fromkeys(families))], sorted(set(orders))
     if phi is None:
         return [*map(Cayley, given), *named]
     if len(given) > 1:
@@ -61,15 +56,14 @@ def committed() -> list[Chart]:
 
 def chart_of(line: str) -> Chart | None:
     """Return the chart that a module's command names; None for any other command."""
-    words = shlex.split(line)
-    chosen = dict(itertools.pairwise(words))
+    chosen = dict(itertools.pairwise(shlex.split(line)))
     try:
+        order = int(chosen["-n"]) if "-n" in chosen else None
         if "--phi" in chosen:
-            order = int(chosen["-n"]) if "-n" in chosen else None
             return parameterization(chosen["--phi"], chosen["--name"], order)
         if "--family" in chosen:
             return family(chosen["--family"])
-        return Cayley(int(chosen["-n"])) if "-n" in chosen else None
+        return Cayley(order) if order else None
     except (KeyError, ValueError):
         return None
 

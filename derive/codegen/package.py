@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
+from pathlib import Path
 from typing import Any, Protocol
 
 import mpmath
@@ -18,9 +20,10 @@ from ..maps import Formula
 from ..maps.chart import Chart
 from ..output import render
 from ..proof import Proved, theorems
-from .lowered import Lowered, geometry
-from .programs.program import Call, Program, Statement
+from .lowered import Lowered, geometry, lower_chart
+from .programs.program import Call, Program
 from .rows import Table
+from .signatures import POSES
 
 DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
@@ -85,19 +88,17 @@ class Package:
 
 @dataclass(frozen=True)
 class Facts:
-    """Proved chart and its programs, with the texts that templates use."""
+    """Proved chart, with its programs and the texts that templates use."""
 
     proved: Proved
-    lowered: Lowered
 
     @property
     def chart(self) -> Chart:
         return self.proved.formulas
 
-    @property
-    def parameter(self) -> str:
-        """Formula φ(α) in ASCII, for comments of any language."""
-        return self.chart.parameter.replace("α", "alpha")
+    @cached_property
+    def lowered(self) -> Lowered:
+        return lower_chart(self.chart, POSES)
 
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
@@ -117,13 +118,13 @@ class Facts:
 
     @property
     def maps(self) -> tuple[Formula, ...]:
-        chart = self.chart
-        return chart.quaternion, chart.tensor, chart.tangent, chart.tangent_inv
+        return self.chart.quaternion, self.chart.tensor, self.chart.tangent, self.chart.tangent_inv
 
-    def definitions(self, indent: str) -> dict[str, str]:
-        """Return the formulas of the maps in LaTeX, wrapped into lines."""
+    @property
+    def definitions(self) -> dict[str, str]:
+        """Formulas of the maps in LaTeX, wrapped into indented lines."""
         texts = {f.name: f"{f.symbol} = {f.definition}" for f in self.maps}
-        return {n: f"\n{indent}".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
+        return {n: "\n    ".join(textwrap.wrap(t, WIDTH, break_long_words=False)) for n, t in texts.items()}
 
     @property
     def domain(self) -> dict[str, str]:
@@ -147,22 +148,22 @@ class Facts:
     def header(self, command: str, template: str) -> list[str]:
         """Return the header lines: command, licence, template, φ, polynomials, and the number of proofs."""
         chart = self.chart
-        polynomials = [f"  {letter} = {_plain(value)}" for letter, value in chart.letters]
+        letters = ((letter, sympy.sstr(value, order="rev-lex")) for letter, value in chart.letters)
+        polynomials = [f"  {letter} = {value.replace('**', '^')}" for letter, value in letters]
         if sum(map(len, polynomials)) > LETTERS_MAX:
             polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
-        own = sum(proof not in theorems() for proof in self.proved.proofs)
-        shared = len(self.proved.proofs) - own
-        general = f" and {shared} theorems for every n" if shared else ""
+        shared = sum(proof in theorems() for proof in self.proved.proofs)
+        own, general = len(self.proved.proofs) - shared, f" and {shared} theorems for every n" if shared else ""
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
-        return [*head(command, template), "", f"{chart.title}, v = {self.parameter} u", *polynomials, proved]
+        title = f"{chart.title}, v = {chart.parameter.replace('α', 'alpha')} u"
+        return [*head(command, template), "", title, *polynomials, proved]
 
 
 def command(target: str, *charts: Chart) -> str:
     """Return the command that writes the modules of charts; without charts, the command for shared files."""
-    chosen: dict[str, list[str]] = {}
-    for option, value in (chart.selection for chart in charts):
-        chosen.setdefault(option, []).append(value)
-    options = "".join(f" {option} {','.join(values)}" for option, values in chosen.items())
+    chosen = [chart.selection for chart in charts]
+    values = {option: ",".join(value for other, value in chosen if other == option) for option, _ in chosen}
+    options = "".join(f" {option} {value}" for option, value in values.items())
     largest = max((chart.order for chart in charts), default=0)
     cap = f" --max-n {largest}" if largest > about.MAX_ORDER else ""
     return f"python -m derive generate{options} --target {target}{cap}"
@@ -174,23 +175,15 @@ def head(command: str, template: str) -> list[str]:
 
 
 def comment(lines: Iterable[str], mark: str) -> str:
-    """Return lines as comment lines, with long ones wrapped."""
-    wrapped = [part for line in lines for part in _wrap(line)]
-    return "\n".join(f"{mark} {line}".rstrip() for line in wrapped)
+    """Return lines as comment lines, with long ones wrapped and indented."""
+    indents = ((line, " " * (len(line) - len(line.lstrip()) + 4)) for line in lines)
+    wrapped = (textwrap.wrap(line, WIDTH, subsequent_indent=indent) or [""] for line, indent in indents)
+    return "\n".join(f"{mark} {line}".rstrip() for line in itertools.chain(*wrapped))
 
 
 def numbers(equations: Iterable[int]) -> str:
     """Return equation numbers in brackets, separated by commas."""
     return ", ".join(f"({number})" for number in equations)
-
-
-def _wrap(line: str) -> list[str]:
-    indent = " " * (len(line) - len(line.lstrip()) + 4)
-    return textwrap.wrap(line, WIDTH, subsequent_indent=indent, drop_whitespace=True) or [""]
-
-
-def _plain(expression: sympy.Expr) -> str:
-    return str(sympy.sstr(expression, order="rev-lex")).replace("**", "^")
 
 
 def _decimal(value: Any) -> str:
@@ -208,47 +201,42 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
     """Return a digest of a chart's programs and the geometry: packages with equal digests compute the same."""
-    lines = [*_geometry_lines(lowered.table), *_program_lines(lowered.scalars)]
+    lines = [*_program_lines(geometry(lowered.table)), *_program_lines(lowered.scalars)]
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
 
-@cache  # every chart has the same geometry
-def _geometry_lines(table: Table) -> Sequence[str]:
-    return tuple(_program_lines(geometry(table)))
-
-
 def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
     for name, program in programs.items():
         yield f"{name} {program.inputs} -> {program.outputs}"
-        yield from map(_statement_line, program.statements)
-
-
-def _statement_line(statement: Statement) -> str:
-    if isinstance(statement, Call):  # sorted, since a set has no order
-        return f"{statement.names} {statement.function} {statement.args} {statement.rest} {sorted(statement.truths)}"
-    return f"{statement.name} {statement.op} {statement.args}"
+        for s in program.statements:
+            if isinstance(s, Call):
+                yield f"{s.names} {s.function} {s.args} {s.rest} {sorted(s.truths)}"  # sets have no order
+            else:
+                yield f"{s.name} {s.op} {s.args}"
 
 
 Data = Mapping[str, Any]
 """Values for the names in a template, except ``header``."""
 
 
-class Printer(Protocol):
-    """Part of a target that prints texts."""
+class Target(Protocol):
+    """Language in which kernels are printed: its files and texts, and the execution of printed text.
+
+    ``name`` is also the name of the template folder. Modules have the suffix ``extension``, comment lines the prefix
+    ``comment``. The shared file ``entry`` is read before any other. Validation does not execute the ``unproved`` parts
+    of the text. Every chart has a module for each of the ``tables``, poses first. ``imports_bases`` is True if the
+    module of a multiple imports the module of its base chart.
+    """
 
     name: str
-    """Name of the target and of its template folder."""
-
     extension: str
-    """Suffix of a module's file, whose template is ``<name>/chart.<extension>.j2``."""
-
     entry: str
-    """Name of the shared file that is read before any other."""
-
     comment: str
-    """Prefix of a comment line."""
+    unproved: str
+    tables: Sequence[Table]
+    imports_bases: bool
 
     def shared(self) -> Mapping[str, Data]:
         """Return the files that every package of the target holds, each from the template of its name."""
@@ -262,26 +250,34 @@ class Printer(Protocol):
     def require_complete(self, texts: Mapping[str, str]) -> None:
         """Raise ValueError unless the shared texts define the functions of the table."""
 
+    def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Execute the chart's own functions, or with ``geometry`` all; return the number of calls that agree."""
 
-def shared_texts(target: Printer) -> dict[str, str]:
+    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
+        """Call the same functions on floats; return the number of calls that agree with the formula."""
+
+    def test(self, folder: Path, chart: Chart) -> int | None:
+        """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
+
+
+def shared_texts(target: Target) -> dict[str, str]:
     """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
     for name, data in target.shared().items():
         template = f"{target.name}/{name}.j2"
-        lines = head(command(target.name), template)
-        if name == target.entry:  # the only file that a release changes
-            lines.append(f"Version {about.__version__}.")
+        version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
+        lines = [*head(command(target.name), template), *version]
         texts[name] = render(template, header=comment(lines, _mark(name, target)), **data)
     target.require_complete(texts)
     return texts
 
 
-def module_name(chart: Chart, target: Printer) -> str:
+def module_name(chart: Chart, target: Target) -> str:
     """Return the file name of a chart's module."""
     return f"{chart.name}.{target.extension}"
 
 
-def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
+def module_texts(facts: Facts, target: Target) -> dict[str, str]:
     """Render the module of a proved chart and its companions, by file name."""
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
@@ -293,13 +289,12 @@ def module_texts(facts: Facts, target: Printer) -> dict[str, str]:
     return texts
 
 
-def notices(charts: Sequence[Chart], target: Printer) -> dict[str, str]:
+def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
     """Render the entry file that a package has while its other files are replaced, by name."""
-    template = f"interrupted/{target.entry}.j2"
-    made_by = command(target.name, *charts)
+    template, made_by = f"interrupted/{target.entry}.j2", command(target.name, *charts)
     header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))
     return {target.entry: render(template, header=header, command=made_by)}
 
 
-def _mark(name: str, target: Printer) -> str:
+def _mark(name: str, target: Target) -> str:
     return "#" if name.endswith(HASH_COMMENTS) else target.comment

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -27,10 +26,6 @@ class Array:
     real: tuple[int, ...] | None = None
     real_name: str = ""
 
-    def __post_init__(self) -> None:
-        if len(self.part_of) != math.prod(self.shape):
-            raise ValueError(f"the parts {self.part_of} of {self.name} do not make its shape {self.shape}")
-
     @property
     def size(self) -> int:
         """Return the number of components."""
@@ -47,13 +42,7 @@ class Array:
 
     @property
     def places(self) -> tuple[int, ...]:
-        """Return the places of the components that rotations alone have.
-
-        Raises
-        ------
-        ValueError
-            If rotations alone have no such array.
-        """
+        """Return the places of the components that rotations alone have; raise ValueError if there are none."""
         if self.real is None:
             raise ValueError(f"rotations alone have no array {self.name}")
         lengths = (1,) * (len(self.shape) - len(self.real)) + self.real
@@ -72,28 +61,17 @@ class Function:
 
     Parameters
     ----------
-    name : str
-    arguments, results : tuple of Array
     recipe : callable, optional
-        Function that traces its program; None if it shares the program of another function, `kernel`.
-    exact : bool
-        True if its expected result is exact, on elements of a ring; otherwise it has 50 digits.
-    constants : tuple of str
-        Components of its program's argument ``table``, if they are the same for all charts.
-    branch : bool
-        True if it has a branch as last argument.
-    real : bool
-        True if it selects branches or angles, and so takes no complex numbers.
-    public : bool
-        True if users call it.
+        Function that traces its program; None if it ``shares`` the program of another function.
+    exact, branch, real, public : bool
+        True if its expected result is exact on elements of a ring, otherwise it has 50 digits; if a branch is its last
+        argument; if it selects branches or angles and so takes no complex numbers; if users call it.
+    constants, keywords : tuple of str
+        Components of its program's argument ``table``, if equal for all charts; further keyword parameters.
     at_rest : str
-        Function whose program replaces its own for a turn by no branch; empty if the argument is then returned
-        unchanged.
+        Function that replaces it for a turn by no branch; empty if the argument is then returned unchanged.
     aliases : tuple of str
         Further names in the modules of Cayley maps; with dexp for dcay, also in the module of the exponential.
-    keywords : tuple of str
-        Keyword parameters in addition to the common ones, in languages that have them. They affect arguments and
-        results, but change no program.
     remainder : float
         Truncation error of its own series, independent of the number of digits.
     rotation : str, optional
@@ -125,13 +103,7 @@ class Function:
         return self.results[0].shape if len(self.results) == 1 else (sum(array.size for array in self.results),)
 
     def traced(self) -> Program:
-        """Return the program of the function.
-
-        Raises
-        ------
-        ValueError
-            If the function has no recipe.
-        """
+        """Return the program of the function; raise ValueError if it has no recipe."""
         if self.recipe is None:
             raise ValueError(f"{self.name} has no recipe: it shares the program of {self.shares!r}")
         return traced(self.recipe) if self.pose is None else traced_kernel(self.recipe, self.name, self.pose.kept)
@@ -167,15 +139,11 @@ class Function:
 
     def embedded(self, arguments: Sequence[Sequence[Any]], zero: Any) -> list[tuple[Any, ...]]:
         """Return flat arguments for the function of poses, with dual parts 0."""
-        return [tuple(a) for a in arguments] if self.pose is None else self._with_zeros(self.pose, arguments, zero)
-
-    @staticmethod
-    def _with_zeros(pose: Function, arguments: Sequence[Sequence[Any]], zero: Any) -> list[tuple[Any, ...]]:
-        made = []
-        for array, given in zip(pose.arguments, arguments):
-            found = dict(zip(array.places, given, strict=True))
-            made.append(tuple(found.get(place, zero) for place in range(array.size)))
-        return made
+        if self.pose is None:
+            return list(map(tuple, arguments))
+        pairs = zip(self.pose.arguments, arguments)
+        found = [(array.size, dict(zip(array.places, given, strict=True))) for array, given in pairs]
+        return [tuple(components.get(place, zero) for place in range(size)) for size, components in found]
 
     def restricted(self, arguments: Sequence[Sequence[Any]]) -> tuple[tuple[Any, ...], ...]:
         """Select this function's arguments from the flat arguments of the function of poses."""
@@ -210,6 +178,14 @@ class Table:
         kernels = {name: row for name, row in functions.items() if row.recipe}
         public = {name: row for name, row in functions.items() if row.public}
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
+
+    def require_complete(self, where: str, found: Iterable[str]) -> None:
+        """Raise ValueError if functions of a text are not the public ones; the message names them."""
+        names = set(found)
+        if names != self.public.keys():
+            missing = ", ".join(sorted(self.public.keys() - names)) or "none"
+            extra = ", ".join(sorted(names - self.public.keys())) or "none"
+            raise ValueError(f"{where}: functions of the table that are missing: {missing}; not in it: {extra}")
 
     def aliases(self, chart: Chart) -> dict[str, str]:
         """Return further names in the module of a chart, each with the name of its function."""

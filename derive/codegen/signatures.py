@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
 from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
 from .lowering.point import Recipe
@@ -70,10 +71,11 @@ def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe:
     )
 
 
-def _by_exponential(name: str, arguments: tuple[Array, ...], recipe: Recipe, *results: Array) -> Function:
-    """Return the row of a function whose value depends on the exponential's series."""
-    remainder = retraction.EXPONENTIAL.remainder
-    return Function(name, arguments, results, recipe, exact=False, real=True, remainder=remainder)
+_selecting = partial(Function, exact=False, real=True)
+"""Row of a function that selects branches or angles."""
+
+_by_exponential = partial(_selecting, remainder=retraction.EXPONENTIAL.remainder)
+"""Row of a function whose value depends on the exponential's series."""
 
 
 _ROWS = (
@@ -104,38 +106,29 @@ _ROWS = (
     _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
     replace(_way_back("from_pose", POSE.called("T"), inverse.from_pose), rotation=None),
     replace(
-        Function("from_screw", (ANGLE, AXIS), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
+        _selecting("from_screw", (ANGLE, AXIS), (V,), inverse.from_screw, keywords=(CHECK,)),
         rotation="from_angle_axis",
     ),
-    Function("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, exact=False, real=True, rotation="to_angle_axis"),
-    Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
-    Function("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential, exact=False, real=True),
-    Function("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential, exact=False, real=True),
-    Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
-    Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
-    Function("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, exact=False, real=True, public=False),
-    Function(
-        "shadow_jacobian",
-        (V,),
-        (JACOBIAN,),
-        inverse.shadow_jacobian,
-        exact=False,
-        branch=True,
-        real=True,
-        at_rest="identity_jacobian",
-    ),
-    Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
-    Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
-    Function("between", TWO, (V,), inverse.between, exact=False, real=True),
-    Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),
-    Function("between_jacobians", TWO, BY_TWO, groups.between_jacobians, exact=False, real=True),
-    _by_exponential("retract", (V, DELTA), retraction.retract, MOVED_V),
-    _by_exponential("body_retract", (V, DELTA), retraction.body_retract, MOVED_V),
-    _by_exponential("retract_jacobians", (V, DELTA), retraction.retract_jacobians, *BY_STEP),
-    _by_exponential("body_retract_jacobians", (V, DELTA), retraction.body_retract_jacobians, *BY_STEP),
-    _by_exponential("local", TWO, retraction.local, DELTA),
-    _by_exponential("body_local", TWO, retraction.body_local, DELTA),
-    _by_exponential("interpolate", (*reversed(TWO), SHARE), motion.interpolate, V),
+    _selecting("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, rotation="to_angle_axis"),
+    _selecting("angle", (V,), (ANGLE,), inverse.angle),
+    _selecting("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential),
+    _selecting("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential),
+    _selecting("turn", (V,), (SHADOW,), inverse.turn, public=False),
+    _selecting("shadow", (V,), (SHADOW,), inverse.shadow, branch=True),
+    _selecting("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, public=False),
+    _selecting("shadow_jacobian", (V,), (JACOBIAN,), inverse.shadow_jacobian, branch=True, at_rest="identity_jacobian"),
+    _selecting("principal", (V,), (SHADOW,), inverse.principal),
+    _selecting("compose", TWO, (V,), inverse.compose),
+    _selecting("between", TWO, (V,), inverse.between),
+    _selecting("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians),
+    _selecting("between_jacobians", TWO, BY_TWO, groups.between_jacobians),
+    _by_exponential("retract", (V, DELTA), (MOVED_V,), retraction.retract),
+    _by_exponential("body_retract", (V, DELTA), (MOVED_V,), retraction.body_retract),
+    _by_exponential("retract_jacobians", (V, DELTA), BY_STEP, retraction.retract_jacobians),
+    _by_exponential("body_retract_jacobians", (V, DELTA), BY_STEP, retraction.body_retract_jacobians),
+    _by_exponential("local", TWO, (DELTA,), retraction.local),
+    _by_exponential("body_local", TWO, (DELTA,), retraction.body_local),
+    _by_exponential("interpolate", (*reversed(TWO), SHARE), (V,), motion.interpolate),
     Function("adjoint", (V,), (_jacobian("adjoint"),), groups.adjoint),
     Function("transform_point_jacobians", (V, POINT), (BY_V_OF_POINT, BY_POINT), groups.transform_point_jacobians),
     Function("transform_line_jacobians", (V, LINE), (BY_V, BY_LINE), groups.transform_line_jacobians, rotation=None),

@@ -18,7 +18,6 @@ import numpy as np
 
 import dualcay
 from derive.codegen import catalogue
-from derive.codegen.lowered import lower
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps.chart import Chart
@@ -38,7 +37,7 @@ def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -
     texts = dict(shared_texts(native))
     for chart in charts:
         proved = prove(chart)
-        facts = Facts(proved, lower(proved))
+        facts = Facts(proved)
         texts |= module_texts(facts, without_test)
     modules = (name for name in texts if name.endswith(".c"))
     for name in [name for name in modules if only and not name.startswith(f"{only}/")]:

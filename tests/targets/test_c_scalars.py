@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.codegen.lowered import lower, lower_chart
+from derive.codegen.lowered import lower_chart
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
@@ -56,7 +56,7 @@ def headers(shared) -> Path:
         texts = dict(shared_texts(target))
         for chart in CHARTS:
             proved = prove(chart)
-            facts = Facts(proved, lower(proved))
+            facts = Facts(proved)
             texts |= module_texts(facts, target)
         files.write(place, texts)
 

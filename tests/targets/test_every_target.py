@@ -7,7 +7,6 @@ import importlib
 import numpy as np
 import pytest
 
-from derive.codegen.lowered import lower
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
@@ -31,7 +30,7 @@ def test_a_module_is_made_and_validated(name, tmp_path):
 
 def require_validated(name, folder):
     target, chart, proved = TARGETS[name], Cayley(3), prove(Cayley(3))
-    facts = Facts(proved, lower(proved))
+    facts = Facts(proved)
     files.write(folder, shared_texts(target) | module_texts(facts, target))
     assert target.validate(folder, chart, geometry=True) > 100
 

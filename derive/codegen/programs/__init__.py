@@ -1,10 +1,8 @@
 """Straight-line programs, recorded by tracing ordinary arithmetic.
 
-=========== =====================================================================
-program     assignments, calls, operation counts
-value       traced numbers
-folding     arithmetic of constants and values, which folds constants
-trace       the tracer that records all other operations
-written_out programs with their called programs written out in place
-=========== =====================================================================
+======= ===========================================================================
+program assignments, calls, operation counts
+value   traced numbers, and their arithmetic, which folds constants
+trace   the tracer that records all other operations; programs without inner calls
+======= ===========================================================================
 """

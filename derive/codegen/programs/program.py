@@ -10,10 +10,7 @@ Constant = int | Fraction
 Operand = str | int | Fraction
 """Name of an input or step, or an exact constant."""
 
-
-ARITHMETIC = ("add", "sub", "mul", "div", "neg")
 FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
-SELECTION = ("lt", "eq", "and", "or", "where")
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,24 +27,10 @@ class Step:
 class Call:
     """Call of another program, which gives several values at once: ``f, g, h = pose(x)``.
 
-    Parameters
-    ----------
-    names : tuple of str
-        Names of the values, ``_`` for a value that is not read.
-    function : str
-        Name of a scalar program of a chart, or of a geometry program.
-    args : tuple
-        Arguments, with lists written out.
-    rest : str
-        Argument of the calling program, of any length, whose components follow ``args``.
-    truths : set of str
-        Names of the values that are truth values.
-    lists : tuple of int
-        For a geometry program: the length of each list argument, 0 for a number.
-    result : str
-        For a geometry program: the name of the list of all values.
-    context : str
-        For a geometry program: the leading arguments that it takes among ``m`` and ``c``.
+    A value that is not read has the name ``_``; ``truths`` are the values that are truth values. The components of the
+    caller's argument ``rest``, of any length, follow ``args``. For a geometry program, ``lists`` are the lengths of
+    list arguments in ``args``, 0 for a number. ``result`` then names the list of all values, and ``context`` gives the
+    leading arguments among ``m`` and ``c``.
     """
 
     names: tuple[str, ...]
@@ -72,17 +55,6 @@ class Call:
 
 
 Statement = Step | Call
-
-
-def results(statement: Statement) -> tuple[str, ...]:
-    """Return the names that a statement assigns."""
-    return (statement.name,) if isinstance(statement, Step) else tuple(n for n in statement.names if n != "_")
-
-
-def all_results(call: Call) -> tuple[str, ...]:
-    """Return a name for every result of a call, because results that are not read need a place too."""
-    first = results(call)[0]
-    return tuple(f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names))
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,14 +107,3 @@ class Program:
         """Return all operands of statements, and the outputs."""
         read = {arg for statement in self.statements for arg in statement.args}
         return read | set(self.outputs)
-
-
-def summary(operations: Counter[str]) -> str:
-    """Return the printed form of an operation count: ``67: 24 +, 31 *, 2 /``."""
-    symbols = {"add": "+", "sub": "+", "neg": "neg", "mul": "*", "div": "/"}
-    counts: Counter[str] = Counter()
-    for op, count in operations.items():
-        counts[symbols.get(op, op)] += count
-    order = ["+", "*", "/", "neg", *FUNCTIONS, *SELECTION]
-    parts = ", ".join(f"{counts[key]} {key}" for key in order if counts[key])
-    return f"{operations.total()}: {parts}" if parts else "0"

@@ -1,7 +1,6 @@
 """Targets of generation: each module has a printer, data for its templates, and a way to execute its text.
 
 ========== =====================================================================
-target     the protocol of a target
 expression steps of a program as expressions, in the dialect of a language
 infix      programs as plain Python
 python     base class and interface of the Python targets
@@ -18,12 +17,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ..package import Target
 from .array_api import ArrayApi
 from .c import C
 from .native import Native
 from .numba import Numba
 from .numpy import Numpy
-from .target import Target
 
 _ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native())
 

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
@@ -26,7 +25,6 @@ from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
 from ..validation.float_cases import Case, cases
 from . import c99
-from .target import require_functions
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
@@ -41,61 +39,31 @@ IDLE: Mapping[str, Program] = {
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
-
 GATE = 8
 """Largest error in a differential test, in machine epsilons times the scale of the result."""
 
 
-@dataclass(frozen=True, slots=True)
-class Form:
-    """Form of a public function: its parameters, and the arguments that it passes to the core."""
-
-    parameters: str
-    passed: str
-
-
-@dataclass(frozen=True, slots=True)
-class Interface:
-    """Public function: its name, the name of its core, and its two forms."""
-
-    name: str
-    kernel: str
-    plain: Form
-    rows: Form
-
-
-def interface(row: Function, table: Table) -> Interface:
-    """Return the two forms of a function, given by its row of a table."""
-    given, made = ([_named(array) for array in arrays] for arrays in (row.arguments, row.results))
+def interface(row: Function, table: Table) -> Data:
+    """Return the parameters of both forms of a function, and the arguments that they pass to its core."""
+    given, made = ([a.called(NAMES.get(a.name, a.name)) for a in arrays] for arrays in (row.arguments, row.results))
+    numbers = next((names for argument, names in geometry(table)[row.kernel].inputs if argument == c99.TABLE), ())
+    constants = [f"DUALCAY_NUMBER({c})" if "." in c else c99.real(c) for c in row.constants] or numbers
     branch = ["int branch"] if row.branch else []
-    constants = [*map(_number, row.constants)] or _components(geometry(table)[row.kernel], c99.TABLE)
-    plain = [f"const {c99.REAL} {a.name}[{a.size}]" for a in given], [f"{c99.REAL} {a.name}[{a.size}]" for a in made]
-    rows = (
-        [f"const {c99.REAL} *{a.name}, size_t {a.name}_stride" for a in given],
-        [f"{c99.REAL} *{a.name}, size_t {a.name}_stride" for a in made],
-    )
-    ones, strides = (
-        c99.filled([*(form.format(a.name) for a in given), *constants, *(form.format(a.name) for a in made)])
-        for form in ("{0}, 1", "{0} + j, {0}_stride")
-    )
-    return Interface(
-        row.name,
-        row.kernel,
-        Form(", ".join([*plain[0], *branch, *plain[1]]), ones),
-        Form(c99.filled(["size_t n", *rows[0], *branch, *rows[1]]), strides),
-    )
 
+    def form(join: Callable[[list[str]], str], parameter: str, passed: str, first: Sequence[str] = ()) -> Data:
+        before, after = ([parameter.format(a.name, a.size) for a in arrays] for arrays in (given, made))
+        taken, stored = ([passed.format(a.name) for a in arrays] for arrays in (given, made))
+        return {
+            "parameters": join([*first, *(f"const {text}" for text in before), *branch, *after]),
+            "passed": c99.filled([*taken, *constants, *stored]),
+        }
 
-def _named(array: Array) -> Array:
-    return array.called(NAMES.get(array.name, array.name))
-
-
-def _number(decimal: str) -> str:
-    return f"DUALCAY_NUMBER({decimal})" if "." in decimal else c99.real(decimal)
-
-
-def _components(program: Program, argument: str) -> tuple[str, ...]:
-    return next((names for found, names in program.inputs if found == argument), ())
+    return {
+        "name": row.name,
+        "kernel": row.kernel,
+        "plain": form(", ".join, f"{c99.REAL} {{0}}[{{1}}]", "{0}, 1"),
+        "rows": form(c99.filled, f"{c99.REAL} *{{0}}, size_t {{0}}_stride", "{0} + j, {0}_stride", ["size_t n"]),
+    }
 
 
 def level(program: Program) -> int:
@@ -136,10 +104,9 @@ def shared_geometry(table: Table) -> Data:
 
 def _made(program: Program, table: Table) -> tuple[Array, ...]:
     """Return the arrays of a geometry program's results: one for each result of a function, or one list."""
-    if program.name in table.kernels:
-        return table.kernels[program.name].results
     count = len(program.outputs)
-    return (Array("made", (count,), (0,) * count),)
+    made = (Array("made", (count,), (0,) * count),)
+    return table.kernels[program.name].results if program.name in table.kernels else made
 
 
 def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
@@ -180,25 +147,17 @@ class C:
         }
 
     def module(self, facts: Facts) -> Data:
-        return {
-            **own_geometry(facts, facts.lowered, {}),
-            "order": facts.chart.order,
-            "domain": facts.domain,
-            "singular_angles": facts.singular_angles,
-            "turns": facts.turns,
-        }
+        found = {name: getattr(facts, name) for name in ("domain", "singular_angles", "turns")}
+        return {**own_geometry(facts, facts.lowered, {}), **found, "order": facts.chart.order}
 
-    def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the headers of the chart for further tables."""
-        found = {}
-        for table in self.tables[1:]:
-            lowered = lower_chart(facts.chart, table)
-            data = own_geometry(facts, lowered, scalars(facts.lowered))
-            found[inside(table, f"{facts.chart.name}.h")] = (inside(table, "chart.h"), data)
-        return found
+    def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
+        """Return the header of the chart for rotations."""
+        chart, lowered = facts.chart, lower_chart(facts.chart, ROTATIONS)
+        data = own_geometry(facts, lowered, scalars(facts.lowered))
+        return {inside(ROTATIONS, f"{chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the headers of the chart for further tables, and one test of all headers."""
+        """Return the header of the chart for rotations, and one test of all headers."""
         chart = facts.chart
         tested = [(c_text.prefix(chart, table), [*differential_tables(chart, table)]) for table in self.tables]
         headers = [inside(table, f"{chart.name}.h") for table in self.tables]
@@ -209,10 +168,9 @@ class C:
         """Require both forms of every public function in the geometry of its table, and no other function."""
         for table in self.tables:
             where = inside(table, GEOMETRY)
-            found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\(", texts[where], re.MULTILINE)
-            plain, rows = ([name for name in found if name.endswith("_rows") == is_rows] for is_rows in (False, True))
-            require_functions(where, plain, table)
-            require_functions(f"{where}, rows", [name.removesuffix("_rows") for name in rows], table)
+            found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+?)(_rows)?\)\(", texts[where], re.MULTILINE)
+            table.require_complete(where, [name for name, rows in found if not rows])
+            table.require_complete(f"{where}, rows", [name for name, rows in found if rows])
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)
@@ -227,48 +185,34 @@ class C:
 
 # ---- tables of a differential test -----------------------------------------------------------------------------
 
-Rows = tuple[tuple[str, ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Values:
-    """Values of an array for each case; for a result, the scales of its parts too."""
+class Values(NamedTuple):
+    """Values of an array for each case in C notation; for a result, the scales of its parts too."""
 
     array: Array
-    values: Rows
-    scales: Rows = ()
+    values: list[tuple[str, ...]]
+    scales: list[tuple[str, ...]]
 
 
-@dataclass(frozen=True, slots=True)
-class Differential:
-    """Cases of a function with exact results; ``branches`` is empty for a function without branches."""
-
-    name: str
-    count: int
-    arguments: tuple[Values, ...]
-    branches: tuple[int, ...]
-    results: tuple[Values, ...]
-
-
-def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Differential]:
-    """Yield the seeded cases of each function of a table, with numbers in C notation."""
+def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Data]:
+    """Yield the seeded cases of each function of a table, with their branches, if any, and exact results."""
     for name, group in itertools.groupby(cases(chart, table), lambda case: case.function):
-        found = list(group)
-        signature = table.functions[name]
-        arguments = tuple(
-            Values(array, tuple(_hexadecimal(case.arguments[i]) for case in found))
-            for i, array in enumerate(signature.arguments)
-        )
-        branches = tuple(case.branch for case in found if case.branch is not None)
-        yield Differential(name, len(found), arguments, branches, tuple(_results(signature.results, found)))
+        found, row = list(group), table.functions[name]
+        given = enumerate(row.arguments)
+        yield {
+            "name": name,
+            "count": len(found),
+            "arguments": [Values(array, [_hexadecimal(case.arguments[i]) for case in found], []) for i, array in given],
+            "branches": [case.branch for case in found if case.branch is not None],
+            "results": list(_results(row.results, found)),
+        }
 
 
 def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]:
     start = scale = 0
     for array in arrays:
         end, last = start + array.size, scale + len(array.parts)
-        values = tuple(_hexadecimal(case.result[start:end]) for case in found)
-        yield Values(array, values, tuple(_hexadecimal(case.scales[scale:last]) for case in found))
+        values = [_hexadecimal(case.result[start:end]) for case in found]
+        yield Values(array, values, [_hexadecimal(case.scales[scale:last]) for case in found])
         start, scale = end, last
 
 

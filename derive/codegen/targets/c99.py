@@ -11,44 +11,32 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..lowering.scalars import SCALARS
-from ..programs.program import FUNCTIONS, Call, Program, Step, all_results, results
+from ..programs.program import FUNCTIONS, Call, Program, Step
 from ..rows import Array
-from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Text, Texts, bracket, fill, renamed
+from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
 
 REAL = "dualcay_real"
 TABLE = "table"
 _INDENT = "    "
-_SELECTED = 1
 _CONDITIONS = ("lt", "eq", "and", "or")
 _EXACT_IN_FLOAT = 2.0**24
 
-# bracket every operand of & and |, because compilers warn where they are mixed
-_LOGIC = {op: Operator(symbol, 3, 4, 4) for op, symbol in (("and", "&"), ("or", "|"))}
-_COMPARISON = {op: Operator(symbol, 2, 4, 4) for op, symbol in (("lt", "<"), ("eq", "=="))}
+OPERATORS = {
+    **ARITHMETIC,
+    "and": Operator("&", 3, 4, 4),  # compilers warn where & and | are mixed without brackets
+    "or": Operator("|", 3, 4, 4),
+    "lt": Operator("<", 2, 4, 4),
+    "eq": Operator("==", 2, 4, 4),
+}
 
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """C function for its template.
-
-    Parameters
-    ----------
-    name : str
-        Name of the program.
-    parameters : str
-        Parameters between the brackets of its definition.
-    text : str
-        Loads, statements and stores. All loads come first, so that results may overlap arguments.
-    """
+    """C function for its template; all loads come first in its text, so that results may overlap arguments."""
 
     name: str
     parameters: str
     text: str
-
-
-def _ternary(condition: Text, first: Text, second: Text) -> Text:
-    test, a, b = (bracket(text, _SELECTED + 1) for text in (condition, first, second))
-    return f"{test} ? {real(a)} : {real(b)}", _SELECTED
 
 
 def real(text: str) -> str:
@@ -56,119 +44,77 @@ def real(text: str) -> str:
     return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
-C99 = Dialect(
-    operators=ARITHMETIC | _LOGIC | _COMPARISON,
-    calls={name: f"dualcay_{name}" for name in FUNCTIONS},
-    select=_ternary,
-    largest=_EXACT_IN_FLOAT,
-    passed=real,
-)
+C99 = Dialect(OPERATORS, {name: f"dualcay_{name}" for name in FUNCTIONS}, _EXACT_IN_FLOAT, passed=real)
 """C dialect: beside an operand of the real type, integer constants convert to it exactly."""
 
 
 def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
-    """Return the core of a geometry program; its parameters are arguments, unknown numbers of its table, and results.
+    """Return the core of a geometry program, which stores its results in the arrays ``made``.
 
-    Parameters
-    ----------
-    program : Program
-    made : sequence of Array
-        Arrays of the results.
-    table : mapping
-        Decimals of the table components that the chart knows.
-
-    Raises
-    ------
-    ValueError
-        If a constant is not an integer that a float holds exactly.
+    Its parameters are the arguments, the numbers of the chart's table that have no decimals in ``table``, and arrays.
     """
     program = _lower_case(program)
-    lists, given, read, numbers = Lists(program), list[str](), list[str](), list[str]()
-    loads = list[str]()
+    lists, given, read, loads = Lists(program), list[str](), list[str](), list[str]()
+    numbers = [name for argument, names in program.inputs if argument == TABLE for name in names if name not in table]
     for argument, names in program.inputs:
         if names == (argument,):
             given.append(f"{REAL} {argument}")
             read.append(argument)
-        elif argument == TABLE:
-            numbers = [name for name in names if name not in table]
-        else:
+        elif argument != TABLE:
             given.append(f"const {REAL} *{argument}_at, size_t {argument}_by")
             read += [f"{argument}_at", f"{argument}_by"]
-            loads += _loads(lists, argument, names)
-    given += [f"{REAL} {name}" for name in numbers]
-    given += [f"{REAL} *{array.name}_at, size_t {array.name}_by" for array in made]
-    places = [_component(array.name, index) for array in made for index in range(array.size)]
-    read += [f"{array.name}_by" for array in made]
-    return _printed(program, given, [*read, *numbers], [*loads, *_constants(program, table)], places, made=made)
+            places = ((name, _component(argument, index)) for index, name in enumerate(names))
+            loads += _declared((name, place) for name, place in places if name in lists.read)
+    given += [*(f"{REAL} {name}" for name in numbers), *(f"{REAL} *{a.name}_at, size_t {a.name}_by" for a in made)]
+    read += [*(f"{array.name}_by" for array in made), *numbers]
+    stored = [_component(array.name, index) for array in made for index in range(array.size)]
+    lines = [*loads, *_constants(program, table), *_statements(program, stored, (), made)]
+    return _printed(program, given, read, lines)
 
 
 def scalar(program: Program, table: Mapping[str, str]) -> Printed:
-    """Return a scalar program as a function; its parameters are numbers, then pointers to results.
-
-    Raises
-    ------
-    ValueError
-        If a constant is not an integer that a float holds exactly.
-    """
+    """Return a scalar program as a function; its parameters are numbers, then pointers to results."""
     program, row = _lower_case(program), SCALARS[program.name]
     numbers = [name for _, names in program.inputs for name in names if name not in table]
-    given = [f"{REAL} {name}" for name in numbers]
-    given += [f"{'int' if name in row.truths else REAL} *{name}_at" for name in row.results]
+    pointers = [f"{'int' if name in row.truths else REAL} *{name}_at" for name in row.results]
     places, truths = ([f"*{name}_at" for name in names] for names in (row.results, row.truths))
-    return _printed(program, given, numbers, _constants(program, table), places, truths)
+    lines = [*_constants(program, table), *_statements(program, places, truths, ())]
+    return _printed(program, [*(f"{REAL} {name}" for name in numbers), *pointers], numbers, lines)
 
 
-def _printed(
-    program: Program,
-    given: Sequence[str],
-    read: Sequence[str],
-    loads: Iterable[str],
-    places: Sequence[str],
-    truths: Collection[str] = (),
-    made: Sequence[Array] = (),
-) -> Printed:
+def _printed(program: Program, given: Sequence[str], read: Sequence[str], lines: Sequence[str]) -> Printed:
     """Return a function; cast unread parameters to void, because compilers would warn."""
-    text = "\n".join([*loads, *_statements(program, places, truths, made)])
+    text = "\n".join(lines)
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
     return Printed(program.name, filled(given), "\n".join([*unused, text]))
 
 
 def _lower_case(program: Program) -> Program:
     """Return a program with lower-case names, safe from macros (N, I, R1); trailing underscores keep names apart."""
-    names = {name for _, parts in program.inputs for name in parts}
-    names |= {name for statement in program.statements for name in results(statement)}
-    names |= {call.result for call in program.calls if call.result}
+    names = {step.name for step in program.steps}.union(*(parts for _, parts in program.inputs))
+    names.update(name for call in program.calls for name in (*call.names, call.result))
     taken = {name for name in names if name == name.lower()} | {argument.lower() for argument, _ in program.inputs}
     new: dict[str, str] = {}
     for name in sorted(names - taken):
-        lower = name.lower()
-        while lower in taken:
-            lower += "_"
-        taken.add(lower)
-        new[name] = lower
+        new[name] = name.lower()
+        while new[name] in taken:
+            new[name] += "_"
+        taken.add(new[name])
     lowered = renamed(program, new)
-    inputs = tuple((argument.lower(), parts) for argument, parts in lowered.inputs)
-    return replace(lowered, inputs=inputs)
-
-
-def _loads(lists: Lists, array: str, names: Sequence[str]) -> Iterator[str]:
-    return _declared((name, _component(array, index)) for index, name in enumerate(names) if name in lists.read)
+    return replace(lowered, inputs=tuple((argument.lower(), parts) for argument, parts in lowered.inputs))
 
 
 def _declared(values: Iterable[tuple[str, str]]) -> Iterator[str]:
     """Yield the declaration of several numbers, wrapped into as few lines as possible."""
-    items = [f"{name} = {value}" for name, value in values]
-    if items:
-        text = filled([f"const {REAL} {items[0]}", *items[1:]], 2 * _INDENT)
-        yield f"{_INDENT}{text};"
+    texts = [f"{name} = {value}" for name, value in values]
+    if texts:
+        yield f"{_INDENT}{filled([f'const {REAL} {texts[0]}', *texts[1:]], 2 * _INDENT)};"
 
 
 def _constants(program: Program, table: Mapping[str, str]) -> Iterator[str]:
-    used = program.operands
-    for _, names in program.inputs:
-        for name in names:
-            if name in table and name in used:
-                yield f"{_INDENT}const {REAL} {name} = DUALCAY_NUMBER({table[name]});"
+    for name in (name for _, names in program.inputs for name in names):
+        if name in table and name in program.operands:
+            yield f"{_INDENT}const {REAL} {name} = DUALCAY_NUMBER({table[name]});"
 
 
 def _component(array: str, index: int) -> str:
@@ -219,7 +165,8 @@ def _call_program(call: Call, texts: Texts, arrays: Mapping[str, str], made: Seq
 
 def _call_scalar(call: Call, arguments: str) -> Iterator[str]:
     """Yield declarations of all results, read or not, and the call."""
-    names = all_results(call)
+    first = next(name for name in call.names if name != "_")
+    names = [f"{first}_{i}" if name == "_" else name for i, name in enumerate(call.names)]
     truths = [name for name in names if name in call.truths]
     for kind, places in (("int", truths), (REAL, [name for name in names if name not in truths])):
         if places:
@@ -237,11 +184,6 @@ def _wrap(target: str, text: str) -> Iterator[str]:
         yield from fill(f"{text};", 2 * _INDENT)
 
 
-def filled(items: Iterable[str], indent: str = _INDENT) -> str:
-    """Return a comma-separated list, wrapped into indented lines."""
-    lines = [""]
-    for item in items:
-        if lines[-1] and len(f"{indent}{lines[-1]} {item},") > WIDTH:
-            lines.append("")
-        lines[-1] += f"{' ' if lines[-1] else ''}{item},"
-    return f"\n{indent}".join(lines)[:-1]
+def filled(texts: Iterable[str], indent: str = _INDENT) -> str:
+    """Return a comma-separated list, wrapped into lines that are indented except the first."""
+    return items(texts, indent).lstrip()[:-1]

@@ -6,16 +6,21 @@ brackets if the language would read, round or warn otherwise without them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+import re
+import textwrap
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from ..programs.program import Call, Operand, Program, Statement, Step
 
 WIDTH = 120
 ATOM = 9
 NEGATION = 6
-_BREAKS = {"+", "-", "*", "/", "&", "|", "<", "==", "?", ":"}
+SELECTION = 1
+BINARY = r"(?:[-+*/&|<?:]|==)"
+"""Pattern of infix operators, before which lines break."""
 
 Text = tuple[str, int]
 """Source text and the binding strength of its outermost operator."""
@@ -34,43 +39,25 @@ class Operator:
     right: int
 
 
-def left_associative(symbol: str, strength: int) -> Operator:
-    """Return an operator that brackets a right operand of equal strength: a * (b * c) rounds unlike a * b * c."""
-    return Operator(symbol, strength, strength, strength + 1)
-
-
-ARITHMETIC: dict[str, Operator] = {
-    "add": left_associative("+", 4),
-    "sub": left_associative("-", 4),
-    "mul": left_associative("*", 5),
-    "div": left_associative("/", 5),
+ARITHMETIC = {
+    "add": Operator("+", 4, 4, 5),
+    "sub": Operator("-", 4, 4, 5),
+    "mul": Operator("*", 5, 5, 6),
+    "div": Operator("/", 5, 5, 6),
 }
-"""Arithmetic operators, shared by all languages here."""
+"""Operators of all languages here; a right operand of equal strength has brackets: a * (b * c) rounds differently."""
 
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Notation of a language for expressions.
+    """Notation of a language for expressions, with an infix operator or a function for each operation.
 
-    Parameters
-    ----------
-    operators : mapping
-        Infix operators by operation.
-    calls : mapping
-        Functions by operation; an operation is either an operator or a function.
-    select : callable
-        Function that returns a selection, given the texts of the condition and two values.
-    largest : int
-        Largest magnitude of a constant.
-    literal : callable
-        Function that returns the text of a constant.
-    passed : callable
-        Function that returns the passed form of an argument's text.
+    A selection without a function is a conditional expression. Constants have magnitudes up to ``largest``.
+    ``literal`` returns the text of a constant, and ``passed`` the form of an argument or a selected value.
     """
 
     operators: Mapping[str, Operator]
     calls: Mapping[str, str]
-    select: Callable[[Text, Text, Text], Text]
     largest: float = float("inf")
     literal: Callable[[int], str] = str
     passed: Callable[[str], str] = str
@@ -81,8 +68,8 @@ class Dialect:
         if step.op in self.calls:
             return f"{self.calls[step.op]}({', '.join(text for text, _ in args)})", ATOM
         if step.op == "where":
-            condition, first, second = args
-            return self.select(condition, first, second)
+            condition, first, second = (bracket(text, SELECTION + 1) for text in args)
+            return f"{condition} ? {self.passed(first)} : {self.passed(second)}", SELECTION
         if step.op == "neg":
             return f"-{bracket(args[0], NEGATION)}", NEGATION
         operator = self.operators[step.op]
@@ -132,42 +119,34 @@ class Dialect:
 class Lists:
     """Lists of components in a program, from arguments or geometry programs, passed on or returned as a whole.
 
-    Attributes
-    ----------
-    whole : dict
-        Names of the lists that are used as a whole, by their components.
-    outputs : list
-        Outputs of the program; consecutive components of a list form one tuple.
-    read : set
-        Components that are used one by one.
-    returned : Call or None
-        Last statement, if it is a call whose results are the program's outputs; otherwise None.
+    ``whole`` names the lists that are used as a whole, by their components; among the ``outputs``, they form one tuple.
+    ``read`` are the components that are used one by one. ``returned`` is the last call, if its results are the outputs.
     """
 
     def __init__(self, program: Program) -> None:
-        named: dict[tuple[Operand, ...], str]
-        named = {names: argument for argument, names in program.inputs if names != (argument,)}
-        made: dict[tuple[Operand, ...], str]
-        made = {call.names: call.result for call in program.calls if call.result}
-        named |= made
-        groups = [group for call in program.calls for group in call.groups]
+        made: dict[tuple[Operand, ...], str] = {call.names: call.result for call in program.calls if call.result}
+        named = {**made}
+        named.update((names, argument) for argument, names in program.inputs if names != (argument,))
         self.outputs = list(_with_lists(program.outputs, made))
-        used = [*groups, *self.outputs]
+        used = [*(group for call in program.calls for group in call.groups), *self.outputs]
         self.whole = {group: named[group] for group in used if isinstance(group, tuple) and group in named}
         self.read: set[Operand] = {arg for step in program.steps for arg in step.args}
         for group in used:
             if group not in self.whole:
                 self.read.update(group if isinstance(group, tuple) else (group,))
-
-        *_, last = (None, *program.statements)
-        ends = isinstance(last, Call) and last.result and last.names == program.outputs
-        self.returned = last if ends else None
+        last = program.statements[-1] if program.statements else None
+        self.returned = last if isinstance(last, Call) and last.result and last.names == program.outputs else None
 
     def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
         """Yield an assignment to the names that are read, if there are any."""
         if self.read.intersection(names):
             shown = [name if name in self.read else "_" for name in names]
-            yield f"{', '.join(shown)}{',' * (len(shown) == 1)} = {argument}"
+            yield unpacked(shown, argument)
+
+
+def unpacked(names: Sequence[str], value: str) -> str:
+    """Return an assignment that unpacks a value into names."""
+    return f"{', '.join(names)}{',' * (len(names) == 1)} = {value}"
 
 
 def _with_lists(
@@ -190,45 +169,37 @@ def bracket(text: Text, strength: int) -> str:
 def renamed(program: Program, names: Mapping[str, str]) -> Program:
     """Return the program with some of its names replaced."""
 
-    def new(operand: Operand) -> Operand:
-        return names.get(operand, operand) if isinstance(operand, str) else operand
+    def new(operands: Iterable[Any]) -> tuple[Any, ...]:
+        return tuple(names.get(operand, operand) for operand in operands)
 
     def statement(old: Statement) -> Statement:
-        args = tuple(map(new, old.args))
-        if isinstance(old, Call):
-            truths = frozenset(names.get(name, name) for name in old.truths)
-            results = tuple(names.get(name, name) for name in old.names)
-            return replace(old, names=results, args=args, truths=truths, result=names.get(old.result, old.result))
-        return replace(old, name=names.get(old.name, old.name), args=args)
+        if isinstance(old, Step):
+            return replace(old, name=names.get(old.name, old.name), args=new(old.args))
+        (result,), truths = new([old.result]), frozenset(new(old.truths))
+        return replace(old, names=new(old.names), args=new(old.args), truths=truths, result=result)
 
     return replace(
         program,
-        inputs=tuple((argument, tuple(names.get(c, c) for c in parts)) for argument, parts in program.inputs),
+        inputs=tuple((argument, new(parts)) for argument, parts in program.inputs),
         statements=tuple(map(statement, program.statements)),
-        outputs=tuple(map(new, program.outputs)),
+        outputs=new(program.outputs),
     )
 
 
-def fill(text: str, indent: str) -> Iterator[str]:
-    """Yield lines of a long expression, broken before operators."""
-    words = text.split(" ")
-    line = words[0]
-    for operator, operand in _pairs(words[1:]):
-        chunk = f"{operator} {operand}" if operand else operator
-        if len(indent) + len(line) + 1 + len(chunk) > WIDTH:
-            yield indent + line
-            line = chunk
-        else:
-            line += " " + chunk
-    yield indent + line
+def wrapped(words: Iterable[str], indent: str) -> list[str]:
+    """Return words as indented lines; no word is broken."""
+    text = " ".join(word.replace(" ", "\0") for word in words)
+    lines = textwrap.wrap(
+        text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    )
+    return [line.replace("\0", " ") for line in lines]
 
 
-def _pairs(words: list[str]) -> Iterator[tuple[str, str]]:
-    """Yield each operator with its right operand, because lines break before operators."""
-    operator = ""
-    for word in words:
-        if not operator and word in _BREAKS:
-            operator = word
-            continue
-        yield (operator, word) if operator else (word, "")
-        operator = ""
+def items(texts: Iterable[str], indent: str) -> str:
+    """Return a comma-separated list as indented lines, with a comma at the end."""
+    return "\n".join(wrapped((f"{text}," for text in texts), indent))
+
+
+def fill(text: str, indent: str) -> list[str]:
+    """Return lines of a long expression, broken before operators."""
+    return wrapped(re.findall(rf"(?:{BINARY} )?\S+", text), indent)

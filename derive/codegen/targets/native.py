@@ -7,6 +7,7 @@ are installed, they replace the array operations of those modules. Their last ar
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -15,8 +16,7 @@ from ... import about
 from ..lowered import geometry, lower_chart
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
-from ..rows import Function, Table, inside
-from ..signatures import POSES
+from ..rows import Function, inside
 from ..validation import c_text
 from . import c99
 from .c import C
@@ -45,29 +45,20 @@ class Operand:
         return ", ".join(map(str, (*self.shape, 1, 1, 1)[:MOST_AXES]))
 
 
-@dataclass(frozen=True, slots=True)
-class Loop:
-    """Loop for its template: NumPy's signature, arrays with the result last, and arguments of the core."""
-
-    name: str
-    signature: str
-    arguments: tuple[Operand, ...]
-    result: Operand
-    passed: str
-
-    @property
-    def operands(self) -> tuple[Operand, ...]:
-        """Return the arguments and the result."""
-        return *self.arguments, self.result
-
-
-def loop(row: Function, program: Program) -> Loop:
-    """Return the loop around the core of a kernel."""
+def loop(row: Function, program: Program) -> Data:
+    """Return the loop around the core of a kernel: NumPy's signature, the arrays, and the arguments of the core."""
     table = next((len(names) for argument, names in program.inputs if argument == c99.TABLE), 0)
     given = [(array.name.lower(), array.shape) for array in row.arguments] + [(c99.TABLE, (table,))] * bool(table)
-    *arguments, result = _operands([*given, ("made", row.shape)])
-    taken, made = (",".join(_shape(array.shape) for array in arrays) for arrays in (arguments, [result]))
-    return Loop(row.name, f"{taken}->{made}", tuple(arguments), result, c99.filled(_passed(row, table)))
+    *arguments, result = operands = list(_operands([*given, ("made", row.shape)]))
+    *taken, made = (f"({','.join(map(str, array.shape))})" for array in operands)
+    return {
+        "name": row.name,
+        "signature": f"{','.join(taken)}->{made}",
+        "arguments": arguments,
+        "result": result,
+        "operands": operands,
+        "passed": c99.filled(_passed(row, table)),
+    }
 
 
 def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
@@ -78,19 +69,13 @@ def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
         place += len(shape)
 
 
-def _shape(shape: tuple[int, ...]) -> str:
-    return f"({','.join(map(str, shape))})"
-
-
 def _passed(row: Function, table: int) -> Iterator[str]:
     """Yield the arguments, the numbers of the table, and the results, which are stored side by side."""
     for array in row.arguments:
         yield from (f"{array.name.lower()}.at + j", f"{array.name.lower()}.by")
     yield from (f"{c99.TABLE}.at[{index} * {c99.TABLE}.by + j]" for index in range(table))
-    start = 0
-    for array in row.results:
+    for start in itertools.accumulate((array.size for array in row.results[:-1]), initial=0):
         yield from (f"made.at + {start} * made.by + j", "made.by")
-        start += array.size
 
 
 class Native(C):
@@ -103,17 +88,15 @@ class Native(C):
     def shared(self) -> Mapping[str, Data]:
         headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
         loops = {table: [loop(table.kernels[name], p) for name, p in geometry(table).items()] for table in self.tables}
-        every = [each for found in loops.values() for each in found]
+        inner = {inside(t, "loops.h"): {"loops": found, "up": "../" * bool(t.name)} for t, found in loops.items()}
+        every = [each["operands"] for found in loops.values() for each in found]
+        most = max(array.size for operands in every for array in operands)
         further = [table.name for table in self.tables if table.name]
         return {
             **headers,
-            "tiles.h": {
-                "most": max(array.size for each in every for array in each.operands),
-                "operands": max(len(each.operands) for each in every),
-                "axes": MOST_AXES,
-            },
+            "tiles.h": {"most": most, "operands": max(map(len, every)), "axes": MOST_AXES},
             "direct.h": {},
-            **{inside(table, "loops.h"): {"loops": found, "up": _up(table)} for table, found in loops.items()},
+            **inner,
             "gufuncs.h": {"package": PACKAGE},
             **{inside(table, "__init__.py"): {} for table in self.tables},
             **{f"{name}/meson.build": {"place": f"{PACKAGE}/{name}"} for name in further},
@@ -122,21 +105,15 @@ class Native(C):
             "pyproject.toml": {},
         }
 
-    def further(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
+    def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
-        found = dict(super().further(facts))
+        found = super().further(facts)
         for table in self.tables:
-            chart = facts.chart
             data = {
-                "name": chart.name,
-                "prefix": c_text.prefix(chart, table),
-                "programs": fingerprint(facts, facts.lowered if table is POSES else lower_chart(chart, table)),
-                "up": _up(table),
+                "name": facts.chart.name,
+                "prefix": c_text.prefix(facts.chart, table),
+                "programs": fingerprint(facts, lower_chart(facts.chart, table)),
+                "up": "../" * bool(table.name),
             }
-            found[inside(table, f"{chart.name}.c")] = ("module.c", data)
+            found[inside(table, f"{facts.chart.name}.c")] = ("module.c", data)
         return found
-
-
-def _up(table: Table) -> str:
-    """Return the relative path from a table's folder to the package folder."""
-    return "../" if table.name else ""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,10 +19,10 @@ from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
-from ..signatures import POSES, ROTATIONS
 from ..validation import Library
-from . import infix, python
-from .expression import WIDTH, Lists
+from . import infix
+from .expression import WIDTH, Lists, items
+from .python import Printed, PythonTarget, formula_of
 
 MOST_OUTPUTS = 9
 """Largest number of stores in a loop that LLVM still vectorizes."""
@@ -44,28 +44,19 @@ class Loops:
 
 
 def loops(row: Function, program: Program) -> Loops:
-    """Return the loops of a kernel function."""
+    """Return the loops of a kernel function; parts of equal size stay together, such as the rows of Q, then rho."""
     sizes = [array.parts[part] for array in row.results for part in array.part_of]
+    order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
+    groups = (order[first : first + MOST_OUTPUTS] for first in range(0, len(order), MOST_OUTPUTS))
+    rows = tuple(_call(program, group, "        ", ", i") for group in groups)
     parameters = tuple(argument for argument, _ in program.inputs)
-    rows = tuple(_call(program, group, "        ", ", i") for group in _groups(sizes))
     return Loops(row, parameters, rows, _call(program, range(len(sizes)), "    ", ""))
 
 
-def _groups(sizes: Sequence[int]) -> list[tuple[int, ...]]:
-    """Return the outputs of each loop; parts of equal size stay together, such as the rows of Q, then rho."""
-    order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
-    return [tuple(order[first : first + MOST_OUTPUTS]) for first in range(0, len(order), MOST_OUTPUTS)]
-
-
-def body(program: Program) -> str:
-    """Return the body of a function whose arguments are tuples of components, numbers, or the table."""
-    first = [*_constants(program), *_unpacked(program)]
-    return infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=first)
-
-
-def _printed(program: Program, formula: str = "") -> python.Printed:
-    parameters = tuple(argument for argument, _ in program.inputs)
-    return python.Printed(program.name, parameters, body(program), formula)
+def _printed(program: Program, formula: str = "") -> Printed:
+    """Return a function whose arguments are tuples of components, numbers, or the table."""
+    body = infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
+    return Printed(program.name, tuple(argument for argument, _ in program.inputs), body, formula)
 
 
 def _ask(call: Call, arguments: str) -> str:
@@ -74,13 +65,10 @@ def _ask(call: Call, arguments: str) -> str:
     return f"c_{call.function}({arguments}{f', {call.rest}' if call.rest else ''})"
 
 
-def _constants(program: Program) -> Iterator[str]:
-    argument = program.inputs[0][0]
+def _first(program: Program) -> Iterator[str]:
+    """Yield the first lines of a function: typed constants and unpacked arguments."""
     for value in program.constants:
-        yield f"    {DIALECT.literal(value)} = number({value}, {argument})"
-
-
-def _unpacked(program: Program) -> Iterator[str]:
+        yield f"    {DIALECT.literal(value)} = number({value}, {program.inputs[0][0]})"
     lists = Lists(program)
     for argument, names in program.inputs:
         if argument == TABLE:
@@ -95,77 +83,47 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
     for argument, names in program.inputs:
         loaded = ", ".join(f"{argument}[{index}{suffix}]" for index in range(len(names)))
         components = f"({loaded},)," if len(names) == 1 else f"({loaded}),"
-        lines += _wrapped(f"{argument}," if argument == TABLE else components, indent)
+        text = f"{argument}," if argument == TABLE else components.replace(", i]", ",\0i]")  # never broken
+        wrapped = textwrap.wrap(text, WIDTH - len(indent) - 4, break_long_words=False)
+        lines += [f"{indent}    {line}".replace("\0", " ") for line in wrapped]
     stores = (f"{indent}out[{index}{suffix}] = found[{index}]" for index in group)
     return "\n".join([*lines, f"{indent})", *stores])
 
 
-def _wrapped(text: str, indent: str) -> list[str]:
-    # keep an index and its comma together
-    joined = text.replace(", i]", ",\0i]")
-    lines = textwrap.wrap(joined, WIDTH - len(indent) - 4, break_long_words=False)
-    return [f"{indent}    {line}".replace("\0", " ") for line in lines]
-
-
-def _lines(names: Sequence[str]) -> str:
-    """Return names as lines of a tuple."""
-    return "\n".join(textwrap.wrap(", ".join(names) + ",", WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 8))
-
-
-def _called(texts: Iterable[str]) -> list[str]:
-    """Return the functions of ``_compiled`` that the texts call."""
-    text = "".join(texts)
+def _called(programs: Sequence[Printed]) -> list[str]:
+    """Return the functions of ``_compiled`` that the programs call."""
+    text = "".join(program.forms for program in programs)
     names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
     return [name for name in names if re.search(rf"\b{name}\(", text)]
 
 
-def _shared(table: Table) -> dict[str, tuple[str, tuple[str, ...]]]:
-    """Return the kernel and the constants of each public function that has constants, by name."""
-    return {name: (row.kernel, row.constants) for name, row in sorted(table.public.items()) if row.constants}
-
-
-WORDS = python.Words(
-    options="*, axis: int = -1, out: Array | None = None, parallel: bool = False",
-    passed="axis, out, parallel",
-    passed_alone="axis, None, False",
-    placed="axis, out",
-    makes=True,
-)
-
-
-class Numba(python.PythonTarget):
+class Numba(PythonTarget):
     """Target that Numba compiles, on NumPy arrays."""
 
     name = "numba"
-    words = WORDS
-    tables = (POSES, ROTATIONS)
+    options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
+    files = (*PythonTarget.files, "_compiled.py")
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
-    def shared(self) -> Mapping[str, Data]:
-        return {
-            **self.package(),
-            **self.per_table(),
-            "_branches.py": {},
-            "_chart.py": {},
-            "_checks.py": {},
-            "_compiled.py": {},
-            "_inside.py": {"shared": {name: found for table in self.tables for name, found in _shared(table).items()}},
-            "_runtime.py": {},
-            "_tools.py": {},
-        }
+    def shared(self) -> dict[str, Data]:
+        rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]
+        return super().shared() | {"_inside.py": {"shared": {row.name: (row.kernel, row.constants) for row in rows}}}
 
     def geometry(self, table: Table) -> Data:
         same = shared_with_poses(table)
         programs = [_printed(program) for name, program in printed_geometry(table).items() if name not in same]
-        kernels = [loops(row, geometry(table)[name]) for name, row in table.kernels.items()]
-        calls = sorted(["prange", *_called(program.forms for program in programs)])
-        names = _lines([*(program.name for program in programs), *sorted(same)])
-        return {"programs": programs, "kernels": kernels, "calls": calls, "names": names, "same": sorted(same)}
+        return {
+            "programs": programs,
+            "kernels": [loops(row, geometry(table)[name]) for name, row in table.kernels.items()],
+            "calls": sorted(["prange", *_called(programs)]),
+            "names": items([*(program.name for program in programs), *sorted(same)], " " * 8),
+            "same": sorted(same),
+        }
 
     def programs(self, facts: Facts) -> Data:
         programs = facts.lowered.scalars.items()
-        scalars = [_printed(program, python.formula_of(name, facts.chart)) for name, program in programs]
-        return {"scalars": scalars, "calls": sorted(_called(program.forms for program in scalars))}
+        scalars = [_printed(program, formula_of(name, facts.chart)) for name, program in programs]
+        return {"scalars": scalars, "calls": _called(scalars)}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Validate the printed source; raise RefusedError if an import such as the compiler's fails."""

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import ast
-import re
-from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -14,55 +12,19 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..lowered import Lowered, lower_chart, shared_with_poses
-from ..lowered import printed_geometry as lowered_geometry
+from ..lowered import Lowered, lower_chart, printed_geometry, shared_with_poses
 from ..lowering.scalars import FORMULAS
 from ..package import Data, Facts, comment, numbers
 from ..programs.program import Program
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES
+from ..signatures import JACOBIAN, POSES, ROTATIONS
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from . import infix
-from .target import require_functions
 
 INTERFACE = "_interface.py"
 
-CLASSES = {"": "PoseKernels", "rotation": "RotationKernels"}
+CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}
 """Classes of the documented interfaces, by table."""
-
-
-
-@dataclass(frozen=True, slots=True)
-class Words:
-    """Keyword parameters of a target's functions, as its templates spell them.
-
-    Parameters
-    ----------
-    options : str
-        Keyword parameters of functions that return one array.
-    passed, passed_alone : str
-        Arguments that a method passes on, with and without an array for the result.
-    placed : str
-        Arguments that place a result.
-    makes : bool
-        True if functions make arrays without arguments: the identity, random poses.
-    """
-
-    options: str
-    passed: str
-    passed_alone: str
-    placed: str
-    makes: bool
-
-    @property
-    def keywords(self) -> list[str]:
-        """Return the names of the keyword parameters of functions that return one array."""
-        return re.findall(r"(\w+):", self.options)
-
-    @property
-    def plain(self) -> tuple[str, ...]:
-        """Return the functions of a module that take no arrays and so have no row in the table."""
-        return ("singular_angles", *(("identity", "random") if self.makes else ()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,74 +33,104 @@ class Printed:
 
     name: str
     parameters: tuple[str, ...]
-    forms: Any
+    forms: str
     formula: str = ""
 
 
-class PythonTarget(ABC):
+class PythonTarget:
     """Target whose kernels are Python modules."""
 
     extension = "py"
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
-    tables: Sequence[Table] = (POSES,)
-    uncompiled: tuple[str, ...] = ()
-    """Functions without a compiled form in ``dualcay-native``."""
+    tables: Sequence[Table] = (POSES, ROTATIONS)
     imports_bases = False
+    files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
+    """Files whose templates take no data."""
     name: str
-    words: Words
+    unproved: str
+    options: str
+    """Keyword parameters of functions that return one array, with types and defaults."""
 
-    def package(self) -> Mapping[str, Data]:
-        """Return the files that import and run a package."""
-        option = "" if self.name == about.TARGET else f" --target {self.name}"
-        families = "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)])
-        packages = [table.name for table in self.tables if table.name]
-        common: Data = {"option": option, "families": families, "target": self.name, "uncompiled": self.uncompiled}
-        inner = {
-            inside(table, self.entry): {**common, "packages": [], "package": table.name, "class": CLASSES[table.name]}
-            for table in self.tables
-        }
-        init = {**inner[self.entry], "version": about.__version__, "packages": packages}
-        return {**inner, self.entry: init, "__main__.py": {}, "py.typed": {}}
+    @property
+    def keywords(self) -> dict[str, str]:
+        """Types and defaults of the keyword parameters, as in ``int = -1``, by name."""
+        return dict(option.split(": ") for option in self.options.split(", "))
 
-    def per_table(self) -> Mapping[str, Data]:
-        """Return the geometry, interface and list of functions of every table, in its folder."""
-        found: dict[str, Data] = {}
+    @property
+    def plain(self) -> tuple[str, ...]:
+        """Functions that take no arrays and so have no row in the table; some make arrays, if kernels have ``out``."""
+        return ("singular_angles", "identity", "random") if "out" in self.keywords else ("singular_angles",)
+
+    def shared(self) -> dict[str, Data]:
+        found: dict[str, Data] = {name: {} for name in (*self.files, "__main__.py", "py.typed")}
         for table in self.tables:
+            functions = sorted((*table.public, *self.plain))
+            found[inside(table, self.entry)] = self.init(table)
             found[inside(table, "_geometry.py")] = self.geometry(table)
-            found[inside(table, INTERFACE)] = interface(self.words, table)
-            functions = sorted((*table.public, *self.words.plain))
-            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table.name], "functions": functions}
+            found[inside(table, INTERFACE)] = self.interface(table)
+            found[inside(table, "_functions.pyi")] = {"class": CLASSES[table], "functions": functions}
         return found
 
-    @abstractmethod
-    def geometry(self, table: Table) -> Data:
-        """Return the data for the template of a geometry."""
+    def init(self, table: Table) -> Data:
+        """Return the data for the entry file of a table's folder."""
+        found: dict[str, Any] = {
+            "option": "" if self.name == about.TARGET else f" --target {self.name}",
+            "families": "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)]),
+            "target": self.name,
+            "uncompiled": self.plain if self.name == about.TARGET else (),  # not in ``dualcay-native``
+            "packages": [] if table.name else [inner.name for inner in self.tables if inner.name],
+            "package": table.name,
+            "class": CLASSES[table],
+        }
+        return found if table.name else found | {"version": about.__version__}
 
-    @abstractmethod
+    def geometry(self, table: Table) -> Data:
+        """Return the data for a table's geometry; rotations import programs that equal programs of poses."""
+        same = shared_with_poses(table)
+        programs = [
+            Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+            for name, program in printed_geometry(table).items()
+            if name not in same
+        ]
+        return {"programs": programs, "rows": table.kernels, "same": sorted(same)}
+
+    def interface(self, table: Table) -> Data:
+        """Return the data for a table's interface."""
+        jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+        alone = [kind.partition(" = ")[2] for name, kind in self.keywords.items() if name != "axis"]
+        return {
+            "options": f"*, {self.options}",
+            "passed": ", ".join(self.keywords),
+            "passed_alone": ", ".join(["axis", *alone]),
+            "placed": ", ".join(name for name in self.keywords if name != "parallel"),
+            "makes": "out" in self.keywords,
+            "definitions": DEFINITIONS,
+            "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
+            "rotations": table is not POSES,
+            "up": ".." if table.name else ".",
+            "n": jacobian[0],
+            "jacobian": f"(..., {', '.join(map(str, jacobian))})",
+        }
+
     def programs(self, facts: Facts) -> Data:
         """Return the data for a chart's template, with its scalar programs."""
+        return {"scalars": printed_scalars(facts)}
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
         """Return the data for a chart's template for rotations, besides its description."""
         return {}
 
     def module(self, facts: Facts) -> Data:
-        return {**described(facts), **self.programs(facts)}
+        names = ("definitions", "domain", "singular_angles", "overflow", "largest", "turns", "returns")
+        return {**described(facts, POSES), **{name: getattr(facts, name) for name in names}, **self.programs(facts)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
-        """Return the modules of the chart for further tables, which use scalar programs of the module for poses."""
-        found = {}
-        for table in self.tables[1:]:
-            lowered = lower_chart(facts.chart, table)
-            data = {**described_rotations(facts, lowered), **self.rotations(facts, lowered)}
-            found[inside(table, f"{facts.chart.name}.py")] = (inside(table, "chart.py"), data)
-        return found
-
-    def require_complete(self, texts: Mapping[str, str]) -> None:
-        for table in self.tables:
-            require_complete(texts, self.words, table)
+        """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""
+        lowered = lower_chart(facts.chart, ROTATIONS)
+        data = {**described(facts, ROTATIONS), "name": facts.chart.name, **self.rotations(facts, lowered)}
+        return {inside(ROTATIONS, f"{facts.chart.name}.py"): (inside(ROTATIONS, "chart.py"), data)}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return validate(folder, chart, geometry, self.tables)
@@ -153,86 +145,62 @@ class PythonTarget(ABC):
     def test(self, folder: Path, chart: Chart) -> int:
         return 0
 
+    def require_complete(self, texts: Mapping[str, str]) -> None:
+        for table in self.tables:
+            self.require_interface(texts, table)
 
-def interface(words: Words, table: Table) -> Data:
-    """Return the data for the template of a table's interface."""
-    jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
-    return asdict(words) | {
-        "definitions": DEFINITIONS,
-        "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
-        "rotations": table is not POSES,
-        "up": ".." if table.name else ".",
-        "n": jacobian[0],
-        "jacobian": f"(..., {', '.join(map(str, jacobian))})",
-    }
+    def require_interface(self, texts: Mapping[str, str], table: Table = POSES) -> None:
+        """Compare the methods of the interface and their parameters with a table.
 
+        Raises
+        ------
+        ValueError
+            If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
+        """
+        where = inside(table, INTERFACE)
+        classes = (c for c in ast.parse(texts[where]).body if isinstance(c, ast.ClassDef) and c.name == CLASSES[table])
+        found = (method for kernels in classes for method in kernels.body if isinstance(method, ast.FunctionDef))
+        methods = {method.name: method for method in found if not method.name.startswith("_")}
+        table.require_complete(where, methods.keys() - set(self.plain))
+        for name, method in methods.items():
+            if name in table.functions:
+                self._require_parameters(where, table.functions[name], method.args)
+            if not ast.get_docstring(method):
+                raise ValueError(f"{where}: {name} has no docstring")
 
-def described(facts: Facts) -> dict[str, Any]:
-    """Return the constants and formulas of a chart for its module for poses."""
-    chart = facts.chart
-    return {
-        "aliases": POSES.aliases(chart),
-        "title": chart.title,
-        "parameter": chart.parameter,
-        "branches": chart.branches,
-        "definitions": facts.definitions("    "),
-        "domain": facts.domain,
-        "singular": facts.singular,
-        "singular_angles": facts.singular_angles,
-        "order": chart.order,
-        "overflow": facts.overflow,
-        "largest": facts.largest,
-        "turns": facts.turns,
-        "returns": facts.returns,
-    }
-
-
-def described_rotations(facts: Facts, lowered: Lowered) -> dict[str, Any]:
-    """Return the constants of a chart for its module for rotations."""
-    chart = facts.chart
-    return {
-        "aliases": lowered.table.aliases(chart),
-        "name": chart.name,
-        "order": chart.order,
-        "title": chart.title,
-        "parameter": chart.parameter,
-        "branches": chart.branches,
-        "singular": facts.singular,
-    }
+    def _require_parameters(self, where: str, row: Function, found: ast.arguments) -> None:
+        """Require the arguments of the table, then the keywords for one result or for several."""
+        given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
+        expected = [array.name for array in row.arguments] + ["branch"] * row.branch
+        if given != expected:
+            raise ValueError(f"{where}: {row.name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
+        keywords = [argument.arg for argument in found.kwonlyargs]
+        wanted = [*(self.keywords if len(row.results) == 1 else ["axis"]), *row.keywords]
+        if keywords != wanted:
+            raise ValueError(f"{where}: keywords of {row.name} are {', '.join(keywords)}, not {', '.join(wanted)}")
 
 
-def printed_geometry(table: Table) -> list[Printed]:
-    """Return the geometry programs of a table as plain functions; all that users call take ``m`` and ``c``."""
-    return [
-        Printed(name, _parameters(program, name in table.kernels), infix.body(program))
-        for name, program in lowered_geometry(table).items()
-        if name not in shared_with_poses(table)
-    ]
-
-
-def geometry(table: Table) -> Data:
-    """Return the data for a geometry of plain functions; rotations import programs that equal programs of poses."""
-    return {"programs": printed_geometry(table), "rows": table.kernels, "same": sorted(shared_with_poses(table))}
+def described(facts: Facts, table: Table) -> Data:
+    """Return the constants of a chart that its modules for poses and for rotations state."""
+    names = ("title", "parameter", "branches", "order")
+    found = {name: getattr(facts.chart, name) for name in names}
+    return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
-    context = ("m: Any", "c: Any")[: 2 if kernel else len(program.context.split(", ")) if program.context else 0]
-    numbers = (names == (argument,) for argument, names in program.inputs)
-    given = (f"{argument}: {'Any' if n else 'Components'}" for n, (argument, _) in zip(numbers, program.inputs))
-    return (*context, *given)
+    """Return the parameters of a geometry program; all that users call take ``m`` and ``c``."""
+    context = "m, c" if kernel else program.context
+    given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
+    return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
 def printed_scalars(facts: Facts) -> list[Printed]:
     """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
-    return [
-        Printed(
-            name,
-            tuple(name for _, names in program.inputs for name in names),
-            infix.body(program, alone=True),
-            formula_of(name, facts.chart),
-        )
-        for name, program in facts.lowered.scalars.items()
-    ]
+    found = []
+    for name, program in facts.lowered.scalars.items():
+        parameters = tuple(part for _, parts in program.inputs for part in parts)
+        found.append(Printed(name, parameters, infix.body(program, alone=True), formula_of(name, facts.chart)))
+    return found
 
 
 def formula_of(scalar: str, chart: Chart) -> str:
@@ -241,42 +209,3 @@ def formula_of(scalar: str, chart: Chart) -> str:
     texts = [general, of_order] if of_order and chart.cayley else [general]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
-
-
-def require_complete(texts: Mapping[str, str], words: Words, table: Table = POSES) -> None:
-    """Compare the methods of the interface and their parameters with a table.
-
-    Raises
-    ------
-    ValueError
-        If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
-    """
-    where = inside(table, INTERFACE)
-    methods = {method.name: method for method in _methods(texts[where], CLASSES[table.name])}
-    require_functions(where, [name for name in methods if name not in words.plain], table)
-    for name, method in methods.items():
-        if name in table.functions:
-            _require_parameters(where, table.functions[name], method.args, words)
-        if not ast.get_docstring(method):
-            raise ValueError(f"{where}: {name} has no docstring")
-
-
-def _require_parameters(where: str, row: Function, found: ast.arguments, words: Words) -> None:
-    """Require the arguments of the table, then the keywords for one result or for several."""
-    given = [argument.arg for argument in (*found.posonlyargs, *found.args)][1:]
-    expected = [array.name for array in row.arguments] + ["branch"] * row.branch
-    if given != expected:
-        raise ValueError(f"{where}: {row.name} takes {', '.join(given)}, and {', '.join(expected)} in the table")
-    keywords = [argument.arg for argument in found.kwonlyargs]
-    wanted = [*(words.keywords if len(row.results) == 1 else ["axis"]), *row.keywords]
-    if keywords != wanted:
-        raise ValueError(f"{where}: keywords of {row.name} are {', '.join(keywords)}, not {', '.join(wanted)}")
-
-
-def _methods(text: str, kernels: str) -> Iterator[ast.FunctionDef]:
-    """Yield the public methods of a class."""
-    for node in ast.parse(text).body:
-        if isinstance(node, ast.ClassDef) and node.name == kernels:
-            for item in node.body:
-                if isinstance(item, ast.FunctionDef) and not item.name.startswith("_"):
-                    yield item

@@ -14,7 +14,6 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.lowered import lower
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
@@ -60,7 +59,7 @@ def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """Return the printed kernels without validation, which generation would add."""
     target, proved = TARGETS["numpy"], prove(parameterization(PHI[name][0], name))
     folder = tmp_path_factory.mktemp("phi")
-    text = module_texts(Facts(proved, lower(proved)), target)
+    text = module_texts(Facts(proved), target)
     files.write(folder / f"with_{name}", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)

@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.codegen.lowered import lower_chart
 from derive.codegen.package import LICENCE, Facts, module_texts, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
@@ -20,7 +19,7 @@ from derive.proof import prove
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
-FACTS = Facts(prove(CHART), lower_chart(CHART))
+FACTS = Facts(prove(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:

@@ -14,7 +14,6 @@ import sympy
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.lowered import lower
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
@@ -51,7 +50,7 @@ def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """Return the printed kernels without validation, which generation would add."""
     target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
-    text = module_texts(Facts(proved, lower(proved)), target)
+    text = module_texts(Facts(proved), target)
     files.write(folder / "of_phi", {**shared_texts(target), **text})
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)

@@ -8,7 +8,6 @@ import mpmath
 import numpy as np
 import pytest
 
-from derive.codegen.lowered import lower
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
@@ -25,7 +24,7 @@ def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi:
     """π is split into small integers: powers of one long integer overflow float32, with results not finite at v = 0."""
     chart, target = parameterization(phi, "mine"), TARGETS["numpy"]
     proved = prove(chart)
-    text = module_texts(Facts(proved, lower(proved)), target)
+    text = module_texts(Facts(proved), target)
     files.write(tmp_path / "of_mine", {**shared_texts(target), **text})
     assert validate(tmp_path / "of_mine", chart, geometry=True) > 500
     v = np.linspace(0, 1, 12, dtype=np.float32).reshape(2, 6)[::-1]

@@ -135,19 +135,19 @@ def test_function_needs_a_row_a_recipe_and_a_docstring(tmp_path: Path, monkeypat
 
 def test_function_without_docstring_is_not_generated():
     with pytest.raises(ValueError, match="has no docstring"):
-        python.require_complete({python.INTERFACE: bare_interface(keywords=True)}, NUMPY.words)
+        NUMPY.require_interface({python.INTERFACE: bare_interface(keywords=True)})
 
 
 def test_keywords_are_those_of_the_table():
     with pytest.raises(ValueError, match="keywords of quaternion are axis, out, not axis, out, scalar_first"):
-        python.require_complete({python.INTERFACE: bare_interface(keywords=False)}, NUMPY.words)
+        NUMPY.require_interface({python.INTERFACE: bare_interface(keywords=False)})
 
 
 def bare_interface(keywords: bool) -> str:
     """Return an interface without docstrings, with or without the keywords of its rows."""
 
     def parameters(row: Function) -> str:
-        common = NUMPY.words.keywords if len(row.results) == 1 else ["axis"]
+        common = NUMPY.keywords if len(row.results) == 1 else ["axis"]
         given = ["self", *(a.name for a in row.arguments), *["branch"] * row.branch]
         return ", ".join([*given, "*", *common, *(row.keywords if keywords else ())])
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, catalogue
-from derive.codegen.lowered import geometry, lower_chart
+from derive.codegen.lowered import geometry
 from derive.codegen.lowering.point import narrowed
 from derive.codegen.lowering.scalars import SQUARES
 from derive.codegen.package import Facts, module_texts, shared_texts
@@ -82,7 +82,7 @@ def test_function_without_expected_values_is_not_generated(name: str, monkeypatc
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
     chart, target = Cayley(1), TARGETS["numpy"]
-    facts = Facts(prove(chart), lower_chart(chart))
+    facts = Facts(prove(chart))
     return shared_texts(target) | module_texts(facts, target)
 
 
