@@ -14,12 +14,11 @@ mixed              sums and products across numbers, vectors, quaternions and te
 element, exact     `Element` and its ring: rational functions over Q, modulo relations
 angles             exact sine and cosine of multiples of given angles
 polynomial_backend polynomials over Q by python-flint or SymPy
-arithmetic         operations of formulas beyond + − ×, for numbers and for traces
+arithmetic         operations of formulas beyond + − ×, on numbers; traces override them
 ================== ====================================================================
 """
 
-from .coefficients import Coefficient, Structure, ZeroDivisorError
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, Structure, ZeroDivisorError, dual_part, real_part
 from .isotropic import Isotropic
 from .quaternion import Quaternion
 from .tensor import Tensor

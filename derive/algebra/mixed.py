@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .coefficients import Structure
+from .dual import Structure
 from .quaternion import Quaternion
 from .tensor import Tensor
 from .vector import Vector

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-from abc import ABC, abstractmethod
 from fractions import Fraction
 from numbers import Rational
 from typing import Any
@@ -14,8 +13,8 @@ import sympy
 Polynomial = Any  # fmpq_mpoly or PolyElement; both have + - * ** % == degrees() gcd() and an exact quotient /
 
 
-class Polynomials(ABC):
-    """Operations on polynomials over Q whose names differ between the two libraries.
+class Polynomials:
+    """Polynomials over Q of SymPy's sparse ring.
 
     Attributes
     ----------
@@ -24,87 +23,21 @@ class Polynomials(ABC):
     one, zero : polynomial
     """
 
-    generators: tuple[Polynomial, ...]
-    one: Polynomial
-    zero: Polynomial
-
-    @abstractmethod
-    def constant(self, value: Rational | int) -> Polynomial:
-        """Return a constant polynomial."""
-
-    @abstractmethod
-    def leading_coefficient(self, a: Polynomial) -> Any:
-        """Return the coefficient of the leading term."""
-
-    def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the monic greatest common divisor."""
-        return a.gcd(b)
-
-    @abstractmethod
-    def derivative(self, a: Polynomial, generator: int) -> Polynomial:
-        """Return the partial derivative by the generator with the given index."""
-
-    @abstractmethod
-    def square_root(self, a: Polynomial) -> Polynomial | None:
-        """Return a polynomial whose square is ``a``, or None."""
-
-    @abstractmethod
-    def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
-        """Return the irreducible factors with their exponents, constants left out."""
-
-    @abstractmethod
-    def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        """Return the coefficients by exponents."""
-
-
-class FlintPolynomials(Polynomials):
-    """Polynomials of type ``flint.fmpq_mpoly``."""
-
-    def __init__(self, count: int) -> None:
-        self._flint = importlib.import_module("flint")
-        names = [f"g{i}" for i in range(count)]
-        self._context = self._flint.fmpq_mpoly_ctx.get(names, self._flint.Ordering.lex)
-        self.generators = tuple(self._context.gens())
-        self.one, self.zero = self.constant(1), self.constant(0)
-
-    def constant(self, value: Rational | int) -> Polynomial:
-        return self._context.constant(self._flint.fmpq(int(value.numerator), int(value.denominator)))
-
-    def leading_coefficient(self, a: Polynomial) -> Any:
-        return a.leading_coefficient()
-
-    def derivative(self, a: Polynomial, generator: int) -> Polynomial:
-        return a.derivative(generator)
-
-    def square_root(self, a: Polynomial) -> Polynomial | None:
-        try:
-            return a.sqrt()
-        except self._flint.utils.flint_exceptions.DomainError:
-            return None
-
-    def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
-        return [(factor, int(power)) for factor, power in a.factor()[1]]
-
-    def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
-
-
-class SympyPolynomials(Polynomials):
-    """Polynomials of SymPy's sparse ring over Q."""
-
     def __init__(self, count: int) -> None:
         self._ring, *generators = sympy.polys.rings.ring([f"g{i}" for i in range(count)], sympy.QQ)
         self.generators = tuple(generators)
-        self.one, self.zero = self._ring.one, self._ring.zero
+        self.one, self.zero = self.constant(1), self.constant(0)
 
     def constant(self, value: Rational | int) -> Polynomial:
+        """Return a constant polynomial."""
         return self._ring.ground_new(sympy.QQ(int(value.numerator), int(value.denominator)))
 
     def leading_coefficient(self, a: Polynomial) -> Any:
+        """Return the coefficient of the leading term."""
         return a.LC
 
     def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the gcd of b and the coefficients of a, as a polynomial in the generators that b lacks.
+        """Return the monic greatest common divisor of b and the coefficients of a in the generators that b lacks.
 
         SymPy's own gcd spends time on every generator, even on absent ones.
         """
@@ -127,9 +60,11 @@ class SympyPolynomials(Polynomials):
         return self._ring.from_dict({tuple(e[position[i]] if i in position else 0 for i in every): c for e, c in terms})
 
     def derivative(self, a: Polynomial, generator: int) -> Polynomial:
+        """Return the partial derivative by the generator with the given index."""
         return a.diff(self.generators[generator])
 
     def square_root(self, a: Polynomial) -> Polynomial | None:
+        """Return a polynomial whose square is ``a``, or None."""
         content, factors = a.sqf_list()
         root = sympy.sqrt(sympy.Rational(int(content.numerator), int(content.denominator)))
         if not root.is_Rational or any(power % 2 for _, power in factors):
@@ -140,10 +75,47 @@ class SympyPolynomials(Polynomials):
         return result
 
     def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
+        """Return the irreducible factors with their exponents, constants left out."""
         return list(a.factor_list()[1])
 
     def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
+        """Return the coefficients by exponents."""
         return {tuple(e): Fraction(int(c.numerator), int(c.denominator)) for e, c in a.items()}
+
+
+class FlintPolynomials(Polynomials):
+    """Polynomials over Q of type ``flint.fmpq_mpoly``."""
+
+    def __init__(self, count: int) -> None:
+        self._flint = importlib.import_module("flint")
+        names = [f"g{i}" for i in range(count)]
+        self._context = self._flint.fmpq_mpoly_ctx.get(names, self._flint.Ordering.lex)
+        self.generators = tuple(self._context.gens())
+        self.one, self.zero = self.constant(1), self.constant(0)
+
+    def constant(self, value: Rational | int) -> Polynomial:
+        return self._context.constant(self._flint.fmpq(int(value.numerator), int(value.denominator)))
+
+    def leading_coefficient(self, a: Polynomial) -> Any:
+        return a.leading_coefficient()
+
+    def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
+        return a.gcd(b)
+
+    def derivative(self, a: Polynomial, generator: int) -> Polynomial:
+        return a.derivative(generator)
+
+    def square_root(self, a: Polynomial) -> Polynomial | None:
+        try:
+            return a.sqrt()
+        except self._flint.utils.flint_exceptions.DomainError:
+            return None
+
+    def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
+        return [(factor, int(power)) for factor, power in a.factor()[1]]
+
+    def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
+        return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
 
 
 def polynomials(count: int, backend: str | None = None) -> Polynomials:
@@ -158,4 +130,4 @@ def polynomials(count: int, backend: str | None = None) -> Polynomials:
     backend = backend or ("flint" if importlib.util.find_spec("flint") else "sympy")
     if backend not in ("flint", "sympy"):
         raise ValueError(f"no polynomial backend {backend!r}: expected 'flint' or 'sympy'")
-    return FlintPolynomials(count) if backend == "flint" else SympyPolynomials(count)
+    return FlintPolynomials(count) if backend == "flint" else Polynomials(count)

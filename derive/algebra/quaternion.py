@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from .coefficients import Coefficient, Structure
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, Structure
 from .vector import Vector
 
 
@@ -29,54 +28,18 @@ class Quaternion(Structure):
         """Return the dual quaternion ``re + ε du`` from the four components of each part, scalar first."""
         return cls.from_components(Dual(a, b) for a, b in zip(re, du, strict=True))
 
-    @property
-    def re(self) -> Quaternion:
-        """Real part."""
-        return self.map(real_part)
-
-    @property
-    def du(self) -> Quaternion:
-        """Dual part."""
-        return self.map(dual_part)
-
-    def map(self, f: Callable[[Any], Any]) -> Quaternion:
-        """Apply `f` to every component."""
-        return Quaternion(f(self.scalar), self.vector.map(f))
-
     def __iter__(self) -> Iterator[Coefficient]:
         return iter((self.scalar, *self.vector))
 
-    def __add__(self, other: Quaternion) -> Quaternion:
-        if not isinstance(other, Quaternion):
-            return NotImplemented
-        return Quaternion(self.scalar + other.scalar, self.vector + other.vector)
-
-    def __sub__(self, other: Quaternion) -> Quaternion:
-        if not isinstance(other, Quaternion):
-            return NotImplemented
-        return Quaternion(self.scalar - other.scalar, self.vector - other.vector)
-
-    def __neg__(self) -> Quaternion:
-        return Quaternion(-self.scalar, -self.vector)
+    def _with(self, components: Iterable[Coefficient]) -> Quaternion:
+        return self.from_components(components)
 
     def __mul__(self, other: Any) -> Quaternion:
         """Return the quaternion product ``(s t − a·b, s b + t a + a × b)``, or the multiple by a scalar."""
         if isinstance(other, Quaternion):
             s, t, a, b = self.scalar, other.scalar, self.vector, other.vector
             return Quaternion(s * t - a.dot(b), b * s + a * t + a.cross(b))
-        if isinstance(other, Structure):
-            return NotImplemented
-        return Quaternion(self.scalar * other, self.vector * other)
-
-    def __rmul__(self, scalar: Coefficient) -> Quaternion:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Quaternion(self.scalar * scalar, self.vector * scalar)
-
-    def __truediv__(self, scalar: Coefficient) -> Quaternion:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Quaternion(self.scalar / scalar, self.vector / scalar)
+        return Structure.__mul__(self, other)
 
     def conjugate(self) -> Quaternion:
         """Return ``scalar − vector``."""

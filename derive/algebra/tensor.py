@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, TypeAlias, overload
+from typing import TypeAlias, overload
 
-from .coefficients import Coefficient, Structure
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, Structure
 from .vector import Vector
 
 Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
@@ -48,56 +47,20 @@ class Tensor(Structure):
         return cls.from_entries(s * t for s in a for t in b)
 
     @property
-    def re(self) -> Tensor:
-        """Real part."""
-        return self.map(real_part)
-
-    @property
-    def du(self) -> Tensor:
-        """Dual part."""
-        return self.map(dual_part)
-
-    @property
     def transpose(self) -> Tensor:
         """Transpose Tᵀ, with ``a · Tᵀ b = b · T a``."""
         (a, b, c), (d, e, f), (g, h, i) = self.rows
         return Tensor(((a, d, g), (b, e, h), (c, f, i)))
 
-    def map(self, f: Callable[[Any], Any]) -> Tensor:
-        """Apply `f` to every entry."""
-        return Tensor.from_entries(f(entry) for entry in self)
-
     def __iter__(self) -> Iterator[Coefficient]:
         return (entry for row in self.rows for entry in row)
+
+    def _with(self, components: Iterable[Coefficient]) -> Tensor:
+        return self.from_entries(components)
 
     def __getitem__(self, index: tuple[int, int]) -> Coefficient:
         row, column = index
         return self.rows[row][column]
-
-    def __add__(self, other: Tensor) -> Tensor:
-        if not isinstance(other, Tensor):
-            return NotImplemented
-        return Tensor.from_entries(a + b for a, b in zip(self, other, strict=True))
-
-    def __sub__(self, other: Tensor) -> Tensor:
-        if not isinstance(other, Tensor):
-            return NotImplemented
-        return Tensor.from_entries(a - b for a, b in zip(self, other, strict=True))
-
-    def __neg__(self) -> Tensor:
-        return Tensor.from_entries(-a for a in self)
-
-    def __mul__(self, scalar: Coefficient) -> Tensor:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Tensor.from_entries(a * scalar for a in self)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, scalar: Coefficient) -> Tensor:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Tensor.from_entries(a / scalar for a in self)
 
     @overload
     def __matmul__(self, other: Vector) -> Vector: ...
@@ -129,13 +92,7 @@ class Tensor(Structure):
         return determinant
 
     def inverse(self) -> Tensor:
-        """Return the inverse, adjugate over determinant.
-
-        Raises
-        ------
-        ZeroDivisionError
-            If the determinant is zero; `ZeroDivisorError` if it is a zero divisor of the dual numbers.
-        """
+        """Return the inverse, adjugate over determinant; without one, the division raises ZeroDivisionError."""
         first, second, third = (Vector(*row) for row in self.rows)
         adjugate = Tensor.from_entries((*second.cross(third), *third.cross(first), *first.cross(second))).transpose
         inverse: Tensor = adjugate / self.det()

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from . import functions
-from .coefficients import Coefficient, Structure
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, Structure
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,47 +25,11 @@ class Vector(Structure):
         """Return the dual vector ``re + ε du`` from the three components of each part."""
         return cls(*(Dual(a, b) for a, b in zip(re, du, strict=True)))
 
-    @property
-    def re(self) -> Vector:
-        """Real part."""
-        return self.map(real_part)
-
-    @property
-    def du(self) -> Vector:
-        """Dual part."""
-        return self.map(dual_part)
-
-    def map(self, f: Callable[[Any], Any]) -> Vector:
-        """Apply `f` to every component."""
-        return Vector(f(self.c1), f(self.c2), f(self.c3))
-
     def __iter__(self) -> Iterator[Coefficient]:
         return iter((self.c1, self.c2, self.c3))
 
-    def __add__(self, other: Vector) -> Vector:
-        if not isinstance(other, Vector):
-            return NotImplemented
-        return Vector(self.c1 + other.c1, self.c2 + other.c2, self.c3 + other.c3)
-
-    def __sub__(self, other: Vector) -> Vector:
-        if not isinstance(other, Vector):
-            return NotImplemented
-        return Vector(self.c1 - other.c1, self.c2 - other.c2, self.c3 - other.c3)
-
-    def __neg__(self) -> Vector:
-        return Vector(-self.c1, -self.c2, -self.c3)
-
-    def __mul__(self, scalar: Coefficient) -> Vector:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Vector(self.c1 * scalar, self.c2 * scalar, self.c3 * scalar)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, scalar: Coefficient) -> Vector:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Vector(self.c1 / scalar, self.c2 / scalar, self.c3 / scalar)
+    def _with(self, components: Iterable[Coefficient]) -> Vector:
+        return Vector(*components)
 
     def dot(self, other: Vector) -> Coefficient:
         """Return the scalar product."""

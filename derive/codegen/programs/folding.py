@@ -9,11 +9,12 @@ from abc import ABC, abstractmethod
 from fractions import Fraction
 from math import lcm
 
+from ...algebra.arithmetic import Arithmetic
 from .program import Constant
 from .value import Number, Value
 
 
-class Folding(ABC):
+class Folding(Arithmetic, ABC):
     """Arithmetic (``algebra.arithmetic``) with which formulas are lowered; subclasses record its operations."""
 
     @abstractmethod
