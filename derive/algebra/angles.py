@@ -45,13 +45,7 @@ class AngleField(RationalFunctions):
         return self._circle(a)[1]
 
     def atan2(self, y: Element, x: Element) -> Element:
-        """Return the angle of the point (x, y) as a multiple k/M of an angle of the field, with |k| ≤ 2M.
-
-        Raises
-        ------
-        NotExactError
-            If the angle is not such a multiple.
-        """
+        """Return the angle of the point (x, y), which must be a multiple k/M of an angle of the field, |k| ≤ 2M."""
         for name, steps in self.angles.items():
             for k in range(-2 * steps, 2 * steps + 1):
                 multiple = self.symbol(name) * Fraction(k, steps)

@@ -11,8 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from .dual import Coefficient, Structure
-from .tensor import Tensor
-from .vector import Vector
+from .structures import Tensor, Vector
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from .dual import Structure
-from .quaternion import Quaternion
-from .tensor import Tensor
-from .vector import Vector
+from .structures import Quaternion, Tensor, Vector
 
 
 class MeaninglessError(TypeError):
