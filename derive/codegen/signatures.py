@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
+from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction, shadows
 from .lowering.point import Recipe
 from .rows import Array, Function, Table
 
@@ -104,27 +104,27 @@ _ROWS = (
     _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
     replace(_way_back("from_pose", POSE.called("T"), inverse.from_pose), rotation=None),
     replace(
-        Function("from_screw", (ANGLE, AXIS), (V,), inverse.from_screw, exact=False, real=True, keywords=(CHECK,)),
+        Function("from_screw", (ANGLE, AXIS), (V,), shadows.from_screw, exact=False, real=True, keywords=(CHECK,)),
         rotation="from_angle_axis",
     ),
-    Function("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, exact=False, real=True, rotation="to_angle_axis"),
-    Function("angle", (V,), (ANGLE,), inverse.angle, exact=False, real=True),
-    Function("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential, exact=False, real=True),
-    Function("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential, exact=False, real=True),
-    Function("turn", (V,), (SHADOW,), inverse.turn, exact=False, real=True, public=False),
-    Function("shadow", (V,), (SHADOW,), inverse.shadow, exact=False, branch=True, real=True),
-    Function("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, exact=False, real=True, public=False),
+    Function("to_screw", (V,), (ANGLE, AXIS), shadows.to_screw, exact=False, real=True, rotation="to_angle_axis"),
+    Function("angle", (V,), (ANGLE,), shadows.angle, exact=False, real=True),
+    Function("to_exponential", (V,), (LOGARITHM,), shadows.to_exponential, exact=False, real=True),
+    Function("from_exponential", (LOGARITHM,), (V,), shadows.from_exponential, exact=False, real=True),
+    Function("turn", (V,), (SHADOW,), shadows.turn, exact=False, real=True, public=False),
+    Function("shadow", (V,), (SHADOW,), shadows.shadow, exact=False, branch=True, real=True),
+    Function("identity_jacobian", (V,), (JACOBIAN,), shadows.identity_jacobian, exact=False, real=True, public=False),
     Function(
         "shadow_jacobian",
         (V,),
         (JACOBIAN,),
-        inverse.shadow_jacobian,
+        shadows.shadow_jacobian,
         exact=False,
         branch=True,
         real=True,
         at_rest="identity_jacobian",
     ),
-    Function("principal", (V,), (SHADOW,), inverse.principal, exact=False, real=True),
+    Function("principal", (V,), (SHADOW,), shadows.principal, exact=False, real=True),
     Function("compose", TWO, (V,), inverse.compose, exact=False, real=True),
     Function("between", TWO, (V,), inverse.between, exact=False, real=True),
     Function("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians, exact=False, real=True),

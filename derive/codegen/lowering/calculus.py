@@ -14,7 +14,7 @@ from ...algebra import Dual, Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
 from .kinematics import assembled
-from .point import NINE, Geometry
+from .point import NINE, TABLE, Geometry, dual_tensor
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
@@ -22,7 +22,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 def tangent_dot(trace: Geometry) -> Program:
     """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.argument("v_dot", "w")
-    side = _side(trace)
+    (side,) = trace.inputs(TABLE, ("side",))
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     s = trace.dual_vector("s", (trace.dual("gt", gy * along) * v + trace.dual_vector("gw", g * w)) * side)
@@ -37,7 +37,7 @@ def tangent_dot(trace: Geometry) -> Program:
 def twist_dot(trace: Geometry) -> Program:
     """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.argument("v_dot", "w"), trace.argument("v_ddot", "z")
-    side = _side(trace)
+    (side,) = trace.inputs(TABLE, ("side",))
     f, g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("f", "g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     turned = trace.dual_vector("gz", g * z + trace.dual("gt", gy * along) * w)
@@ -55,7 +55,7 @@ def rate_dot(trace: Geometry) -> Program:
     where b = 2 v·v̇ = fi a + s v², since side² = 1 and ω × (ω × v) = a ω − ω² v.
     """
     point, w, z = trace.point(), trace.argument("omega", "w"), trace.argument("omega_dot", "z")
-    side = _side(trace)
+    (side,) = trace.inputs(TABLE, ("side",))
     fi, hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("fi", "hi", "fiy", "hiy"))
     v, along, length = point.v, trace.dual("vw", point.v.dot(w)), trace.dual("ww", _square(w))
     spread, half = trace.dual("hvw", hi * along), trace.name("hs", side * HALF)
@@ -76,7 +76,7 @@ def twist_jacobian(trace: Geometry) -> Program:
     where v⊗w = w⊗v − skew(v × w).
     """
     point, w = trace.point(), trace.argument("v_dot", "w")
-    side = _side(trace)
+    (side,) = trace.inputs(TABLE, ("side",))
     g, h, fy, gy, hy = point.lifted("tangent_dot_scalars", ("g", "h", "fy", "gy", "hy"))
     v, along = point.v, trace.dual("vw", point.v.dot(w))
     turned, gs = trace.dual_vector("t", v.cross(w)), trace.dual("gs", g * side)
@@ -93,13 +93,14 @@ def rate_jacobian(trace: Geometry) -> Program:
     w⊗v = v⊗w − skew(w × v) one dyad is left, v⊗b, which is 0 where fiy = −hi, as for n = 2.
     """
     point, w = trace.point(), trace.argument("omega", "w")
-    side = trace.name("hs", _side(trace) * HALF)
+    (side,) = trace.inputs(TABLE, ("side",))
+    half_side = trace.name("hs", side * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("hi", "fiy", "hiy"))
     # halve w, not the scalars: in some charts they are integers
     v, half = point.v, trace.dual_vector("wh", w * HALF)
     along = trace.dual("vwh", v.dot(half))
     image = trace.dual_vector("b", trace.dual("fh", hi + fiy) * half + trace.dual("ht", hiy * along) * v)
-    s = trace.dual_vector("s", side * w - fiy * trace.dual_vector("t", half.cross(v)))
+    s = trace.dual_vector("s", half_side * w - fiy * trace.dual_vector("t", half.cross(v)))
     a = trace.dual("ha", hi * along)
     return _jacobian(trace, "rate_jacobian", Tensor.dyad(v, image), a, s)
 
@@ -112,8 +113,7 @@ def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) ->
 
 def matrix6(trace: Geometry) -> Program:
     """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
-    entries = trace.components("D", "D", 18)
-    return trace.program("matrix6", entries6(trace, Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))))
+    return trace.program("matrix6", entries6(trace, dual_tensor(trace.components("D", "D", 18))))
 
 
 def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
@@ -131,8 +131,3 @@ def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
 def _square(w: Vector) -> Dual:
     """Return w·w."""
     return Dual(w.re.dot(w.re), 2 * w.re.dot(w.du))
-
-
-def _side(trace: Geometry) -> Number:
-    (side,) = trace.inputs("table", ("side",))
-    return side

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Iterator, Sequence
 
 from ...algebra import Vector
@@ -14,13 +15,12 @@ Rows = tuple[Vector, Vector, Vector]
 
 def flat(rows: Iterable[Iterable[Number]]) -> Iterator[Number]:
     """Yield the entries of a matrix in C order."""
-    for row in rows:
-        yield from row
+    return itertools.chain.from_iterable(rows)
 
 
 def rows_of(entries: Sequence[Number]) -> Rows:
     """Return the rows of a matrix of nine entries."""
-    return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:9])
+    return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:])
 
 
 def rotation(point: Point, f: Number, g: Number) -> Rows:
@@ -64,9 +64,6 @@ def crossed(a: Vector, rows: Rows) -> Iterator[Number]:
     return flat((a2 * third - a3 * second, a3 * first - a1 * third, a1 * second - a2 * first))
 
 
-# --- programs that others call --------------------------------------------------------------------------------
-
-
 def rotate_at(trace: Geometry) -> Program:
     """Rotated vector Q r = r + f v × r + v × (g v × r), at the real part of v."""
     f, g = trace.numbers("f", "g")
@@ -84,9 +81,6 @@ def tensor_at(trace: Geometry) -> Program:
     Q = trace.vector("Q1", first), trace.vector("Q2", second), trace.vector("Q3", third)
     rho = trace.vector("rho", translation(point, f, g, h))
     return trace.program("tensor_at", (*flat(Q), *crossed(rho, Q)))
-
-
-# --- functions ------------------------------------------------------------------------------------------------
 
 
 def quaternion(trace: Geometry) -> Program:

@@ -13,7 +13,7 @@ from .calculus import matrix6
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
-from .point import Geometry
+from .point import Geometry, dual_tensor
 
 
 def dual_product(trace: Geometry) -> Program:
@@ -21,10 +21,7 @@ def dual_product(trace: Geometry) -> Program:
 
     The tensors are dual: the dual part is A° B + A B°.
     """
-    A, B = (
-        Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))
-        for entries in (trace.components("A", "A", 18), trace.components("B", "B", 18))
-    )
+    A, B = dual_tensor(trace.components("A", "A", 18)), dual_tensor(trace.components("B", "B", 18))
     found = A @ B
     return trace.program("dual_product", (*found.re, *found.du))
 
@@ -58,13 +55,11 @@ def transform_line_jacobians(trace: Geometry) -> Program:
     f, g, h, *slopes = point.scalars("tangent_scalars")
     R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
-    tensor = Tensor.dual(*map(Tensor.from_entries, (R[:9], R[9:])))
-    moved = tensor @ Vector.dual(parts[:3], parts[3:])
-    back = trace.dual_vector("back", -moved)
-    turned = Tensor.skew(back) @ Tensor.dual(*map(Tensor.from_entries, (T[:9], T[9:])))
-    by_v = (*turned.re, *turned.du)
+    moved = dual_tensor(R) @ Vector.dual(parts[:3], parts[3:])
+    turned = Tensor.skew(trace.dual_vector("back", -moved)) @ dual_tensor(T)
     by_line = trace.apply(matrix6, "by_line{}", R)
-    return trace.program("transform_line_jacobians", (*trace.apply(matrix6, "by_v{}", by_v), *by_line))
+    by_v = trace.apply(matrix6, "by_v{}", (*turned.re, *turned.du))
+    return trace.program("transform_line_jacobians", (*by_v, *by_line))
 
 
 def compose_jacobians(trace: Geometry) -> Program:

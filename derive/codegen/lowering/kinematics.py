@@ -6,7 +6,7 @@ y = v·v°. Body forms are the transposes, which differ only in the sign of s: t
 
 from __future__ import annotations
 
-from ...algebra import Dual, Tensor, Vector
+from ...algebra import Tensor, Vector
 from ..programs.program import Program
 from ..programs.value import Number
 from .point import Geometry
@@ -27,8 +27,7 @@ def tangent_at(trace: Geometry) -> Program:
     """
     f, g, h, fy, gy, hy = trace.numbers("f", "g", "h", "fy", "gy", "hy")
     point = trace.point()
-    pairs = (("fo", f, fy), ("go", g, gy), ("ho", h, hy))
-    f, g, h = (Dual(value, trace.name(letter, slope * point.y)) for letter, value, slope in pairs)
+    f, g, h = point.lift("f", f, fy), point.lift("g", g, gy), point.lift("h", h, hy)
     s, (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("gv", point.v * g), trace.dual_vector("hv", point.v * h), point.v
     tensor = assembled(trace, f, s, Vector(c1 * v1, c2 * v2, c3 * v3), (c1 * v2, c1 * v3, c2 * v3))
     return trace.program("tangent_at", (*tensor.re, *tensor.du))
@@ -41,8 +40,7 @@ def tangent_inverse_at(trace: Geometry) -> Program:
     """
     fi, hi, fiy, hiy = trace.numbers("fi", "hi", "fiy", "hiy")
     point = trace.point()
-    pairs = (("fio", fi, fiy), ("hio", hi, hiy))
-    fi, hi = (Dual(value, trace.name(letter, slope * point.y)) for letter, value, slope in pairs)
+    fi, hi = point.lift("fi", fi, fiy), point.lift("hi", hi, hiy)
     # halve v, not fi or hi: in some charts they are integers
     half = trace.dual_vector("half", point.v / 2)
     (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("hv", point.v * hi), point.v

@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import cache, cached_property
 from typing import NamedTuple
 
-from ...algebra import Dual, Vector
+from ...algebra import Dual, Tensor, Vector
 from ..programs.program import Call, Program, Statement
 from ..programs.trace import Trace
 from ..programs.value import Number, Value
@@ -65,8 +65,6 @@ class Geometry(Trace):
         names = tuple(results) or LAYOUTS.get(count, tuple(map(str, range(1, 1 + count))))
         return replace(program, results=tuple(result.rstrip("°") for result in names))
 
-    # --- arguments ----------------------------------------------------------------------------------------------
-
     def numbers(self, *names: str) -> tuple[Number, ...]:
         """Declare parameters that are single numbers."""
         return tuple(self.inputs(name, [name])[0] for name in names)
@@ -92,8 +90,6 @@ class Geometry(Trace):
         """Declare an argument; drop the mark ° from its names."""
         return super().inputs(argument, [name.rstrip("°") for name in names])
 
-    # --- names --------------------------------------------------------------------------------------------------
-
     def dual(self, name: str, value: Number) -> Number:
         """Name both parts of a dual number; the name of the dual part ends in o."""
         return Dual(self.name(name, value.re), self.name(name + "o", value.du))
@@ -105,6 +101,11 @@ class Geometry(Trace):
     def vector(self, letter: str, value: Vector) -> Vector:
         """Name the components of a vector."""
         return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
+
+
+def dual_tensor(entries: Sequence[Number]) -> Tensor:
+    """Return the dual tensor of 18 entries, real parts first."""
+    return Tensor.dual(Tensor.from_entries(entries[:9]), Tensor.from_entries(entries[9:]))
 
 
 class Found(NamedTuple):
@@ -249,16 +250,10 @@ class Point:
         """Name a value by a letter and the mark of this vector."""
         return self.trace.name(letter + self.mark, value)
 
-    @property
-    def is_real(self) -> bool:
-        """Tell whether the dual part is the constant 0, as for rotations."""
-        return tuple(self.du) == (0, 0, 0)
-
     @cached_property
     def squares(self) -> tuple[Number, Number, Number]:
         """Return v1², v2², v3²."""
-        names = ("v11", "v22", "v33")
-        first, second, third = (self.name(name, c * c) for name, c in zip(names, self.re, strict=True))
+        first, second, third = (self.name(name, c * c) for name, c in zip(SQUARES, self.re, strict=True))
         return first, second, third
 
     @cached_property
@@ -279,7 +274,11 @@ class Point:
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
         """Return some results of a scalar program at the dual x; the dual part of f is its slope fy times y."""
         found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
-        return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
+        return tuple(self.lift(name, found[name], found[name + "y"]) for name in letters)
+
+    def lift(self, letter: str, value: Number, slope: Number) -> Dual:
+        """Return a function of x at the dual x, and name its dual part."""
+        return Dual(value, self.name(letter + "o", slope * self.y))
 
     def scalars(self, function: str) -> tuple[Number, ...]:
         """Return the results of a scalar program at x."""

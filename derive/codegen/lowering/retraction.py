@@ -35,9 +35,6 @@ def retracted(
     return Vector(*re), fe, angle, Vector(*found[4:])
 
 
-# --- programs that others call --------------------------------------------------------------------------------
-
-
 def exponential_scalars(trace: Geometry) -> Program:
     """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
@@ -87,9 +84,6 @@ def logarithm(trace: Geometry) -> Program:
     at = PrincipalScalars(trace.name("x", first + second + third), trace)
     fe = trace.name("fe", factor * e.scalar)
     return trace.program("logarithm", (*re, *dual_part(trace, fe, at.hi, re, rho)))
-
-
-# --- functions ------------------------------------------------------------------------------------------------
 
 
 def retract(trace: Geometry) -> Program:
