@@ -56,7 +56,7 @@ def transform_line_jacobians(trace: Geometry) -> Program:
     R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
     moved = dual_tensor(R) @ Vector.dual(parts[:3], parts[3:])
-    turned = Tensor.skew(trace.dual_vector("back", -moved)) @ dual_tensor(T)
+    turned = Tensor.skew(trace.vector("back", -moved)) @ dual_tensor(T)
     by_line = trace.apply(matrix6, "by_line{}", R)
     by_v = trace.apply(matrix6, "by_v{}", (*turned.re, *turned.du))
     return trace.program("transform_line_jacobians", (*by_v, *by_line))

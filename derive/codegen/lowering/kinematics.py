@@ -16,7 +16,7 @@ def assembled(trace: Geometry, a: Number, s: Vector, diagonal: Vector, off: tupl
     """Return a I + skew(s) plus the symmetric tensor with this diagonal and the entries 12, 13, 23 in ``off``."""
     s1, s2, s3 = s
     d11, d22, d33 = (a + entry for entry in diagonal)
-    d12, d13, d23 = (trace.dual(name, entry) for name, entry in zip(("d12", "d13", "d23"), off, strict=True))
+    d12, d13, d23 = (trace.name(name, entry) for name, entry in zip(("d12", "d13", "d23"), off, strict=True))
     return Tensor(((d11, d12 - s3, d13 + s2), (d12 + s3, d22, d23 - s1), (d13 - s2, d23 + s1, d33)))
 
 
@@ -28,7 +28,7 @@ def tangent_at(trace: Geometry) -> Program:
     f, g, h, fy, gy, hy = trace.numbers("f", "g", "h", "fy", "gy", "hy")
     point = trace.point()
     f, g, h = point.lift("f", f, fy), point.lift("g", g, gy), point.lift("h", h, hy)
-    s, (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("gv", point.v * g), trace.dual_vector("hv", point.v * h), point.v
+    s, (c1, c2, c3), (v1, v2, v3) = trace.vector("gv", point.v * g), trace.vector("hv", point.v * h), point.v
     tensor = assembled(trace, f, s, Vector(c1 * v1, c2 * v2, c3 * v3), (c1 * v2, c1 * v3, c2 * v3))
     return trace.program("tangent_at", (*tensor.re, *tensor.du))
 
@@ -42,8 +42,8 @@ def tangent_inverse_at(trace: Geometry) -> Program:
     point = trace.point()
     fi, hi = point.lift("fi", fi, fiy), point.lift("hi", hi, hiy)
     # halve v, not fi or hi: in some charts they are integers
-    half = trace.dual_vector("half", point.v / 2)
-    (c1, c2, c3), (v1, v2, v3) = trace.dual_vector("hv", point.v * hi), point.v
+    half = trace.vector("half", point.v / 2)
+    (c1, c2, c3), (v1, v2, v3) = trace.vector("hv", point.v * hi), point.v
     _, second, third = half
     diagonal = Vector(*((fi + c * v) / 2 for c, v in ((c1, v1), (c2, v2), (c3, v3))))
     tensor = assembled(trace, 0, -half, diagonal, (c1 * second, c1 * third, c2 * third))
@@ -84,11 +84,11 @@ def opposite(v: tuple[Number, ...]) -> tuple[Number, ...]:
 
 def twist(trace: Geometry) -> Program:
     """Twist T v̇ = f v̇ + side g v × v̇ + h (v·v̇) v, CP23 (86); side −1 gives the body twist Tᵀ v̇."""
-    point, w = trace.point(), trace.argument("v_dot", "w")
+    point, w = trace.point(), trace.point("v_dot", "w").v
     (side,) = trace.inputs("table", ("side",))
     f, g, h = point.lifted("tangent_scalars", ("f", "g", "h"))
-    s = trace.dual_vector("gv", trace.dual("gs", g * side) * point.v)
-    scale = trace.dual("hvw", h * trace.dual("vw", point.v.dot(w)))
+    s = trace.vector("gv", trace.name("gs", g * side) * point.v)
+    scale = trace.name("hvw", h * trace.name("vw", point.v.dot(w)))
     image = f * w + s.cross(w) + scale * point.v
     return trace.program("twist", (*image.re, *image.du))
 
@@ -98,9 +98,9 @@ def rate(trace: Geometry) -> Program:
 
     The table holds side and half = side/2; half multiplies ``side fi ω − v × ω + side hi (v·ω) v``.
     """
-    point, w = trace.point(), trace.argument("omega", "w")
+    point, w = trace.point(), trace.point("omega", "w").v
     side, half = trace.inputs("table", ("side", "half"))
     fi, hi = point.lifted("tangent_inv_scalars", ("fi", "hi"))
-    scale = trace.dual("hvw", trace.dual("his", hi * side) * trace.dual("vw", point.v.dot(w)))
-    image = trace.dual("fis", fi * side) * w - point.v.cross(w) + scale * point.v
+    scale = trace.name("hvw", trace.name("his", hi * side) * trace.name("vw", point.v.dot(w)))
+    image = trace.name("fis", fi * side) * w - point.v.cross(w) + scale * point.v
     return trace.program("rate", (*(half * image.re), *(half * image.du)))

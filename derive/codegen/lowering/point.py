@@ -81,22 +81,15 @@ class Geometry(Trace):
         """Declare a vector of three numbers; ``dual`` is the mark ° if they are dual parts, 0 for rotations alone."""
         return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
 
-    def argument(self, argument: str, letter: str) -> Vector:
-        """Declare a vector of dual numbers."""
-        parts = self.components(argument, letter, 6)
-        return Vector.dual(parts[:3], parts[3:])
-
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
         """Declare an argument; drop the mark ° from its names."""
         return super().inputs(argument, [name.rstrip("°") for name in names])
 
-    def dual(self, name: str, value: Number) -> Number:
-        """Name both parts of a dual number; the name of the dual part ends in o."""
-        return Dual(self.name(name, value.re), self.name(name + "o", value.du))
-
-    def dual_vector(self, letter: str, value: Vector) -> Vector:
-        """Name the components of a dual vector."""
-        return Vector(*(self.dual(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
+    def name(self, name: str, value: Number) -> Number:
+        """Name a value, or both parts of a dual number; the name of the dual part ends in o."""
+        if isinstance(value, Dual):
+            return Dual(super().name(name, value.re), super().name(name + "o", value.du))
+        return super().name(name, value)
 
     def vector(self, letter: str, value: Vector) -> Vector:
         """Name the components of a vector."""

@@ -59,7 +59,7 @@ def shadow_jacobian(trace: Geometry) -> Program:
         square = point.name(f"uu{i}{j}", ui * uj)
         rest = point.name(f"p{i}{j}", int(i == j) - square)
         du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
-        entries.append(trace.dual(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
+        entries.append(trace.name(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
     return trace.program("shadow_jacobian", entries6(trace, Tensor.from_entries(entries)))
 
 
@@ -149,7 +149,7 @@ def angle(trace: Geometry) -> Program:
 def from_screw(trace: Geometry) -> Program:
     """Vector v = φ(α) u, in dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
-    line = trace.argument("line", "u")
+    line = trace.point("line", "u").v
     u, moment = line.re, line.du
     size, slope = trace.ask("coefficient", (angle,))
     size_du = trace.name("ro", distance * slope)
