@@ -22,14 +22,6 @@ from .isotropic import Isotropic
 from .structures import Quaternion, Tensor, Vector
 
 __all__ = [
-    "Coefficient",
-    "Dual",
-    "Isotropic",
-    "Quaternion",
-    "Structure",
-    "Tensor",
-    "Vector",
-    "ZeroDivisorError",
-    "dual_part",
+    "Coefficient", "Dual", "Isotropic", "Quaternion", "Structure", "Tensor", "Vector", "ZeroDivisorError", "dual_part",
     "real_part",
-]
+]  # fmt: skip

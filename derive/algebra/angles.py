@@ -12,15 +12,10 @@ from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):
-    """Field Q(names, angles, …, π).
+    """Field Q(names, angles, …, π), given independent symbols and an integer M for each angle symbol.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Independent symbols.
-    angles : mapping of str to int, optional
-        Integer M by angle symbol; sine and cosine of multiples of angle/M are elements. An angle and its tangent
-        ``tan(angle/2M)`` are two algebraically independent generators.
+    Sine and cosine of multiples of angle/M are elements. An angle and its tangent ``tan(angle/2M)`` are two
+    algebraically independent generators.
     """
 
     def __init__(self, names: Sequence[str], angles: Mapping[str, int] | None = None) -> None:

@@ -34,12 +34,9 @@ class RationalFunctions:
     """
 
     def __init__(
-        self,
-        names: Sequence[str],
-        point: Mapping[str, Fraction] | None = None,
-        backend: str | None = None,
+        self, names: Sequence[str], point: Mapping[str, Fraction] | None = None, backend: str | None = None,
         lowest_terms: bool = True,
-    ) -> None:
+    ) -> None:  # fmt: skip
         self.names = tuple(names)
         self.library = polynomials(len(self.names), backend)
         self.lowest_terms = lowest_terms

@@ -14,14 +14,7 @@ Polynomial = Any  # fmpq_mpoly or PolyElement; both have + - * ** % == degrees()
 
 
 class Polynomials:
-    """Polynomials over Q of SymPy's sparse ring.
-
-    Attributes
-    ----------
-    generators : tuple of polynomials
-        In lexicographic order, the greatest first.
-    one, zero : polynomial
-    """
+    """Polynomials over Q of SymPy's sparse ring; the generators are in lexicographic order, the greatest first."""
 
     def __init__(self, count: int) -> None:
         self._ring, *generators = sympy.polys.rings.ring([f"g{i}" for i in range(count)], sympy.QQ)
@@ -54,10 +47,7 @@ class Polynomials:
             if result.is_ground:
                 break
             result = result.gcd(small.from_dict(part))
-        position = {generator: place for place, generator in enumerate(used)}
-        every = range(len(self.generators))
-        terms = result.monic().items()
-        return self._ring.from_dict({tuple(e[position[i]] if i in position else 0 for i in every): c for e, c in terms})
+        return result.monic().set_ring(self._ring)
 
     def derivative(self, a: Polynomial, generator: int) -> Polynomial:
         """Return the partial derivative by the generator with the given index."""
@@ -119,14 +109,7 @@ class FlintPolynomials(Polynomials):
 
 
 def polynomials(count: int, backend: str | None = None) -> Polynomials:
-    """Return the ring of polynomials in `count` generators.
-
-    Parameters
-    ----------
-    count : int
-    backend : {"flint", "sympy"}, optional
-        By default python-flint where it is installed, else SymPy.
-    """
+    """Return the ring of polynomials in `count` generators, by default of python-flint where it is installed."""
     backend = backend or ("flint" if importlib.util.find_spec("flint") else "sympy")
     if backend not in ("flint", "sympy"):
         raise ValueError(f"no polynomial backend {backend!r}: expected 'flint' or 'sympy'")

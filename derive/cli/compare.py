@@ -28,13 +28,9 @@ ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 """Angles at which singular values and errors are shown."""
 
 COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
-"""Functions whose operations are counted."""
-
 MEASURED = ("pose", "tangent", "from_pose")
-"""Functions whose errors were measured."""
-
 TIMED = ("pose", "from_pose")
-"""Functions whose times were measured."""
+"""Functions whose operations are counted, whose errors and whose times were measured."""
 
 MEASUREMENTS = "docs/parameterizations.json"
 """File of measurements in a checkout."""

@@ -20,9 +20,6 @@ from ..papers.report import FORMATS, Report, as_text
 from ..proof import Proof, citing, proofs, theorems
 from . import display, options
 
-SUGGESTIONS = 3
-"""Number of existing names proposed for an unknown name."""
-
 
 def verify(
     paper: str | None,
@@ -67,7 +64,7 @@ def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
     wanted = {part.strip() for part in equations.split(",")}
     unknown = []
     for name in sorted(wanted - known.keys()):
-        nearest = ", ".join(difflib.get_close_matches(name, known, SUGGESTIONS, cutoff=0.0))
+        nearest = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.0))
         unknown.append(f"{name!r} (nearest: {nearest})")
     if unknown:
         raise click.BadParameter(f"no equation {', '.join(unknown)}", param_hint="--eq")

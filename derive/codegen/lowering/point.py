@@ -112,14 +112,8 @@ class Found(NamedTuple):
 class RealGeometry(Geometry):
     """Trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
 
-    Operations on dual parts fold away or no result reads them, so the recipe needs no change.
-
-    Parameters
-    ----------
-    function : str
-        Name of the program; empty for the name in the recipe.
-    kept : sequence of int, optional
-        Places of the results to keep; by default all except dual parts, constants and arguments.
+    Operations on dual parts fold away or no result reads them, so the recipe needs no change. A program with the name
+    ``function`` keeps the results at the places ``kept``; others keep all except dual parts, constants and arguments.
     """
 
     real = True
