@@ -11,15 +11,14 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ...algebra import Dual, Tensor, Vector
-from ..programs.program import Program
 from ..programs.value import Number
 from .kinematics import assembled
-from .point import NINE, TABLE, Geometry, dual_tensor
+from .point import NINE, TABLE, Geometry, Results, dual_tensor
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
-def tangent_dot(trace: Geometry) -> Program:
+def tangent_dot(trace: Geometry) -> Results:
     """Time derivative of T, ``ḟ I + side skew(ġ v + g v̇) + v⊗c + c⊗v``, c = ḣ/2 v + h v̇."""
     point, w = trace.point(), trace.point("v_dot", "w").v
     (side,) = trace.inputs(TABLE, ("side",))
@@ -31,10 +30,10 @@ def tangent_dot(trace: Geometry) -> Program:
     diagonal = Vector(2 * (v1 * c1), 2 * (v2 * c2), 2 * (v3 * c3))
     off = (v1 * c2 + c1 * v2, v1 * c3 + c1 * v3, v2 * c3 + c2 * v3)
     tensor = assembled(trace, trace.name("ft", fy * along), s, diagonal, off)
-    return trace.program("tangent_dot", (*tensor.re, *tensor.du))
+    return *tensor.re, *tensor.du
 
 
-def twist_dot(trace: Geometry) -> Program:
+def twist_dot(trace: Geometry) -> Results:
     """Time derivative of T v̇, ``f v̈ + (fy + h) a v̇ + side v × (g v̈ + gy a v̇) + (h (v·v̈ + v̇·v̇) + hy a²) v``, a = v·v̇."""
     point, w, z = trace.point(), trace.point("v_dot", "w").v, trace.point("v_ddot", "z").v
     (side,) = trace.inputs(TABLE, ("side",))
@@ -44,10 +43,10 @@ def twist_dot(trace: Geometry) -> Program:
     pull, bend = trace.name("pull", v.dot(z) + _square(w)), trace.name("ht", hy * along)
     scale, drift = trace.name("cvv", h * pull + bend * along), trace.name("fh", trace.name("fyh", fy + h) * along)
     found = f * z + drift * w + v.cross(trace.vector("s", turned * side)) + scale * v
-    return trace.program("twist_dot", (*found.re, *found.du))
+    return *found.re, *found.du
 
 
-def rate_dot(trace: Geometry) -> Program:
+def rate_dot(trace: Geometry) -> Results:
     """Time derivative of the rate v̇ = T⁻¹ ω: ``T⁻¹ ω̇ + (d/dt T⁻¹) ω``, in products of v, ω and ω̇ without v̇.
 
     Let a = v·ω, s = hi a and 2 v̇ = fi ω + side ω × v + s v. The result is half of
@@ -66,10 +65,10 @@ def rate_dot(trace: Geometry) -> Program:
     scale = trace.name("cvv", (hi * pull + bend * along - length) * QUARTER)
     turned = trace.vector("s", z + spread * w).cross(v) * half
     found = fi * trace.vector("zh", z * HALF) + drift * w + turned + scale * v
-    return trace.program("rate_dot", (*found.re, *found.du))
+    return *found.re, *found.du
 
 
-def twist_jacobian(trace: Geometry) -> Program:
+def twist_jacobian(trace: Geometry) -> Results:
     """Derivative of the twist T w by v, at constant w = v̇.
 
     The formula is ``(fy w + side gy v × w + hy (v·w) v)⊗v + h (v⊗w + (v·w) I) − side g skew(w)``,
@@ -83,10 +82,10 @@ def twist_jacobian(trace: Geometry) -> Program:
     pull, turn, bend = trace.name("fh", fy + h), trace.name("gt", gy * side), trace.name("ht", hy * along)
     image = trace.vector("b", pull * w + turn * turned + bend * v)
     s = trace.vector("s", gs * w + h * turned)
-    return _jacobian(trace, "twist_jacobian", Tensor.dyad(image, v), trace.name("ha", h * along), -s)
+    return _jacobian(trace, Tensor.dyad(image, v), trace.name("ha", h * along), -s)
 
 
-def rate_jacobian(trace: Geometry) -> Program:
+def rate_jacobian(trace: Geometry) -> Results:
     """Derivative of the rate T⁻¹ w by v, at constant w = ω.
 
     The formula is half of ``(fiy w + hiy (v·w) v)⊗v + hi (v⊗w + (v·w) I) + side skew(w)``. With
@@ -102,18 +101,18 @@ def rate_jacobian(trace: Geometry) -> Program:
     image = trace.vector("b", trace.name("fh", hi + fiy) * half + trace.name("ht", hiy * along) * v)
     s = trace.vector("s", half_side * w - fiy * trace.vector("t", half.cross(v)))
     a = trace.name("ha", hi * along)
-    return _jacobian(trace, "rate_jacobian", Tensor.dyad(v, image), a, s)
+    return _jacobian(trace, Tensor.dyad(v, image), a, s)
 
 
-def _jacobian(trace: Geometry, name: str, dyad: Tensor, a: Number, s: Vector) -> Program:
-    """Return the program that adds a dyad to ``a I + skew(s)``."""
+def _jacobian(trace: Geometry, dyad: Tensor, a: Number, s: Vector) -> Results:
+    """Return the entries of a dyad plus ``a I + skew(s)``."""
     spread = Tensor.skew(s) + Tensor(((a, 0, 0), (0, a, 0), (0, 0, a)))
-    return trace.program(name, entries6(trace, dyad + spread))
+    return entries6(trace, dyad + spread)
 
 
-def matrix6(trace: Geometry) -> Program:
+def matrix6(trace: Geometry) -> Results:
     """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
-    return trace.program("matrix6", entries6(trace, dual_tensor(trace.components("D", "D", 18))))
+    return entries6(trace, dual_tensor(trace.components("D", "D", 18)))
 
 
 def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:

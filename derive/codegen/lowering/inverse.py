@@ -7,11 +7,10 @@ quaternion: its scalar part is >= 0; if the scalar part is 0, the given vector p
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ..programs.program import Program
 from ..programs.value import Number
 from .forward import rotated, rows_of, translation
 from .kinematics import opposite
-from .point import Geometry, Point
+from .point import Geometry, Point, Results
 
 
 def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
@@ -21,7 +20,7 @@ def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -
     return du
 
 
-def vector_of(trace: Geometry) -> Program:
+def vector_of(trace: Geometry) -> Results:
     """Vector v = gain vec e of a quaternion e.
 
     The dual part is v° = T⁻¹ ρ.
@@ -31,10 +30,10 @@ def vector_of(trace: Geometry) -> Program:
     rho = trace.real_vector("rho", dual="°")
     v = trace.vector("v", gain * Vector(*vector))
     fi, hi = trace.ask("inverse_scalars", (Point(trace, (*v, 0, 0, 0)).x, trace.name("fe", gain * e0)))
-    return trace.program("vector_of", (*v, *dual_part(trace, fi, hi, v, rho)))
+    return *v, *dual_part(trace, fi, hi, v, rho)
 
 
-def quaternion_of(trace: Geometry) -> Program:
+def quaternion_of(trace: Geometry) -> Results:
     """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0.
 
     The result is the row of 4 q qᵀ with the largest diagonal entry, which loses no digits.
@@ -53,7 +52,7 @@ def quaternion_of(trace: Geometry) -> Program:
         best = trace.name(f"best{step}", trace.where(larger, size, best))
         pairs = zip(row, entries, strict=True)
         entries = tuple(trace.name(f"z{step}{i}", trace.where(larger, new, old)) for i, (new, old) in enumerate(pairs))
-    return trace.program("quaternion_of", _positive(trace, entries))
+    return _positive(trace, entries)
 
 
 def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...]:
@@ -65,7 +64,7 @@ def _positive(trace: Geometry, entries: tuple[Number, ...]) -> tuple[Number, ...
     return tuple(sign * entry for entry in entries)
 
 
-def displacement(trace: Geometry) -> Program:
+def displacement(trace: Geometry) -> Results:
     """Positive multiple e of the quaternion of v, its size, and the scalars f and g.
 
     The translation is ρ = Re(T) v°.
@@ -74,10 +73,10 @@ def displacement(trace: Geometry) -> Program:
     a, b, size, f, g, h = point.scalars("ray")
     rho = translation(point, f, g, h)
     names = ("e0", "e1", "e2", "e3", "size", "f°", "g°", "rho1°", "rho2°", "rho3°")
-    return trace.program("displacement", (a, *(b * point.re), size, f, g, *rho), names)
+    return dict(zip(names, (a, *(b * point.re), size, f, g, *rho), strict=True))
 
 
-def composed(trace: Geometry) -> Program:
+def composed(trace: Geometry) -> Results:
     """Product e = e2 e1, a positive multiple of the quaternion of R(v2) R(v1).
 
     The translation is ρ = ρ2 + Q2 ρ1, with Q2 of f and g at v2.
@@ -90,7 +89,7 @@ def composed(trace: Geometry) -> Program:
     rho1 = trace.real_vector("rho1", "r", "°")
     moved = rotated(trace, Vector(*v2[:3]), f, g, rho1)
     names = ("e0", "e1", "e2", "e3", "rho1°", "rho2°", "rho3°")
-    return trace.program("composed", (*(e2 * e1), *(rho2 + moved)), names)
+    return dict(zip(names, (*(e2 * e1), *(rho2 + moved)), strict=True))
 
 
 def product(
@@ -103,7 +102,7 @@ def product(
     return found[:4], found[4:], (size2, size1)
 
 
-def from_quaternion(trace: Geometry) -> Program:
+def from_quaternion(trace: Geometry) -> Results:
     """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47).
 
     The dual part is v° = T⁻¹ ρ with ρ = 2 vect(q̂° q̂*), CP23 Theorem 5.
@@ -112,10 +111,10 @@ def from_quaternion(trace: Geometry) -> Program:
     e, eo = Quaternion.from_components(parts[:4]), Quaternion.from_components(parts[4:])
     rho = 2 * (e.scalar * eo.vector - eo.scalar * e.vector + e.vector.cross(eo.vector))
     (gain,) = trace.ask("gain_unit", tuple(e))
-    return trace.program("from_quaternion", trace.apply(vector_of, "v{}", gain, e, rho))
+    return trace.apply(vector_of, "v{}", gain, e, rho)
 
 
-def from_tensor(trace: Geometry) -> Program:
+def from_tensor(trace: Geometry) -> Results:
     """Vector v of a rotation Q, computed from its quaternion.
 
     The dual part is v° = T⁻¹ ρ with ρ = vect(R° Qᵀ), R° = skew(ρ) Q.
@@ -124,14 +123,14 @@ def from_tensor(trace: Geometry) -> Program:
     rotation, dual = rows_of(entries[:9]), rows_of(entries[9:])
     product = [[d.dot(q) for q in rotation] for d in dual]
     rho = Vector(product[2][1] - product[1][2], product[0][2] - product[2][0], product[1][0] - product[0][1]) / 2
-    return trace.program("from_tensor", _from_rotation(trace, entries[:9], rho))
+    return _from_rotation(trace, entries[:9], rho)
 
 
-def from_pose(trace: Geometry) -> Program:
+def from_pose(trace: Geometry) -> Results:
     """Vector v of a homogeneous matrix [[Q, ρ], [0, 1]], with the dual part v° = T⁻¹ ρ."""
     entries = trace.inputs("T", [f"{'Q' if j < 4 else 'T'}{i}{j}" for i in (1, 2, 3, 4) for j in (1, 2, 3, 4)])
     rotation = (*entries[:3], *entries[4:7], *entries[8:11])
-    return trace.program("from_pose", _from_rotation(trace, rotation, (entries[3], entries[7], entries[11])))
+    return _from_rotation(trace, rotation, (entries[3], entries[7], entries[11]))
 
 
 def _from_rotation(trace: Geometry, Q: tuple[Number, ...], rho: Vector | tuple[Number, ...]) -> tuple[Number, ...]:
@@ -140,15 +139,15 @@ def _from_rotation(trace: Geometry, Q: tuple[Number, ...], rho: Vector | tuple[N
     return trace.apply(vector_of, "v{}", gain, e, rho)
 
 
-def compose(trace: Geometry) -> Program:
+def compose(trace: Geometry) -> Results:
     """Principal vector v of R(v2) R(v1), CP23 (58)."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     e, rho, sizes = product(trace, v2, v1)
     (gain,) = trace.ask("gain_product", (*e, *sizes))
-    return trace.program("compose", trace.apply(vector_of, "v{}", gain, e, rho))
+    return trace.apply(vector_of, "v{}", gain, e, rho)
 
 
-def between(trace: Geometry) -> Program:
+def between(trace: Geometry) -> Results:
     """Principal vector v of R(v1)⁻¹ R(v2), where R(v1)⁻¹ = R(−v1)."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
-    return trace.program("between", trace.apply(compose, "v{}", opposite(v1), v2))
+    return trace.apply(compose, "v{}", opposite(v1), v2)

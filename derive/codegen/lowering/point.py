@@ -1,6 +1,7 @@
 """Traces of geometry: programs that call scalar programs and one another, and the vectors in them.
 
-A recipe is a function of a trace that returns a program. Its docstring is the program's contract: the first paragraph
+A recipe is a function of a trace that returns the results of a program: a mapping if they have names of their own,
+else named by `LAYOUTS`. Its name is the program's name, and its docstring the program's contract: the first paragraph
 describes the whole result, the second one the dual part. Names that end in ``o`` are dual parts, marked ° in formulas.
 Other dual parts are given names that end in °, which is not printed: ``rho1°`` becomes ``rho1``.
 """
@@ -19,7 +20,8 @@ from ..programs.trace import Trace
 from ..programs.value import Number, Value
 from .scalars import SCALARS, SQUARES
 
-Recipe = Callable[["Geometry"], Program]
+Results = Iterable[Number] | Mapping[str, Number]
+Recipe = Callable[["Geometry"], Results]
 
 NINE = tuple(f"{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
 LAYOUTS = {
@@ -152,25 +154,23 @@ class RealGeometry(Geometry):
         """Freeze the operations that the kept outputs need; a program without ``function`` drops unread arguments."""
         given = tuple(outputs)
         names = results or LAYOUTS.get(len(given), ("",) * len(given))
-        made = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
-        first = {given[i].index: i for i in reversed(made)}
-        places = {index: n for n, index in enumerate(sorted(first, key=first.__getitem__))}
-        pairs = zip(given, names, strict=True)
-        self.found = tuple(self._found(value, name, places) for value, name in pairs)
-        kept = sorted(first.values()) if self.kept is None else self.kept
+        first: dict[int, int] = {}  # place by index of a value
+        for place, (value, result) in enumerate(zip(given, names, strict=True)):
+            if isinstance(value, Value) and not is_dual(result) and self.input_name(value) is None:
+                first.setdefault(value.index, place)
+        self.found = tuple(self._found(value, name, list(first)) for value, name in zip(given, names, strict=True))
+        kept = list(first.values()) if self.kept is None else self.kept
         title = self.function or REAL_NAMES.get(name, name)
         program = super().program(title, [given[i] for i in kept], [names[i] for i in kept])
         read = program.operands
         inputs = tuple(group for group in program.inputs if self.function or read.intersection(group[1]))
         return replace(program, inputs=inputs, statements=tuple(map(narrowed, program.statements)))
 
-    def _is_made(self, value: Number, name: str) -> bool:
-        return isinstance(value, Value) and not is_dual(name) and self.input_name(value) is None
-
-    def _found(self, value: Number, name: str, places: Mapping[int, int]) -> Found:
+    def _found(self, value: Number, name: str, made: list[int]) -> Found:
         if is_dual(name) or not isinstance(value, Value):
             return Found(constant=0 if is_dual(name) else value)
-        return Found(given=self.input_name(value) or "", result=places.get(value.index))
+        given = self.input_name(value)
+        return Found(given=given) if given else Found(made.index(value.index))
 
 
 def _list_name(pattern: str, program: Program) -> str:
@@ -187,24 +187,27 @@ def is_dual(name: str) -> bool:
 @cache
 def traced(recipe: Recipe) -> Program:
     """Return the program of a recipe for poses, with its contract."""
-    return _with_contract(recipe(Geometry()), recipe)
+    return _program(Geometry(), recipe)
 
 
 @cache
 def traced_real(recipe: Recipe) -> tuple[Program, tuple[Found, ...]]:
     """Return the program of a recipe for rotations alone, and the replacements of the pose program's results."""
     trace = RealGeometry()
-    return _with_contract(recipe(trace), recipe, real=True), trace.found
+    return _program(trace, recipe), trace.found
 
 
 def traced_kernel(recipe: Recipe, function: str, kept: Sequence[int]) -> Program:
     """Return the program of a function of rotations; ``kept`` are the places of its results."""
-    return _with_contract(recipe(RealGeometry(function, kept)), recipe, real=True)
+    return _program(RealGeometry(function, kept), recipe)
 
 
-def _with_contract(program: Program, recipe: Recipe, real: bool = False) -> Program:
+def _program(trace: Geometry, recipe: Recipe) -> Program:
+    results = recipe(trace)
+    named = results if isinstance(results, Mapping) else {}
+    program = trace.program(recipe.__name__, named.values() or results, tuple(named))
     contract, *dual = (inspect.getdoc(recipe) or "").split("\n\n")
-    return replace(program, contract=contract if real else "\n".join([contract, *dual]))
+    return replace(program, contract=contract if trace.real else "\n".join([contract, *dual]))
 
 
 def narrowed(statement: Statement) -> Statement:

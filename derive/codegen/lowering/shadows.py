@@ -8,42 +8,40 @@ from __future__ import annotations
 import itertools
 
 from ...algebra import Dual, Tensor, Vector
-from ..programs.program import Program
 from ..programs.value import Number
 from .calculus import entries6
-from .point import TABLE, Geometry, Point
+from .point import TABLE, Geometry, Point, Results
 
 Axis = tuple[Number, Vector, Number, Vector]
 """Magnitude and direction of a dual vector, followed by the dual parts of both."""
 
 
-def turn(trace: Geometry) -> Program:
+def turn(trace: Geometry) -> Results:
     """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     point = trace.point()
-    return trace.program("turn", _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin"))))
+    return _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin")))
 
 
-def shadow(trace: Geometry) -> Program:
+def shadow(trace: Geometry) -> Results:
     """Shadow φ(α + 2kπ) u of v, with the axis u of its principal angle α, CP23 (49)."""
     point = trace.point()
     cosine, sine = trace.inputs(TABLE, ("cos", "sin"))
     axis = _axis(trace, point)
     # take the length from the axis, not from x: its gradient is finite at Re v = 0
     (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
-    return trace.program("shadow", _turned(trace, point, axis, cosine, point.name("sn", sign * sine)))
+    return _turned(trace, point, axis, cosine, point.name("sn", sign * sine))
 
 
-def principal(trace: Geometry) -> Program:
+def principal(trace: Geometry) -> Results:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     point = trace.point()
     trace.inputs(TABLE, ())  # only the chart knows its length
     beyond, cosine, sine = trace.ask("beyond", (point.x,))
     turned = _turned(trace, point, _axis_where(trace, point, beyond), cosine, sine)
-    outputs = [trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True)]
-    return trace.program("principal", outputs)
+    return [trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True)]
 
 
-def shadow_jacobian(trace: Geometry) -> Program:
+def shadow_jacobian(trace: Geometry) -> Results:
     """Derivative T(v_k)⁻¹ T(v) = (r_k/r) (I − u⊗u) + dr_k/dr u⊗u of v_k = r_k u by v = r u; regular at whole turns."""
     point = trace.point()
     cosine, sine = trace.inputs(TABLE, ("cos", "sin"))
@@ -60,16 +58,16 @@ def shadow_jacobian(trace: Geometry) -> Program:
         rest = point.name(f"p{i}{j}", int(i == j) - square)
         du = change * (rest / size) + along * square + spread * (ui * mj + mi * uj)
         entries.append(trace.name(f"J{i}{j}", Dual(ratio * rest + slope * square, du)))
-    return trace.program("shadow_jacobian", entries6(trace, Tensor.from_entries(entries)))
+    return entries6(trace, Tensor.from_entries(entries))
 
 
-def identity_jacobian(trace: Geometry) -> Program:
+def identity_jacobian(trace: Geometry) -> Results:
     """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
     point = trace.point()
     none = point.name("none", sum(c - c for c in point.components))
     one, zero = Dual(point.name("one", 1 + none), none), Dual(none, none)
     identity = Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one)))
-    return trace.program("identity_jacobian", entries6(trace, identity))
+    return entries6(trace, identity)
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
@@ -78,7 +76,7 @@ def _axis(trace: Geometry, point: Point) -> Axis:
     return r, Vector(*found[:3]), found[3], Vector(*found[4:])
 
 
-def axis_of(trace: Geometry) -> Program:
+def axis_of(trace: Geometry) -> Results:
     """Length r = |v| and axis u = v/|v|; u is NaN at v = 0.
 
     The dual parts are r° and u°. At Re v = 0 the axis passes through the origin in the direction of v°.
@@ -101,7 +99,7 @@ def axis_of(trace: Geometry) -> Program:
     inverse = point.name("ir", trace.where(still, 0, 1) / root)
     across = vo - trace.vector("ru", size_du * u)
     results = (total * root, *u, size_du, *(across / scale * inverse))
-    return trace.program("axis_of", results, ("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"))
+    return dict(zip(("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"), results, strict=True))
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
@@ -121,7 +119,7 @@ def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Num
     return (*(length * u), *(length * moment + length_du * u))
 
 
-def to_screw(trace: Geometry) -> Program:
+def to_screw(trace: Geometry) -> Results:
     """Angle α in [0, π] and axis u of v, CP23 Theorem 3.
 
     The dual part of α is r° dα/dr, along the axis u.
@@ -129,10 +127,10 @@ def to_screw(trace: Geometry) -> Program:
     point = trace.point()
     size, u, size_du, moment = _axis(trace, point)
     angle, slope, sign = trace.ask("natural", (point.x, point.y, size))
-    return trace.program("to_screw", (angle, sign * (slope * size_du), *(sign * u), *(sign * moment)))
+    return angle, sign * (slope * size_du), *(sign * u), *(sign * moment)
 
 
-def angle(trace: Geometry) -> Program:
+def angle(trace: Geometry) -> Results:
     """Angle α of v on its own branch.
 
     The dual part is r° (f + x h), since dα/dr = f + x h.
@@ -143,37 +141,37 @@ def angle(trace: Geometry) -> Program:
     resting = trace.name("resting", trace.equal(point.x, 0))
     length = trace.name("rown", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, length))
-    return trace.program("angle", (trace.where(resting, point.x, own), distance * (f + point.x * h)))
+    return trace.where(resting, point.x, own), distance * (f + point.x * h)
 
 
-def from_screw(trace: Geometry) -> Program:
+def from_screw(trace: Geometry) -> Results:
     """Vector v = φ(α) u, in dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
     line = trace.point("line", "u").v
     u, moment = line.re, line.du
     size, slope = trace.ask("coefficient", (angle,))
     size_du = trace.name("ro", distance * slope)
-    return trace.program("from_screw", (*(size * u), *(size * moment + size_du * u)))
+    return *(size * u), *(size * moment + size_du * u)
 
 
-def to_exponential(trace: Geometry) -> Program:
+def to_exponential(trace: Geometry) -> Results:
     """Exponential coordinates α u of v = φ(α) u, on the branch of v."""
     point = trace.point()
     resting, square, length = _length(trace, point)
     (own,) = trace.ask("unfolded", (point.x, length))
     (rate,) = trace.ask("rate_scalars", (point.x,))
     share = trace.name("share", trace.where(resting, rate, own / length))
-    return trace.program("to_exponential", _rescaled(trace, point, square, share, rate))
+    return _rescaled(trace, point, square, share, rate)
 
 
-def from_exponential(trace: Geometry) -> Program:
+def from_exponential(trace: Geometry) -> Results:
     """Vector φ(α) u of exponential coordinates α u; α beyond the edge of the chart is reduced by whole turns."""
     point = trace.point("w")
     resting, square, length = _length(trace, point)
     (angle,) = trace.ask("reached", (trace.name("alpha", trace.where(resting, point.x, length)),))
     size, slope = trace.ask("coefficient", (angle,), "n")
     share = trace.name("share", trace.where(resting, slope, size / length))
-    return trace.program("from_exponential", _rescaled(trace, point, square, share, slope))
+    return _rescaled(trace, point, square, share, slope)
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
