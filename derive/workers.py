@@ -8,7 +8,6 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
-import sys
 import tempfile
 import threading
 from collections.abc import Callable, Iterable, Iterator
@@ -26,10 +25,7 @@ Result = TypeVar("Result")
 
 def cores() -> int:
     """Return the number of processor cores that this process may use."""
-    if sys.version_info >= (3, 13):
-        found = os.process_cpu_count()
-    else:
-        found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return min(found or 1, PROCESSES_MAX)
 
 

@@ -6,6 +6,7 @@ trace (``codegen.programs``) overrides every operation, to record it with the na
 
 from __future__ import annotations
 
+import operator
 from fractions import Fraction
 from typing import Any
 
@@ -35,29 +36,14 @@ class Arithmetic:
         """Return a/b, exact where both are exact."""
         return Fraction(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
 
-    def abs(self, a: Coefficient, /) -> Coefficient:
-        return abs(a)
-
-    def sqrt(self, a: Coefficient, /) -> Coefficient:
-        return functions.sqrt(a)
-
-    def tan(self, a: Coefficient, /) -> Coefficient:
-        return functions.tan(a)
-
-    def atan2(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
-        return functions.atan2(a, b)
-
-    def expm1(self, a: Coefficient, /) -> Coefficient:
-        return functions.expm1(a)
-
-    def log1p(self, a: Coefficient, /) -> Coefficient:
-        return functions.log1p(a)
-
-    def less(self, a: Coefficient, b: Coefficient, /) -> Any:
-        return bool(a < b)
-
-    def equal(self, a: Coefficient, b: Coefficient, /) -> Any:
-        return bool(a == b)
+    abs = staticmethod(abs)
+    sqrt = staticmethod(functions.sqrt)
+    tan = staticmethod(functions.tan)
+    atan2 = staticmethod(functions.atan2)
+    expm1 = staticmethod(functions.expm1)
+    log1p = staticmethod(functions.log1p)
+    less = staticmethod(operator.lt)
+    equal = staticmethod(operator.eq)
 
     def both(self, a: Any, b: Any, /) -> Any:
         return a and b
