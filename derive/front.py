@@ -57,6 +57,9 @@ def family(name: str) -> Any:
 def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None = None) -> Any:
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
+    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits``
+    of T and T⁻¹ at 0, and ``inverse``. A refused φ is a `PhiError`, a ValueError that says why.
+
     Parameters
     ----------
     phi : str or Expr
@@ -67,17 +70,6 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
         Name of the chart, an identifier.
     order : int, optional
         Value of n in a text.
-
-    Returns
-    -------
-    Chart
-        Chart as from `family`, also with ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of T and T⁻¹ at 0,
-        and ``inverse``.
-
-    Raises
-    ------
-    PhiError
-        The reason why φ is refused, as a `ValueError`.
 
     Examples
     --------

@@ -89,15 +89,8 @@ class Dual:
     __array_ufunc__: ClassVar[None] = None
 
     def apply(self, f: Callable[[Any], Any], df: Callable[[Any], Any]) -> Dual:
-        """Return ``f(a) + ε a° f'(a)``, the only extension of a differentiable function that keeps its identities.
-
-        ``df`` is the derivative f' on the coefficients.
-        """
+        """Return ``f(a) + ε a° f'(a)`` for a function of the coefficients and its derivative."""
         return Dual(f(self.re), self.du * df(self.re))
-
-    def conjugate(self) -> Dual:
-        """Return ``a − ε a°``."""
-        return Dual(self.re, -self.du)
 
     def inverse(self) -> Dual:
         """Return ``1/a − ε a°/a²``; a zero divisor raises `ZeroDivisorError`."""

@@ -25,10 +25,8 @@ class RationalFunctions:
     names : sequence of str
         Generators, in lexicographic order. A relation is solved for the first generator in it.
     point : mapping of str to Fraction, optional
-        A reference point, by default distinct positive numbers. An element has the sign of its value there, and a
-        square root is positive there.
+        Reference point that decides signs, also of square roots; by default distinct positive numbers.
     backend : {"flint", "sympy"}, optional
-        See `polynomials`.
     lowest_terms : bool
         True to reduce products and quotients to lowest terms. If False, denominators show every divisor.
     """

@@ -23,11 +23,6 @@ class Isotropic(Structure):
     c: Coefficient
     x: Coefficient
 
-    @classmethod
-    def identity(cls, x: Coefficient) -> Isotropic:
-        """Return the identity tensor I."""
-        return cls(1, 0, 0, x)
-
     @property
     def coefficients(self) -> tuple[Coefficient, Coefficient, Coefficient]:
         """Coefficients (a, b, c) of I, skew(v) and v⊗v."""

@@ -106,13 +106,15 @@ def compare(**given: Any) -> None:
 @cli.command("list")
 def list_catalogue() -> None:
     """List targets, committed orders and the contents of a module."""
+    from ..codegen.signatures import PUBLIC
+
     width = min(shutil.get_terminal_size((120, 0)).columns, 120)
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
         ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
         ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
         ("formulas", ", ".join(about.FORMULAS)),
-        ("functions", ", ".join(about.FUNCTIONS)),
+        ("functions", ", ".join(PUBLIC)),
     ):
         click.echo(textwrap.fill(f"{heading:<9} {names}", width, subsequent_indent=10 * " "))
 
