@@ -15,14 +15,11 @@ from .dual import Coefficient, Dual, ZeroDivisorError, dual_part, real_part
 
 
 def namespace(*values: Coefficient) -> Any:
-    """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`.
-
-    The function imports nothing, since the library of a value is already loaded.
-    """
+    """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`."""
     libraries = {type(real_part(value)).__module__.partition(".")[0] for value in values}
     for name in ("sympy", "mpmath", "numpy"):
         if name in libraries:
-            return sys.modules[name]
+            return sys.modules[name]  # loaded, since a value is of this library
     return math
 
 

@@ -135,8 +135,7 @@ class Tensor(Structure):
     def det(self) -> Coefficient:
         """Return the determinant, the triple product of the rows."""
         first, second, third = (Vector(*row) for row in self.rows)
-        determinant: Coefficient = first.dot(second.cross(third))
-        return determinant
+        return first.dot(second.cross(third))
 
     def inverse(self) -> Tensor:
         """Return the inverse, adjugate over determinant; without one, the division raises ZeroDivisionError."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import shutil
 import textwrap
 from collections.abc import Callable
@@ -49,6 +50,11 @@ def families(text: str) -> Decorator:
     return click.option("--family", "families", callback=options.listed, metavar="NAMES", help=text)
 
 
+def run_module(command: str, given: dict[str, Any]) -> None:
+    """Load the module of a command and run it with the given options."""
+    getattr(importlib.import_module(f"derive.cli.{command}"), command)(**given)
+
+
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]}, epilog=EPILOG)
 @click.version_option(about.__version__, "-V", "--version", prog_name="dualcay")
 def cli() -> None:
@@ -71,9 +77,7 @@ def cli() -> None:
 @options.max_n
 def generate(**given: Any) -> None:
     """Prove formulas and write their kernels, or check the ones on disk."""
-    from .generate import generate
-
-    generate(**given)
+    run_module("generate", given)
 
 
 @cli.command()
@@ -84,9 +88,7 @@ def generate(**given: Any) -> None:
 @options.max_n
 def show(**given: Any) -> None:
     """Print the formulas of an order."""
-    from .show import show
-
-    show(**given)
+    run_module("show", given)
 
 
 @cli.command()
@@ -98,9 +100,7 @@ def show(**given: Any) -> None:
 @options.max_n
 def compare(**given: Any) -> None:
     """Compare parameterizations by largest angle, stretch and cost."""
-    from .compare import compare
-
-    compare(**given)
+    run_module("compare", given)
 
 
 @cli.command("list")
@@ -130,9 +130,7 @@ def list_catalogue() -> None:
 @options.max_n
 def verify(**given: Any) -> None:
     """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
-    from .verify import verify
-
-    verify(**given)
+    run_module("verify", given)
 
 
 def run() -> int:

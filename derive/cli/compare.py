@@ -130,8 +130,7 @@ def cost(compared: Sequence[Compared]) -> Table:
 
 def _text(compared: Sequence[Compared]) -> str:
     """Return the tables as text, with condition numbers only, since a line is too short for all singular values."""
-    headings = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED]
-    rows = []
+    headings, rows = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED], []
     for row, (name, *counts) in zip(compared, cost(compared)[1], strict=True):
         conditions = [number(found.condition if found else None) for found in row.stretches.values()]
         rows.append([name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])

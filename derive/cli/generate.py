@@ -21,16 +21,9 @@ SERIAL_MAX = 3
 
 
 def generate(
-    orders: tuple[int, ...],
-    families: tuple[str, ...],
-    phi: str | None,
-    name: str | None,
-    target: str,
-    output: Path | None,
-    check: bool,
-    force: bool,
-    max_n: int,
-) -> None:
+    orders: tuple[int, ...], families: tuple[str, ...], phi: str | None, name: str | None, target: str,
+    output: Path | None, check: bool, force: bool, max_n: int,
+) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if (phi is None) != (name is None):

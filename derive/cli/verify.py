@@ -22,38 +22,28 @@ from . import display, options
 
 
 def verify(
-    paper: str | None,
-    equations: str | None,
-    orders: tuple[int, ...],
-    form: str,
-    output: Path | None,
-    check: bool,
-    strict: bool,
-    max_n: int,
-) -> None:
+    paper: str | None, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
+    check: bool, strict: bool, max_n: int,
+) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
-    papers = [p for p in PAPERS if paper in (None, p.slug)]
+    papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     report = _report(papers, _chosen(papers, equations), orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
     if output is None:
         click.echo(text, nl=False)
-    elif not check:
+    elif check:
+        stale = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
+    else:
         files.write(output.parent, {output.name: text}, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
-    stale = check and output is not None and _stale(output, text)
+    if stale:
+        display.differences(stale, options.without_check())
     wrong = any(result.status is Status.ERRATUM for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
-
-
-def _stale(output: Path, text: str) -> bool:
-    found = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
-    if found:
-        display.differences(found, options.without_check())
-    return bool(found)
 
 
 def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:

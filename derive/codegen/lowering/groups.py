@@ -7,12 +7,11 @@ The twist is ``T v̇``: a moved line ``R l`` changes by ``T v̇ × R l``, and ``
 from __future__ import annotations
 
 from ...algebra import Tensor, Vector
-from ..programs.value import Number
 from .calculus import matrix6
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
-from .point import Geometry, Results, dual_tensor
+from .point import Geometry, Numbers, Results, dual_tensor
 
 
 def dual_product(trace: Geometry) -> Results:
@@ -74,9 +73,7 @@ def between_jacobians(trace: Geometry) -> Results:
     return *trace.apply(matrix6, "by_v2{}", by_first), *trace.apply(matrix6, "by_v1{}", opposite(by_second))
 
 
-def _by_factors(
-    trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
-) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
+def _by_factors(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers]:
     """Return the derivatives of a composition by its second and by its first factor."""
     v = trace.apply(compose, "v{}", second, first)
     back = trace.apply(tangent_inv, "back{}", v)

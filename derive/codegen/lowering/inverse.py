@@ -10,7 +10,7 @@ from ...algebra import Quaternion, Vector
 from ..programs.value import Number
 from .forward import rotated, rows_of, translation
 from .kinematics import opposite
-from .point import Geometry, Point, Results
+from .point import Geometry, Numbers, Point, Results
 
 
 def dual_part(trace: Geometry, fi: Number, hi: Number, v: Vector, rho: Vector) -> Vector:
@@ -92,9 +92,7 @@ def composed(trace: Geometry) -> Results:
     return dict(zip(names, (*(e2 * e1), *(rho2 + moved)), strict=True))
 
 
-def product(
-    trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
-) -> tuple[tuple[Number, ...], tuple[Number, ...], tuple[Number, ...]]:
+def product(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers, Numbers]:
     """Return e and ρ of the composition of two displacements, and the sizes of both quaternions."""
     *e2, size2, f, g, r1, r2, r3 = trace.apply(displacement, "{}_2", second)
     *e1, size1, _, _, s1, s2, s3 = trace.apply(displacement, "{}_1", first)

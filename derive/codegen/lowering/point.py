@@ -20,6 +20,7 @@ from ..programs.trace import Trace
 from ..programs.value import Number, Value
 from .scalars import SCALARS, SQUARES
 
+Numbers = tuple[Number, ...]
 Results = Iterable[Number] | Mapping[str, Number]
 Recipe = Callable[["Geometry"], Results]
 

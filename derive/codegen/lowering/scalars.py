@@ -89,10 +89,6 @@ def _ray(chart: Chart, trace: Trace, x: Number) -> tuple[Number, ...]:
     return *at.ray, at.f, at.g, at.h
 
 
-def _gain_unit(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
-    return (chart.gain(Quaternion.from_components(e), 1, trace),)
-
-
 def _gain_positive(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
     q = Quaternion.from_components(e)
     return (chart.gain(q, trace.name("size", trace.sqrt(q.norm2())), trace, positive=True),)
@@ -143,7 +139,7 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
     "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
-    "gain_unit": Scalar(E, ("gain",), _gain_unit),
+    "gain_unit": Scalar(E, ("gain",), lambda c, m, *e: (c.gain(Quaternion.from_components(e), 1, m),)),
     "gain_positive": Scalar(E, ("gain",), _gain_positive),
     "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
     "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, *at: (c.direction(*at, m),)),
