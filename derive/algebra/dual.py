@@ -31,9 +31,18 @@ class Structure:
     def __iter__(self) -> Iterator[Coefficient]:
         raise NotImplementedError
 
-    def _with(self, components: Iterable[Coefficient]) -> Self:
-        """Return a structure of the same kind with the given components."""
+    @classmethod
+    def from_components(cls, components: Iterable[Coefficient], /) -> Self:
+        """Return the structure with these components, in the order of iteration."""
         raise NotImplementedError
+
+    @classmethod
+    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Self:
+        """Return the dual structure ``re + ε du`` from the components of both parts."""
+        return cls.from_components(Dual(a, b) for a, b in zip(re, du, strict=True))
+
+    def _with(self, components: Iterable[Coefficient]) -> Self:
+        return self.from_components(components)
 
     def _matches(self, other: object) -> bool:
         """Return whether the other can be added."""

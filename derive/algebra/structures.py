@@ -24,15 +24,11 @@ class Vector(Structure):
     c3: Coefficient
 
     @classmethod
-    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Vector:
-        """Return the dual vector ``re + ε du`` from the three components of each part."""
-        return cls(*(Dual(a, b) for a, b in zip(re, du, strict=True)))
+    def from_components(cls, components: Iterable[Coefficient]) -> Vector:
+        return cls(*components)
 
     def __iter__(self) -> Iterator[Coefficient]:
         return iter((self.c1, self.c2, self.c3))
-
-    def _with(self, components: Iterable[Coefficient]) -> Vector:
-        return Vector(*components)
 
     def dot(self, other: Vector) -> Coefficient:
         """Return the scalar product."""
@@ -73,10 +69,7 @@ class Tensor(Structure):
             raise ValueError(f"a tensor has 9 entries, got {len(e)}")
         return cls(((e[0], e[1], e[2]), (e[3], e[4], e[5]), (e[6], e[7], e[8])))
 
-    @classmethod
-    def dual(cls, re: Tensor, du: Tensor) -> Tensor:
-        """Return the dual tensor ``re + ε du``."""
-        return cls.from_entries(Dual(a, b) for a, b in zip(re, du, strict=True))
+    from_components = from_entries
 
     @classmethod
     def identity(cls) -> Tensor:
@@ -101,9 +94,6 @@ class Tensor(Structure):
 
     def __iter__(self) -> Iterator[Coefficient]:
         return (entry for row in self.rows for entry in row)
-
-    def _with(self, components: Iterable[Coefficient]) -> Tensor:
-        return self.from_entries(components)
 
     def __getitem__(self, index: tuple[int, int]) -> Coefficient:
         row, column = index
@@ -158,16 +148,8 @@ class Quaternion(Structure):
         scalar, c1, c2, c3 = components
         return cls(scalar, Vector(c1, c2, c3))
 
-    @classmethod
-    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Quaternion:
-        """Return the dual quaternion ``re + ε du`` from the four components of each part, scalar first."""
-        return cls.from_components(Dual(a, b) for a, b in zip(re, du, strict=True))
-
     def __iter__(self) -> Iterator[Coefficient]:
         return iter((self.scalar, *self.vector))
-
-    def _with(self, components: Iterable[Coefficient]) -> Quaternion:
-        return self.from_components(components)
 
     def __mul__(self, other: Any) -> Quaternion:
         """Return the quaternion product ``(s t − a·b, s b + t a + a × b)``, or the multiple by a scalar."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -17,7 +17,7 @@ from ..output.tables import columns
 from ..papers import PAPERS, Paper, Status
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text
-from ..proof import Proof, citing, proofs, theorems
+from ..proof import citing, proofs, theorems
 from . import display, options
 
 
@@ -71,16 +71,12 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
     with display.progress(total + len(orders) + 1) as step:
         step("equations")
         results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
-        found = {(proof.name, proof.scope): proof for proof in _proofs(orders, cited, step)}
-    return Report.of(papers, results, found.values(), _root(output))
-
-
-def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str], None]) -> Iterator[Proof]:
-    """Yield all theorems, or only the theorems that cite given equations, then the proofs at each order."""
-    yield from theorems() if cited is None else citing(cited)
-    for n in orders:
-        step(f"proofs at n = {n}")
-        yield from proofs(Cayley(n))
+        found = list(theorems() if cited is None else citing(cited))
+        for n in orders:
+            step(f"proofs at n = {n}")
+            found += proofs(Cayley(n))
+    unique = {(proof.name, proof.scope): proof for proof in found}
+    return Report.of(papers, results, unique.values(), _root(output))
 
 
 def _root(output: Path | None) -> str:
