@@ -24,7 +24,7 @@ Names are loaded on first use, so that importing :mod:`derive` takes no time.
 from __future__ import annotations
 
 import importlib
-import os
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .about import __version__
@@ -36,17 +36,10 @@ if TYPE_CHECKING:
     from .maps.families import alpha
     from .papers import verify
 
+_HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
+    "alpha": "maps.families", "x": "maps", "generate": "codegen", "verify": "papers"
+}  # fmt: skip
 __all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "generate", "verify", "x"]
-
-_HOMES = {
-    "Cayley": "derive.front",
-    "Parameterization": "derive.front",
-    "alpha": "derive.maps.families",
-    "family": "derive.front",
-    "x": "derive.maps",
-    "generate": "derive.codegen",
-    "verify": "derive.papers",
-}
 
 _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
@@ -55,20 +48,18 @@ _OWN = {
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""
 
 
-def _refuse_company(folder: str) -> None:
+def _refuse_company(folder: Path) -> None:
     """Raise ImportError if another distribution has installed its package ``derive`` into the same folder."""
-    modules = {name for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name, "__init__.py"))}
-    modules |= {name for name in os.listdir(folder) if name.endswith(".py")}
+    modules = {path.name for path in folder.iterdir() if path.suffix == ".py" or (path / "__init__.py").is_file()}
     if foreign := ", ".join(sorted(modules - _OWN)):
         raise ImportError(
             f"{folder} holds files of another distribution ({foreign}), which cannot be installed together with "
-            "dualcay: remove it (pip uninstall derive), then install dualcay again",
-            name=__name__,
+            "dualcay: remove it (pip uninstall derive), then install dualcay again"
         )
 
 
-if os.path.isdir(os.path.join(os.path.dirname(__file__), "_templates")):  # only in an installed package
-    _refuse_company(os.path.dirname(__file__))
+if (Path(__file__).parent / "_templates").is_dir():  # only in an installed package
+    _refuse_company(Path(__file__).parent)
 
 
 if not TYPE_CHECKING:  # type checkers know all names by the imports above
@@ -76,7 +67,7 @@ if not TYPE_CHECKING:  # type checkers know all names by the imports above
     def __getattr__(name: str) -> object:
         if name not in _HOMES:
             raise AttributeError(f"module 'derive' has no attribute {name!r}")
-        return getattr(importlib.import_module(_HOMES[name]), name)
+        return getattr(importlib.import_module(f"derive.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:

@@ -31,19 +31,6 @@ TARGET = TARGETS[0]
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
 """Attributes of `derive.Cayley` that are formulas."""
 
-FUNCTIONS = (
-    "quaternion", "tensor", "pose", "transform_point", "transform_line", "inverse", "tangent", "tangent_inv",
-    "body_tangent", "body_tangent_inv", "twist", "rate", "body_twist", "body_rate", "tangent_dot",
-    "body_tangent_dot", "twist_dot", "body_twist_dot", "rate_dot", "body_rate_dot", "twist_jacobian",
-    "body_twist_jacobian", "rate_jacobian", "body_rate_jacobian", "cotangent", "body_cotangent",
-    "cotangent_jacobian", "body_cotangent_jacobian", "from_quaternion", "from_tensor", "from_pose", "from_screw",
-    "to_screw", "angle", "to_exponential", "from_exponential", "shadow", "shadow_jacobian", "principal", "compose",
-    "between", "compose_jacobians", "between_jacobians", "retract", "body_retract", "retract_jacobians",
-    "body_retract_jacobians", "local", "body_local", "interpolate", "adjoint", "transform_point_jacobians",
-    "transform_line_jacobians",
-)  # fmt: skip
-"""Functions of a kernel module: keys of `derive.codegen.signatures.PUBLIC`."""
-
 PAPERS = ("condurache-popa-2023", "karakilic-2010")
 """Slugs of `derive.papers.PAPERS`."""
 

@@ -16,35 +16,31 @@ class Provable:
     """Chart with a method that proves it."""
 
     def prove(self: Any) -> Listing[Proof]:
-        """Decide every statement about this chart and return its proofs.
+        """Decide every statement about this chart and return the proofs.
+
+        A Cayley map has statements for all n, and by components at its n.
 
         Examples
         --------
         >>> import derive
-        >>> {proof.status for proof in derive.family("lambert").prove()}
-        {'proved'}
+        >>> proofs = derive.Cayley(3).prove()
+        >>> all(proof.proved for proof in proofs), {proof.scope for proof in proofs} == {"all n", "n = 3"}
+        (True, True)
         """
         return Listing(proofs(self))
+
+
+@dataclass(frozen=True)
+class Cayley(Provable, maps.Cayley):
+    __doc__ = maps.Cayley.__doc__
 
 
 def family(name: str) -> Any:
     """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
 
-    Parameters
-    ----------
-    name : str
-        Name listed by `dualcay list`; the name of a numbered family includes its order n.
-
-    Returns
-    -------
-    Chart
-        Chart with the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, with φ as ``phi``, its
-        largest angle as ``edge``, ``singular_angles`` and ``prove()``.
-
-    Raises
-    ------
-    ValueError
-        If no family has that name.
+    The name is listed by `dualcay list`; in a numbered family it includes the order n. The chart has the formulas
+    ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as ``edge``,
+    ``singular_angles`` and ``prove()``. An unknown name is a ValueError.
 
     Examples
     --------
@@ -61,6 +57,9 @@ def family(name: str) -> Any:
 def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None = None) -> Any:
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
+    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits``
+    of T and T⁻¹ at 0, and ``inverse``. A refused φ is a `PhiError`, a ValueError that says why.
+
     Parameters
     ----------
     phi : str or Expr
@@ -71,17 +70,6 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
         Name of the chart, an identifier.
     order : int, optional
         Value of n in a text.
-
-    Returns
-    -------
-    Chart
-        Chart with the attributes listed in `family`, and ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits`` of
-        T and T⁻¹ at 0, and ``inverse``.
-
-    Raises
-    ------
-    PhiError
-        A `ValueError` with the reason why φ is refused.
 
     Examples
     --------
@@ -99,22 +87,3 @@ def provable(chart: Any) -> Any:
     kind = type(chart)
     with_proofs = type(kind.__name__, (Provable, kind), {"__doc__": kind.__doc__, "__module__": kind.__module__})
     return with_proofs(**{field.name: getattr(chart, field.name) for field in fields(chart)})
-
-
-@dataclass(frozen=True)
-class Cayley(maps.Cayley):
-    __doc__ = maps.Cayley.__doc__
-
-    def prove(self) -> Listing[Proof]:
-        """Decide every statement about this map, for all n and by components at this n, and return the proofs.
-
-        All statements hold if ``all(proof.proved for proof in m.prove())``.
-
-        Examples
-        --------
-        >>> import derive
-        >>> proofs = derive.Cayley(3).prove()
-        >>> {proof.status for proof in proofs}, {proof.scope for proof in proofs} == {"all n", "n = 3"}
-        ({'proved'}, True)
-        """
-        return Listing(proofs(self))

@@ -8,7 +8,6 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
-import sys
 import tempfile
 import threading
 from collections.abc import Callable, Iterable, Iterator
@@ -26,16 +25,11 @@ Result = TypeVar("Result")
 
 def cores() -> int:
     """Return the number of processor cores that this process may use."""
-    if sys.version_info >= (3, 13):
-        found = os.process_cpu_count()
-    else:
-        found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return min(found or 1, PROCESSES_MAX)
 
 
-def each(
-    function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], processes: int
-) -> Iterator[Result]:
+def each(function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], processes: int) -> Iterator[Result]:
     """Yield the results of calls in their order, computed in other processes as soon as arguments are available.
 
     With one process, the calls run in the main process, one by one. If several calls fail, the first error is raised.
@@ -53,12 +47,8 @@ def each(
 def workers(count: int) -> Iterator[ProcessPoolExecutor]:
     """Provide a pool of processes that all end with the block: done, failed, interrupted or killed.
 
-    Processes are spawned, not forked: a fork may copy a lock held by a thread of JAX or of a progress bar.
-
-    Raises
-    ------
-    ChildProcessError
-        If a worker process dies.
+    Processes are spawned, not forked: a fork may copy a lock held by a thread of JAX or of a progress bar. The death
+    of a worker raises ChildProcessError.
     """
     context = multiprocessing.get_context("spawn")
     watched, held = context.Pipe(duplex=False)

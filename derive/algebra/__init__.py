@@ -6,34 +6,22 @@ The classes are immutable values. ``Dual`` coefficients make a vector, tensor or
 ================== ====================================================================
 dual               `Dual`: ``a + ε a°``, its inverse, powers, magnitude and ``f(a) + ε a° f'(a)``
 functions          sin, cos, tan, cot, atan, atan2, sqrt, expm1, log1p and others of plain and dual numbers
-vector             `Vector`: sum, multiple, dot, cross, magnitude
-tensor             `Tensor`: skew, dyad, vect, trace, det, transpose, product, inverse
-quaternion         `Quaternion`: product, conjugate, norm, inverse, sandwich
+structures         `Vector` (dot, cross, magnitude), `Tensor` (skew, dyad, vect, trace, det, transpose, inverse),
+                   `Quaternion` (conjugate, norm, inverse, sandwich), with sums and products
 isotropic          `Isotropic`: ``a I + b skew(v) + c v⊗v`` as an algebra over functions of ``x = v · v``
 mixed              sums and products across numbers, vectors, quaternions and tensors, as the papers write them
 element, exact     `Element` and its ring: rational functions over Q, modulo relations
 angles             exact sine and cosine of multiples of given angles
 polynomial_backend polynomials over Q by python-flint or SymPy
-arithmetic         operations of formulas beyond + − ×, for numbers and for traces
+arithmetic         operations of formulas beyond + − ×, on numbers; traces override them
 ================== ====================================================================
 """
 
-from .coefficients import Coefficient, Structure, ZeroDivisorError
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, Structure, ZeroDivisorError, dual_part, real_part
 from .isotropic import Isotropic
-from .quaternion import Quaternion
-from .tensor import Tensor
-from .vector import Vector
+from .structures import Quaternion, Tensor, Vector
 
 __all__ = [
-    "Coefficient",
-    "Dual",
-    "Isotropic",
-    "Quaternion",
-    "Structure",
-    "Tensor",
-    "Vector",
-    "ZeroDivisorError",
-    "dual_part",
+    "Coefficient", "Dual", "Isotropic", "Quaternion", "Structure", "Tensor", "Vector", "ZeroDivisorError", "dual_part",
     "real_part",
-]
+]  # fmt: skip

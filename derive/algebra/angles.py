@@ -12,15 +12,10 @@ from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):
-    """Field Q(names, angles, …, π).
+    """Field Q(names, angles, …, π), given independent symbols and an integer M for each angle symbol.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Independent symbols.
-    angles : mapping of str to int, optional
-        Integer M by angle symbol; sine and cosine of multiples of angle/M are elements. An angle and its tangent
-        ``tan(angle/2M)`` are two algebraically independent generators.
+    Sine and cosine of multiples of angle/M are elements. An angle and its tangent ``tan(angle/2M)`` are two
+    algebraically independent generators.
     """
 
     def __init__(self, names: Sequence[str], angles: Mapping[str, int] | None = None) -> None:
@@ -45,13 +40,7 @@ class AngleField(RationalFunctions):
         return self._circle(a)[1]
 
     def atan2(self, y: Element, x: Element) -> Element:
-        """Return the angle of the point (x, y) as a multiple k/M of an angle of the field, with |k| ≤ 2M.
-
-        Raises
-        ------
-        NotExactError
-            If the angle is not such a multiple.
-        """
+        """Return the angle of the point (x, y), which must be a multiple k/M of an angle of the field, |k| ≤ 2M."""
         for name, steps in self.angles.items():
             for k in range(-2 * steps, 2 * steps + 1):
                 multiple = self.symbol(name) * Fraction(k, steps)

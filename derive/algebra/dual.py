@@ -1,12 +1,84 @@
-"""Dual numbers ``a + ε a°`` with ``ε² = 0`` over any commutative coefficients."""
+"""Dual numbers ``a + ε a°`` with ``ε² = 0``, and the base class of vectors, tensors and quaternions.
+
+A coefficient is any value of a commutative ring with ``+ - *`` (and ``/`` where a method divides): ``int``, ``float``,
+``Fraction``, mpmath ``mpf``, SymPy expressions, elements of exact rings, traced values, and `Dual` numbers over any of
+these.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import operator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self, TypeAlias
 
-from .coefficients import Coefficient, Structure, ZeroDivisorError
+Coefficient: TypeAlias = Any
+
+
+class ZeroDivisorError(ZeroDivisionError):
+    """Error: inverse, quotient or square root of a zero divisor, a dual number with real part zero."""
+
+
+class Structure:
+    """Base class of vectors, tensors and quaternions: sums and multiples, component by component.
+
+    A structure is never a coefficient. ``__array_ufunc__ = None`` makes NumPy leave products to the structure.
+    """
+
+    __slots__ = ()
+    __array_ufunc__: ClassVar[None] = None
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        raise NotImplementedError
+
+    @classmethod
+    def from_components(cls, components: Iterable[Coefficient], /) -> Self:
+        """Return the structure with these components, in the order of iteration."""
+        raise NotImplementedError
+
+    @classmethod
+    def dual(cls, re: Iterable[Coefficient], du: Iterable[Coefficient]) -> Self:
+        """Return the dual structure ``re + ε du`` from the components of both parts."""
+        return cls.from_components(Dual(a, b) for a, b in zip(re, du, strict=True))
+
+    def _with(self, components: Iterable[Coefficient]) -> Self:
+        return self.from_components(components)
+
+    def _matches(self, other: object) -> bool:
+        """Return whether the other can be added."""
+        return type(other) is type(self)
+
+    def map(self, f: Callable[[Any], Any]) -> Self:
+        """Apply `f` to every component."""
+        return self._with(map(f, self))
+
+    @property
+    def re(self) -> Self:
+        """Real part."""
+        return self.map(real_part)
+
+    @property
+    def du(self) -> Self:
+        """Dual part."""
+        return self.map(dual_part)
+
+    def __add__(self, other: Self) -> Self:
+        return self._with(map(operator.add, self, other)) if self._matches(other) else NotImplemented
+
+    def __sub__(self, other: Self) -> Self:
+        return self._with(map(operator.sub, self, other)) if self._matches(other) else NotImplemented
+
+    def __neg__(self) -> Self:
+        return self.map(operator.neg)
+
+    def __mul__(self, scalar: Any) -> Self:
+        return NotImplemented if isinstance(scalar, Structure) else self._with(a * scalar for a in self)
+
+    def __rmul__(self, scalar: Coefficient) -> Self:
+        return NotImplemented if isinstance(scalar, Structure) else self._with(a * scalar for a in self)
+
+    def __truediv__(self, scalar: Coefficient) -> Self:
+        return NotImplemented if isinstance(scalar, Structure) else self._with(a / scalar for a in self)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -18,13 +90,6 @@ class Dual:
     ``float`` in Python, so exact work takes ``Fraction`` or SymPy coefficients.
 
     Nested dual numbers (second derivatives) work as long as all operands have the same depth.
-
-    Parameters
-    ----------
-    re : coefficient
-        Real part.
-    du : coefficient, optional
-        Dual part, 0 by default.
     """
 
     re: Coefficient
@@ -33,50 +98,27 @@ class Dual:
     __array_ufunc__: ClassVar[None] = None
 
     def apply(self, f: Callable[[Any], Any], df: Callable[[Any], Any]) -> Dual:
-        """Return ``f(a) + ε a° f'(a)``, the only extension of a differentiable function that keeps its identities.
-
-        Parameters
-        ----------
-        f, df : callable
-            The function and its derivative on the coefficients.
-        """
+        """Return ``f(a) + ε a° f'(a)`` for a function of the coefficients and its derivative."""
         return Dual(f(self.re), self.du * df(self.re))
 
-    def conjugate(self) -> Dual:
-        """Return ``a − ε a°``."""
-        return Dual(self.re, -self.du)
-
     def inverse(self) -> Dual:
-        """Return ``1/a − ε a°/a²``.
-
-        Raises
-        ------
-        ZeroDivisorError
-            If the real part is zero.
-        """
+        """Return ``1/a − ε a°/a²``; a zero divisor raises `ZeroDivisorError`."""
         return 1 / self
 
     def __add__(self, other: Any) -> Dual:
         if isinstance(other, Structure):
             return NotImplemented
-        if isinstance(other, Dual):
-            return Dual(self.re + other.re, self.du + other.du)
-        return Dual(self.re + other, self.du)
+        return Dual(self.re + real_part(other), self.du + dual_part(other))
 
     __radd__ = __add__
 
     def __neg__(self) -> Dual:
         return Dual(-self.re, -self.du)
 
-    def __pos__(self) -> Dual:
-        return self
-
     def __sub__(self, other: Any) -> Dual:
         if isinstance(other, Structure):
             return NotImplemented
-        if isinstance(other, Dual):
-            return Dual(self.re - other.re, self.du - other.du)
-        return Dual(self.re - other, self.du)
+        return Dual(self.re - real_part(other), self.du - dual_part(other))
 
     def __rsub__(self, other: Any) -> Dual:
         return Dual(other - self.re, -self.du)

@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from numbers import Number
-from typing import Any
+from typing import Any, TypeVar
 
 from .polynomial_backend import Polynomial
+
+Result = TypeVar("Result")
 
 
 class NotExactError(ArithmeticError):
     """Error: the result lies outside the field, such as the root of a non-square."""
+
+
+def _of_ring(operation: Callable[[Element, Element], Result]) -> Callable[[Element, object], Result]:
+    """Return an operator that takes its other operand into the ring, or leaves the operation to that operand."""
+
+    def found(self: Element, other: object) -> Result:
+        if not isinstance(other, Element | Number):
+            return NotImplemented  # type: ignore[no-any-return]
+        return operation(self, self.ring.element(other))
+
+    return found
 
 
 class Element:
@@ -31,93 +44,76 @@ class Element:
         self.numerator = numerator
         self.denominator = denominator
 
-    def _partner(self, other: object) -> Element | None:
-        if isinstance(other, Element) and other.ring is self.ring:
-            return other
-        return self.ring.element(other) if isinstance(other, Element | Number) else None
-
     def __neg__(self) -> Element:
         return Element(self.ring, -self.numerator, self.denominator)
 
     def __pos__(self) -> Element:
         return self
 
-    def __add__(self, other: object) -> Element:
-        partner = self._partner(other)
-        if partner is None:
-            return NotImplemented
-        if self.denominator == partner.denominator:
-            return Element(self.ring, self.numerator + partner.numerator, self.denominator)
-        mine, theirs = self.ring.cofactors(self.denominator, partner.denominator)
-        numerator = self.ring.reduced(self.numerator * mine + partner.numerator * theirs)
+    @_of_ring
+    def __add__(self, other: Element) -> Element:
+        if self.denominator == other.denominator:
+            return Element(self.ring, self.numerator + other.numerator, self.denominator)
+        mine, theirs = self.ring.cofactors(self.denominator, other.denominator)
+        numerator = self.ring.reduced(self.numerator * mine + other.numerator * theirs)
         return Element(self.ring, numerator, self.denominator * mine)
 
     __radd__ = __add__
 
-    def __sub__(self, other: object) -> Element:
-        partner = self._partner(other)
-        return NotImplemented if partner is None else self + (-partner)
+    @_of_ring
+    def __sub__(self, other: Element) -> Element:
+        return self + (-other)
 
     def __rsub__(self, other: object) -> Element:
         return (-self) + other
 
-    def __mul__(self, other: object) -> Element:
-        partner = self._partner(other)
-        if partner is None:
-            return NotImplemented
-        numerator = self.ring.reduced(self.numerator * partner.numerator)
-        denominator = self.denominator * partner.denominator
+    @_of_ring
+    def __mul__(self, other: Element) -> Element:
+        numerator = self.ring.reduced(self.numerator * other.numerator)
+        denominator = self.denominator * other.denominator
         if self.ring.relations:
             return Element(self.ring, numerator, denominator)
         return self.ring.fraction(numerator, denominator)  # type: ignore[no-any-return]
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: object) -> Element:
-        partner = self._partner(other)
-        if partner is None:
-            return NotImplemented
-        divisor = self.ring.normal_form(partner.numerator)
+    @_of_ring
+    def __truediv__(self, other: Element) -> Element:
+        divisor = self.ring.normal_form(other.numerator)
         if not divisor:
             raise ZeroDivisionError("division by the zero of the exact ring")
         # a/D : b/E = a E/(D b), without the factors that D and E share
-        mine, theirs = self.ring.cofactors(partner.denominator, self.denominator)
+        mine, theirs = self.ring.cofactors(other.denominator, self.denominator)
         numerator = self.ring.reduced(self.numerator * theirs)
         return self.ring.fraction(numerator, divisor * mine)  # type: ignore[no-any-return]
 
-    def __rtruediv__(self, other: object) -> Element:
-        partner = self._partner(other)
-        return NotImplemented if partner is None else partner / self
+    @_of_ring
+    def __rtruediv__(self, other: Element) -> Element:
+        return other / self
 
     def __pow__(self, exponent: object) -> Element:
         n = operator.index(exponent)  # type: ignore[arg-type]  # a TypeError unless it is an integer
         if n < 0:
             return 1 / self**-n
+        if n < 2:
+            return self if n else self.ring.constant(1)
         if not self.ring.relations:
-            return Element(self.ring, self.numerator**n, self.denominator**n) if n else self.ring.constant(1)
-        result, square = self.ring.constant(1), self
-        while n:
-            if n & 1:
-                result = result * square
-            n >>= 1
-            if n:
-                square = square * square
-        return result  # type: ignore[no-any-return]
+            return Element(self.ring, self.numerator**n, self.denominator**n)
+        half = self ** (n // 2)
+        return half * half * self if n % 2 else half * half
 
-    def __eq__(self, other: object) -> bool:
-        partner = self._partner(other)
-        if partner is None:
-            return NotImplemented
-        return not self + (-partner)
+    @_of_ring
+    def __eq__(self, other: Element) -> bool:
+        return not self - other
 
-    def __lt__(self, other: object) -> bool:
+    @_of_ring
+    def __lt__(self, other: Element) -> bool:
         """Compare at the reference point, for kernels that select by comparison."""
-        partner = self._partner(other)
-        return NotImplemented if partner is None else (self - partner).sign() < 0
+        return (self - other).sign() < 0
 
-    def __gt__(self, other: object) -> bool:
-        partner = self._partner(other)
-        return NotImplemented if partner is None else partner < self
+    @_of_ring
+    def __gt__(self, other: Element) -> bool:
+        return other < self
 
     def __bool__(self) -> bool:
         return bool(self.ring.normal_form(self.numerator))
@@ -135,13 +131,7 @@ class Element:
         return int(value > 0) - int(value < 0)
 
     def sqrt(self) -> Element:
-        """Return the square root that is positive at the reference point.
-
-        Raises
-        ------
-        NotExactError
-            If the element is not a square.
-        """
+        """Return the square root that is positive at the reference point; only squares have one."""
         root = self.ring.library.square_root(self.numerator * self.denominator)
         if root is None:
             raise NotExactError(f"not a perfect square in the exact ring: {self!r}")
@@ -168,13 +158,7 @@ class Element:
         return total  # type: ignore[no-any-return]
 
     def combination(self, monomials: Sequence[Element]) -> tuple[Fraction, ...]:
-        """Return the rational numbers c with ``self = Σ c · monomial``.
-
-        Raises
-        ------
-        NotExactError
-            If no such numbers exist.
-        """
+        """Return the rational numbers c with ``self = Σ c · monomial``; raise NotExactError if there are none."""
         terms = self.ring.library.terms
         reduced = self.ring.fraction(self.numerator, self.denominator)
         left = terms(reduced.numerator)

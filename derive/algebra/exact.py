@@ -25,28 +25,22 @@ class RationalFunctions:
     names : sequence of str
         Generators, in lexicographic order. A relation is solved for the first generator in it.
     point : mapping of str to Fraction, optional
-        A reference point, by default distinct positive numbers. An element has the sign of its value there, and a
-        square root is positive there.
+        Reference point that decides signs, also of square roots; by default distinct positive numbers.
     backend : {"flint", "sympy"}, optional
-        See `polynomials`.
     lowest_terms : bool
         True to reduce products and quotients to lowest terms. If False, denominators show every divisor.
     """
 
     def __init__(
-        self,
-        names: Sequence[str],
-        point: Mapping[str, Fraction] | None = None,
-        backend: str | None = None,
+        self, names: Sequence[str], point: Mapping[str, Fraction] | None = None, backend: str | None = None,
         lowest_terms: bool = True,
-    ) -> None:
+    ) -> None:  # fmt: skip
         self.names = tuple(names)
         self.library = polynomials(len(self.names), backend)
         self.lowest_terms = lowest_terms
         self.relations: list[Polynomial] = []
-        self.point = {name: Fraction(int(sympy.prime(i + 2)), 3) for i, name in enumerate(self.names)}
-        if point is not None:
-            self.point = dict(point)
+        primes = {name: Fraction(int(sympy.prime(i + 2)), 3) for i, name in enumerate(self.names)}
+        self.point = primes if point is None else dict(point)
 
     def symbol(self, name: str) -> Element:
         """Return the generator with the given name."""
@@ -73,14 +67,9 @@ class RationalFunctions:
         raise TypeError(f"the exact ring takes int and Fraction, not {type(value).__name__} {value!r}")
 
     def lift(self, expression: Any, values: Mapping[Any, Element | Rational | int]) -> Element:
-        """Return a SymPy expression as an element.
+        """Return a SymPy expression (or an exact number) as an element, given the values of its symbols.
 
-        Parameters
-        ----------
-        expression : sympy.Expr or number
-            Sums, products and powers of symbols and rational numbers; half-integer powers use `Element.sqrt`.
-        values : mapping
-            Element (or exact number) for each SymPy symbol.
+        It may contain sums, products, integer powers and half-integer powers, which use `Element.sqrt`.
         """
         if isinstance(expression, int | Fraction):
             return self.constant(expression)
@@ -121,13 +110,11 @@ class RationalFunctions:
 
     def fraction(self, above: Polynomial, below: Polynomial) -> Element:
         """Return a quotient of two polynomials, with a monic denominator."""
-        library = self.library
-        if below != library.one:
-            if self.lowest_terms:
-                common = library.gcd(above, below)
-                if common != library.one:
-                    above, below = above / common, below / common
-            leading = library.leading_coefficient(below)
+        one = self.library.one
+        if below != one:
+            if self.lowest_terms and (common := self.library.gcd(above, below)) != one:
+                above, below = above / common, below / common
+            leading = self.library.leading_coefficient(below)
             if leading != 1:
                 above, below = above * (1 / leading), below * (1 / leading)
         return Element(self, above, below)
@@ -143,13 +130,7 @@ class RationalFunctions:
         return b / common, a / common
 
     def value(self, a: Polynomial) -> Fraction:
-        """Return the value of a polynomial at the reference point.
-
-        Raises
-        ------
-        NotExactError
-            If a generator without a reference value occurs.
-        """
+        """Return the value of a polynomial at the reference point; every generator in it needs a value there."""
         total = Fraction(0)
         for exponents, coefficient in self.library.terms(a).items():
             for name, power in zip(self.names, exponents, strict=True):

@@ -11,37 +11,44 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from .coefficients import Coefficient, ZeroDivisorError
-from .dual import Dual, dual_part, real_part
+from .dual import Coefficient, Dual, ZeroDivisorError, dual_part, real_part
 
 
 def namespace(*values: Coefficient) -> Any:
-    """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`.
-
-    The function imports nothing, since the library of a value is already loaded.
-    """
+    """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`."""
     libraries = {type(real_part(value)).__module__.partition(".")[0] for value in values}
     for name in ("sympy", "mpmath", "numpy"):
         if name in libraries:
-            return sys.modules[name]
+            return sys.modules[name]  # loaded, since a value is of this library
     return math
 
 
-def lift(value: Coefficient, f: Callable[[Any], Any], df: Callable[[Any], Any]) -> Coefficient:
-    """Apply `f`, with derivative `df`, to a plain or a dual number."""
-    return value.apply(f, df) if isinstance(value, Dual) else f(value)
+def _elementary(name: str, slope: Callable[[Any, Any], Any]) -> Callable[[Coefficient], Coefficient]:
+    """Return a function of plain and dual numbers by its name in all libraries.
+
+    The derivative at a is ``slope(library, a)``.
+    """
+
+    def function(value: Coefficient) -> Coefficient:
+        library = namespace(value)
+        f = getattr(library, name)
+        return value.apply(f, lambda a: slope(library, a)) if isinstance(value, Dual) else f(value)
+
+    return function
 
 
-def sin(value: Coefficient) -> Coefficient:
-    """Return the sine."""
-    library = namespace(value)
-    return lift(value, library.sin, library.cos)
-
-
-def cos(value: Coefficient) -> Coefficient:
-    """Return the cosine."""
-    library = namespace(value)
-    return lift(value, library.cos, lambda a: -library.sin(a))
+sin = _elementary("sin", lambda library, a: library.cos(a))
+cos = _elementary("cos", lambda library, a: -library.sin(a))
+atan = _elementary("atan", lambda library, a: 1 / (1 + a * a))
+asin = _elementary("asin", lambda library, a: 1 / library.sqrt(1 - a * a))
+acos = _elementary("acos", lambda library, a: -1 / library.sqrt(1 - a * a))
+exp = _elementary("exp", lambda library, a: library.exp(a))
+log = _elementary("log", lambda library, a: 1 / a)
+sinh = _elementary("sinh", lambda library, a: library.cosh(a))
+cosh = _elementary("cosh", lambda library, a: library.sinh(a))
+# accurate near 0 to the last digit; not for SymPy, which lacks both
+expm1 = _elementary("expm1", lambda library, a: library.exp(a))
+log1p = _elementary("log1p", lambda library, a: 1 / (1 + a))
 
 
 def tan(value: Coefficient) -> Coefficient:
@@ -52,57 +59,6 @@ def tan(value: Coefficient) -> Coefficient:
 def cot(value: Coefficient) -> Coefficient:
     """Return the cotangent; an exact pole is a `ZeroDivisionError`."""
     return _quotient(cos(value), sin(value), "cot", value)
-
-
-def atan(value: Coefficient) -> Coefficient:
-    """Return the principal arc tangent."""
-    return lift(value, namespace(value).atan, lambda a: 1 / (1 + a * a))
-
-
-def asin(value: Coefficient) -> Coefficient:
-    """Return the principal arc sine."""
-    library = namespace(value)
-    return lift(value, library.asin, lambda a: 1 / library.sqrt(1 - a * a))
-
-
-def acos(value: Coefficient) -> Coefficient:
-    """Return the principal arc cosine."""
-    library = namespace(value)
-    return lift(value, library.acos, lambda a: -1 / library.sqrt(1 - a * a))
-
-
-def exp(value: Coefficient) -> Coefficient:
-    """Return the exponential."""
-    library = namespace(value)
-    return lift(value, library.exp, library.exp)
-
-
-def log(value: Coefficient) -> Coefficient:
-    """Return the natural logarithm."""
-    return lift(value, namespace(value).log, lambda a: 1 / a)
-
-
-def expm1(value: Coefficient) -> Coefficient:
-    """Return exp − 1, accurate near 0 to the last digit; for numbers only, since SymPy has no such function."""
-    library = namespace(value)
-    return lift(value, library.expm1, library.exp)
-
-
-def log1p(value: Coefficient) -> Coefficient:
-    """Return the logarithm of 1 plus the value, accurate near 0 to the last digit; for numbers only, like `expm1`."""
-    return lift(value, namespace(value).log1p, lambda a: 1 / (1 + a))
-
-
-def sinh(value: Coefficient) -> Coefficient:
-    """Return the hyperbolic sine."""
-    library = namespace(value)
-    return lift(value, library.sinh, library.cosh)
-
-
-def cosh(value: Coefficient) -> Coefficient:
-    """Return the hyperbolic cosine."""
-    library = namespace(value)
-    return lift(value, library.cosh, library.sinh)
 
 
 def tanh(value: Coefficient) -> Coefficient:
@@ -120,12 +76,9 @@ def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
 
 
 def sqrt(value: Coefficient) -> Coefficient:
-    """Return the square root; elements of an exact ring use their own method ``sqrt``.
+    """Return the square root; it is not differentiable at a real part zero, so a zero divisor is refused.
 
-    Raises
-    ------
-    ZeroDivisorError
-        For a dual number with real part zero: the root is not differentiable there.
+    Elements of an exact ring use their own method ``sqrt``.
     """
     if not isinstance(value, Dual):
         return value.sqrt() if hasattr(value, "sqrt") else namespace(value).sqrt(value)

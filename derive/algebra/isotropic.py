@@ -7,11 +7,11 @@ functions of x, for real and dual vectors alike.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from .coefficients import Coefficient, Structure
-from .tensor import Tensor
-from .vector import Vector
+from .dual import Coefficient, Structure
+from .structures import Tensor, Vector
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,11 +22,6 @@ class Isotropic(Structure):
     b: Coefficient
     c: Coefficient
     x: Coefficient
-
-    @classmethod
-    def identity(cls, x: Coefficient) -> Isotropic:
-        """Return the identity tensor I."""
-        return cls(1, 0, 0, x)
 
     @property
     def coefficients(self) -> tuple[Coefficient, Coefficient, Coefficient]:
@@ -55,10 +50,7 @@ class Isotropic(Structure):
     def inverse(self) -> Isotropic:
         """Return the inverse ``(a I − b skew(v) + (b² − a c)/(a + x c) v⊗v) / (a² + x b²)``.
 
-        Raises
-        ------
-        ZeroDivisionError
-            If the determinant is zero; `ZeroDivisorError` if it is a zero divisor of the dual numbers.
+        Without an inverse, the division raises ZeroDivisionError.
         """
         planar2 = self.planar2
         c = (self.b * self.b - self.a * self.c) / (planar2 * self.axial)
@@ -74,37 +66,24 @@ class Isotropic(Structure):
         expanded: Tensor = Tensor.identity() * self.a + Tensor.skew(v) * self.b + Tensor.dyad(v, v) * self.c
         return expanded
 
-    def __add__(self, other: Isotropic) -> Isotropic:
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter(self.coefficients)
+
+    def _with(self, components: Iterable[Coefficient]) -> Isotropic:
+        a, b, c = components
+        return Isotropic(a, b, c, self.x)
+
+    def _matches(self, other: object) -> bool:
         if not isinstance(other, Isotropic):
-            return NotImplemented
-        self._require_same_vector(other)
-        return Isotropic(self.a + other.a, self.b + other.b, self.c + other.c, self.x)
-
-    def __sub__(self, other: Isotropic) -> Isotropic:
-        if not isinstance(other, Isotropic):
-            return NotImplemented
-        return self + -other
-
-    def __neg__(self) -> Isotropic:
-        return Isotropic(-self.a, -self.b, -self.c, self.x)
-
-    def __mul__(self, scalar: Coefficient) -> Isotropic:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Isotropic(self.a * scalar, self.b * scalar, self.c * scalar, self.x)
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, scalar: Coefficient) -> Isotropic:
-        if isinstance(scalar, Structure):
-            return NotImplemented
-        return Isotropic(self.a / scalar, self.b / scalar, self.c / scalar, self.x)
+            return False
+        if self.x != other.x:
+            raise ValueError(f"tensors of different vectors: x = {self.x!r} and x = {other.x!r}")
+        return True
 
     def __matmul__(self, other: Isotropic) -> Isotropic:
         """Return the product, which is commutative."""
-        if not isinstance(other, Isotropic):
+        if not self._matches(other):
             return NotImplemented
-        self._require_same_vector(other)
         x = self.x
         return Isotropic(
             self.a * other.a - x * (self.b * other.b),
@@ -112,7 +91,3 @@ class Isotropic(Structure):
             self.a * other.c + self.c * other.a + self.b * other.b + x * (self.c * other.c),
             x,
         )
-
-    def _require_same_vector(self, other: Isotropic) -> None:
-        if self.x != other.x:
-            raise ValueError(f"tensors of different vectors: x = {self.x!r} and x = {other.x!r}")

@@ -8,10 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .coefficients import Structure
-from .quaternion import Quaternion
-from .tensor import Tensor
-from .vector import Vector
+from .dual import Structure
+from .structures import Quaternion, Tensor, Vector
 
 
 class MeaninglessError(TypeError):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-from abc import ABC, abstractmethod
 from fractions import Fraction
 from numbers import Rational
 from typing import Any
@@ -14,51 +13,68 @@ import sympy
 Polynomial = Any  # fmpq_mpoly or PolyElement; both have + - * ** % == degrees() gcd() and an exact quotient /
 
 
-class Polynomials(ABC):
-    """Operations on polynomials over Q whose names differ between the two libraries.
+class Polynomials:
+    """Polynomials over Q of SymPy's sparse ring; the generators are in lexicographic order, the greatest first."""
 
-    Attributes
-    ----------
-    generators : tuple of polynomials
-        In lexicographic order, the greatest first.
-    one, zero : polynomial
-    """
+    def __init__(self, count: int) -> None:
+        self._ring, *generators = sympy.polys.rings.ring([f"g{i}" for i in range(count)], sympy.QQ)
+        self.generators = tuple(generators)
+        self.one, self.zero = self.constant(1), self.constant(0)
 
-    generators: tuple[Polynomial, ...]
-    one: Polynomial
-    zero: Polynomial
-
-    @abstractmethod
     def constant(self, value: Rational | int) -> Polynomial:
         """Return a constant polynomial."""
+        return self._ring.ground_new(sympy.QQ(int(value.numerator), int(value.denominator)))
 
-    @abstractmethod
     def leading_coefficient(self, a: Polynomial) -> Any:
         """Return the coefficient of the leading term."""
+        return a.LC
 
     def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the monic greatest common divisor."""
-        return a.gcd(b)
+        """Return the monic greatest common divisor of b and the coefficients of a in the generators that b lacks.
 
-    @abstractmethod
+        SymPy's own gcd spends time on every generator, even on absent ones.
+        """
+        used = [i for i, degree in enumerate(b.degrees()) if degree > 0]
+        if not a or not used:
+            return (b or a).monic() if not (a and b) else self.one
+        small = sympy.polys.rings.ring([f"g{i}" for i in used], sympy.QQ)[0]
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
+        for exponents, coefficient in a.items():
+            others = tuple(0 if i in used else power for i, power in enumerate(exponents))
+            parts.setdefault(others, {})[tuple(exponents[i] for i in used)] = coefficient
+        result = small.from_dict({tuple(e[i] for i in used): c for e, c in b.items()})
+        for part in sorted(parts.values(), key=len):
+            if result.is_ground:
+                break
+            result = result.gcd(small.from_dict(part))
+        return result.monic().set_ring(self._ring)
+
     def derivative(self, a: Polynomial, generator: int) -> Polynomial:
         """Return the partial derivative by the generator with the given index."""
+        return a.diff(self.generators[generator])
 
-    @abstractmethod
     def square_root(self, a: Polynomial) -> Polynomial | None:
         """Return a polynomial whose square is ``a``, or None."""
+        content, factors = a.sqf_list()
+        root = sympy.sqrt(sympy.Rational(int(content.numerator), int(content.denominator)))
+        if not root.is_Rational or any(power % 2 for _, power in factors):
+            return None
+        result = self.constant(Fraction(int(root.p), int(root.q)))
+        for factor, power in factors:
+            result = result * factor ** (power // 2)
+        return result
 
-    @abstractmethod
     def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
         """Return the irreducible factors with their exponents, constants left out."""
+        return list(a.factor_list()[1])
 
-    @abstractmethod
     def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
         """Return the coefficients by exponents."""
+        return {tuple(e): Fraction(int(c.numerator), int(c.denominator)) for e, c in a.items()}
 
 
 class FlintPolynomials(Polynomials):
-    """Polynomials of type ``flint.fmpq_mpoly``."""
+    """Polynomials over Q of type ``flint.fmpq_mpoly``."""
 
     def __init__(self, count: int) -> None:
         self._flint = importlib.import_module("flint")
@@ -72,6 +88,9 @@ class FlintPolynomials(Polynomials):
 
     def leading_coefficient(self, a: Polynomial) -> Any:
         return a.leading_coefficient()
+
+    def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
+        return a.gcd(b)
 
     def derivative(self, a: Polynomial, generator: int) -> Polynomial:
         return a.derivative(generator)
@@ -89,73 +108,9 @@ class FlintPolynomials(Polynomials):
         return {tuple(map(int, e)): Fraction(int(c.p), int(c.q)) for e, c in a.to_dict().items()}
 
 
-class SympyPolynomials(Polynomials):
-    """Polynomials of SymPy's sparse ring over Q."""
-
-    def __init__(self, count: int) -> None:
-        self._ring, *generators = sympy.polys.rings.ring([f"g{i}" for i in range(count)], sympy.QQ)
-        self.generators = tuple(generators)
-        self.one, self.zero = self._ring.one, self._ring.zero
-
-    def constant(self, value: Rational | int) -> Polynomial:
-        return self._ring.ground_new(sympy.QQ(int(value.numerator), int(value.denominator)))
-
-    def leading_coefficient(self, a: Polynomial) -> Any:
-        return a.LC
-
-    def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the gcd of b and the coefficients of a, as a polynomial in the generators that b lacks.
-
-        SymPy's own gcd spends time on every generator, even on absent ones.
-        """
-        used = [i for i, degree in enumerate(b.degrees()) if degree > 0]
-        if not a or not used:
-            return (b or a).monic() if not (a and b) else self.one
-        small = sympy.polys.rings.ring([f"g{i}" for i in used], sympy.QQ)[0]
-        parts: dict[tuple[int, ...], dict[tuple[int, ...], Any]] = {}
-        for exponents, coefficient in a.items():
-            others = tuple(0 if i in used else power for i, power in enumerate(exponents))
-            parts.setdefault(others, {})[tuple(exponents[i] for i in used)] = coefficient
-        result = small.from_dict({tuple(e[i] for i in used): c for e, c in b.items()})
-        for part in sorted(parts.values(), key=len):
-            if result.is_ground:
-                break
-            result = result.gcd(small.from_dict(part))
-        position = {generator: place for place, generator in enumerate(used)}
-        every = range(len(self.generators))
-        terms = result.monic().items()
-        return self._ring.from_dict({tuple(e[position[i]] if i in position else 0 for i in every): c for e, c in terms})
-
-    def derivative(self, a: Polynomial, generator: int) -> Polynomial:
-        return a.diff(self.generators[generator])
-
-    def square_root(self, a: Polynomial) -> Polynomial | None:
-        content, factors = a.sqf_list()
-        root = sympy.sqrt(sympy.Rational(int(content.numerator), int(content.denominator)))
-        if not root.is_Rational or any(power % 2 for _, power in factors):
-            return None
-        result = self.constant(Fraction(int(root.p), int(root.q)))
-        for factor, power in factors:
-            result = result * factor ** (power // 2)
-        return result
-
-    def factors(self, a: Polynomial) -> list[tuple[Polynomial, int]]:
-        return list(a.factor_list()[1])
-
-    def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        return {tuple(e): Fraction(int(c.numerator), int(c.denominator)) for e, c in a.items()}
-
-
 def polynomials(count: int, backend: str | None = None) -> Polynomials:
-    """Return the ring of polynomials in `count` generators.
-
-    Parameters
-    ----------
-    count : int
-    backend : {"flint", "sympy"}, optional
-        By default python-flint where it is installed, else SymPy.
-    """
+    """Return the ring of polynomials in `count` generators, by default of python-flint where it is installed."""
     backend = backend or ("flint" if importlib.util.find_spec("flint") else "sympy")
     if backend not in ("flint", "sympy"):
         raise ValueError(f"no polynomial backend {backend!r}: expected 'flint' or 'sympy'")
-    return FlintPolynomials(count) if backend == "flint" else SympyPolynomials(count)
+    return FlintPolynomials(count) if backend == "flint" else Polynomials(count)

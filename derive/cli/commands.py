@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import shutil
 import textwrap
 from collections.abc import Callable
@@ -49,6 +50,11 @@ def families(text: str) -> Decorator:
     return click.option("--family", "families", callback=options.listed, metavar="NAMES", help=text)
 
 
+def run_module(command: str, given: dict[str, Any]) -> None:
+    """Load the module of a command and run it with the given options."""
+    getattr(importlib.import_module(f"derive.cli.{command}"), command)(**given)
+
+
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]}, epilog=EPILOG)
 @click.version_option(about.__version__, "-V", "--version", prog_name="dualcay")
 def cli() -> None:
@@ -58,7 +64,7 @@ def cli() -> None:
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 7 or 1-5,8; by default the committed ones.")
 @families("Other parameterizations, e.g. lambert,sine7.")
-@click.option("--phi", callback=options.phi, metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--name", metavar="NAME", help="Name of its module.")
 @click.option("--target", type=click.Choice(about.TARGETS), default=about.TARGET, show_default=True,
@@ -71,9 +77,7 @@ def cli() -> None:
 @options.max_n
 def generate(**given: Any) -> None:
     """Prove formulas and write their kernels, or check the ones on disk."""
-    from .generate import generate
-
-    generate(**given)
+    run_module("generate", given)
 
 
 @cli.command()
@@ -84,35 +88,33 @@ def generate(**given: Any) -> None:
 @options.max_n
 def show(**given: Any) -> None:
     """Print the formulas of an order."""
-    from .show import show
-
-    show(**given)
+    run_module("show", given)
 
 
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 1-4.")
 @families("Other parameterizations, e.g. exponential,lambert; without any, the committed ones.")
-@click.option("--phi", callback=options.phi, metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
+@click.option("--phi", metavar="EXPR", help="One of your own, e.g. 'alpha/(1 + alpha**2/40)'.")
 @click.option("--plot", type=options.Place(dir_okay=False), help="File of a plot against the angle, by its ending.")
 @form(("text", "json", "markdown"), "How the figures are written.")
 @options.max_n
 def compare(**given: Any) -> None:
     """Compare parameterizations by largest angle, stretch and cost."""
-    from .compare import compare
-
-    compare(**given)
+    run_module("compare", given)
 
 
 @cli.command("list")
 def list_catalogue() -> None:
     """List targets, committed orders and the contents of a module."""
+    from ..codegen.signatures import PUBLIC
+
     width = min(shutil.get_terminal_size((120, 0)).columns, 120)
     for heading, names in (
         ("targets", ", ".join(about.TARGETS)),
         ("orders", f"any n >= 1; committed: {', '.join(map(str, about.ORDERS))}"),
         ("families", f"also sineN and scaledN for any order N; committed: {', '.join(about.FAMILIES)}"),
         ("formulas", ", ".join(about.FORMULAS)),
-        ("functions", ", ".join(about.FUNCTIONS)),
+        ("functions", ", ".join(PUBLIC)),
     ):
         click.echo(textwrap.fill(f"{heading:<9} {names}", width, subsequent_indent=10 * " "))
 
@@ -128,9 +130,7 @@ def list_catalogue() -> None:
 @options.max_n
 def verify(**given: Any) -> None:
     """Decide every equation of the papers, with conditions, and with corrections of the wrong ones."""
-    from .verify import verify
-
-    verify(**given)
+    run_module("verify", given)
 
 
 def run() -> int:

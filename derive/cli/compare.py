@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache, cached_property
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -28,19 +28,12 @@ ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 """Angles at which singular values and errors are shown."""
 
 COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
-"""Functions whose operations are counted."""
-
 MEASURED = ("pose", "tangent", "from_pose")
-"""Functions whose errors were measured."""
-
 TIMED = ("pose", "from_pose")
-"""Functions whose times were measured."""
+"""Functions whose operations are counted, whose errors and whose times were measured."""
 
 MEASUREMENTS = "docs/parameterizations.json"
 """File of measurements in a checkout."""
-
-PLOT_MAX = 4 * math.pi
-"""Largest angle of a plotted curve."""
 
 PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float]]] = {
     "|v|/φ′(0)": (lambda found, at_0: found.size * at_0, (0, 8)),
@@ -51,7 +44,11 @@ PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float
 """Function of the stretch and the singular value at 0, and limits of the axis, by title of a panel of the plot."""
 
 Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
-"""Table of headings, and a row for each chart."""
+"""Headings, and a row for each chart."""
+
+
+def as_float(value: sympy.Expr) -> float:
+    return math.inf if value.is_infinite else float(value.evalf(20))
 
 
 @dataclass(frozen=True)
@@ -62,14 +59,12 @@ class Compared:
 
     @cached_property
     def edge(self) -> float:
-        edge = self.chart.edge
-        return math.inf if edge.is_infinite else float(edge.evalf(20))
+        return as_float(self.chart.edge)
 
     @property
     def range(self) -> float:
         """Value of |v| at the edge of the chart."""
-        size = self.chart.phi.subs(alpha, self.chart.edge)
-        return math.inf if size.is_infinite else float(size.evalf(20))
+        return as_float(self.chart.phi.subs(alpha, self.chart.edge))
 
     @cached_property
     def stretches(self) -> dict[str, Stretch | None]:
@@ -85,18 +80,14 @@ class Compared:
             return dict.fromkeys(COUNTED)
         return {name: found[name].total() for name in COUNTED}
 
-    @property
+    @cached_property
     def measured(self) -> Mapping[str, Any] | None:
-        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known."""
-        return measurements().get(self.chart.name)
+        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
 
-
-@cache
-def measurements() -> Mapping[str, Any]:
-    """Read the errors and times by chart written by ``python -m benchmarks.charts``; empty outside a checkout."""
-    root = about.checkout()
-    found: dict[str, Any] = json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")) if root else {}
-    return found
+        ``python -m benchmarks.charts`` writes them in a checkout.
+        """
+        root = about.checkout()
+        return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
 
 
 def compare(
@@ -114,9 +105,6 @@ def compare(
         draw(compared, plot)
 
 
-# ---- tables ---------------------------------------------------------------------------------------------------
-
-
 def number(value: float | None) -> str:
     """Format a number with few digits, and None as a dash."""
     if value is None:
@@ -126,22 +114,13 @@ def number(value: float | None) -> str:
     return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
-def _measured(compared: Sequence[Compared], what: str, functions: Sequence[str], place: str) -> Table:
-    """Return a table of measurements by function and by place, which is an angle or a number of poses."""
+def measured(compared: Sequence[Compared], what: str) -> Table:
+    """Return a table of ``errors`` in eps by function and angle, or of ``nanoseconds`` by number of poses."""
+    functions, place = (MEASURED, "") if what == "errors" else (TIMED, "N = ")
     found = {row.chart.name: row.measured[what] for row in compared if row.measured}
     places = {(f, at): None for f in functions for values in found.values() for at in values[f]}
     rows = [[chart, *(number(values[f].get(at)) for f, at in places)] for chart, values in found.items()]
     return ["chart", *(f"{f} {place}{at}" for f, at in places)], rows
-
-
-def errors(compared: Sequence[Compared]) -> Table:
-    """Return a table of errors in eps, by function and angle."""
-    return _measured(compared, "errors", MEASURED, "")
-
-
-def times(compared: Sequence[Compared]) -> Table:
-    """Return a table of nanoseconds per pose, by function and number of poses."""
-    return _measured(compared, "nanoseconds", TIMED, "N = ")
 
 
 def cost(compared: Sequence[Compared]) -> Table:
@@ -151,34 +130,31 @@ def cost(compared: Sequence[Compared]) -> Table:
 
 def _text(compared: Sequence[Compared]) -> str:
     """Return the tables as text, with condition numbers only, since a line is too short for all singular values."""
-    headings = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED]
-    rows = []
+    headings, rows = ["chart", "φ", "edge/π", *(f"{name} cond" for name in ANGLES), *COUNTED], []
     for row, (name, *counts) in zip(compared, cost(compared)[1], strict=True):
         conditions = [number(found.condition if found else None) for found in row.stretches.values()]
         rows.append([name, row.chart.parameter, number(row.edge / math.pi), *conditions, *counts])
     tables = (
         ("condition of Re T by angle, and operations", (headings, rows)),
-        ("errors in eps by angle, as measured", errors(compared)),
-        ("nanoseconds for a pose of N, as measured", times(compared)),
+        ("errors in eps by angle, as measured", measured(compared, "errors")),
+        ("nanoseconds for a pose of N, as measured", measured(compared, "nanoseconds")),
     )
     return "".join(figures(title, *table).text(columns()) for title, table in tables if table[1])
 
 
 def _json(compared: Sequence[Compared]) -> str:
-    def numbers(found: Stretch | None) -> dict[str, float] | None:
-        if found is None:
-            return None
-        return {"size": found.size, "along": found.along, "across": found.across, "condition": found.condition}
-
     entries = [
         {
             "chart": row.chart.name,
             "phi": str(row.chart.phi),
-            "edge": None if math.isinf(row.edge) else row.edge,
-            "range": None if math.isinf(row.range) else row.range,
+            "edge": row.edge if row.edge < math.inf else None,
+            "range": row.range if row.range < math.inf else None,
             "branches": row.chart.branches or None,
             "singular_angles": [float(angle.evalf(17)) for angle in row.chart.singular_angles],
-            "stretch": {name: numbers(found) for name, found in row.stretches.items()},
+            "stretch": {
+                name: {**asdict(found), "condition": found.condition} if found else None
+                for name, found in row.stretches.items()
+            },
             "operations": row.operations,
             "measured": row.measured,
         }
@@ -187,17 +163,14 @@ def _json(compared: Sequence[Compared]) -> str:
     return json.dumps(entries, indent=2, ensure_ascii=False) + "\n"
 
 
-# ---- page and plot --------------------------------------------------------------------------------------------
-
-
 def _page(compared: Sequence[Compared]) -> str:
     """Return the text of docs/parameterizations.md."""
     return render(
         "report/parameterizations.md.j2",
         shape=_table(*_shape(compared)),
         cost=_table(*cost(compared)),
-        errors=_table(*errors(compared)),
-        times=_table(*times(compared)),
+        errors=_table(*measured(compared, "errors")),
+        times=_table(*measured(compared, "nanoseconds")),
         points=POINTS,
         best=_table(*_best()),
     )
@@ -239,7 +212,7 @@ def draw(compared: Sequence[Compared], file: Path) -> None:
 
     figure, axes = pyplot.subplots(2, 2, figsize=(11, 8), sharex=True, layout="constrained")
     for index, row in enumerate(compared):
-        angles = [min(row.edge, PLOT_MAX) * k / 300 for k in range(300)]
+        angles = [min(row.edge, 4 * math.pi) * k / 300 for k in range(300)]
         found = [stretch(row.chart.phi, angle) for angle in angles]
         style = {"linestyle": ("-", "--", "-.", ":")[index // 10 % 4], "color": f"C{index % 10}"}
         for axis, (figure_of, _) in zip(axes.flat, PANELS.values(), strict=True):

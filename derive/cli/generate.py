@@ -16,26 +16,14 @@ from ..output.tables import Grid, columns, figures
 from ..workers import cores
 from . import display, options
 
-WRITE_STEPS, CHECK_STEPS = 4, 2
-"""Lines of progress per module. A check has fewer, since it proves and prints but executes nothing."""
-
 SERIAL_MAX = 3
 """Largest number of charts for which worker processes save no time."""
 
-HEADINGS = ("module", "theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
-
 
 def generate(
-    orders: tuple[int, ...],
-    families: tuple[str, ...],
-    phi: str | None,
-    name: str | None,
-    target: str,
-    output: Path | None,
-    check: bool,
-    force: bool,
-    max_n: int,
-) -> None:
+    orders: tuple[int, ...], families: tuple[str, ...], phi: str | None, name: str | None, target: str,
+    output: Path | None, check: bool, force: bool, max_n: int,
+) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if (phi is None) != (name is None):
@@ -55,8 +43,9 @@ def generate(
 
 
 def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> None:
+    """Compare files; each module has two lines of progress, since it is proved and printed but not executed."""
     printed, unmade = publish.expected(folder, charts, target, max_n)
-    with display.progress(CHECK_STEPS * len(printed)) as step:
+    with display.progress(2 * len(printed)) as step:
         found = publish.check_charts(folder, printed, unmade, target, step)
     if found:
         display.differences(found, options.without_check())
@@ -64,10 +53,11 @@ def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> No
 
 
 def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
+    """Write files; each module has four lines of progress."""
     charts = publish.with_bases(charts, target)
     processes = cores() if len(charts) > SERIAL_MAX else 1
     built = with_geometry(publish.with_bases(charts, target))
-    with display.progress(WRITE_STEPS * len(built)) as step:
+    with display.progress(4 * len(built)) as step:
         package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
@@ -82,4 +72,5 @@ def summary(package: Package, folder: Path) -> Grid:
         general = sum(proof.scope == "all n" for proof in proofs)
         called = (counts.validated, counts.replayed or "-", counts.tested or "-")
         rows.append((module.name, *map(str, (general, len(proofs) - general, *called, module.text.count("\n")))))
-    return figures(f"kernels in {folder}", HEADINGS, rows)
+    headings = ("module", "theorems", "proofs at n", "calls validated", "replayed", "compiled", "lines")
+    return figures(f"kernels in {folder}", headings, rows)

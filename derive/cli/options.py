@@ -50,16 +50,6 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
     return tuple(dict.fromkeys(part.strip() for part in value.split(","))) if value is not None else ()
 
 
-def phi(context: click.Context, parameter: click.Parameter, value: str | None) -> str | None:
-    """Return the text of a φ; refuse wrong grammar before SymPy is loaded."""
-    if value is not None:
-        from ..maps.any_phi.grammar import syntax_tree
-
-        with refusals("--phi"):
-            syntax_tree(value.strip())
-    return value
-
-
 class Place(click.Path):
     """File or folder to write; an empty name is refused, since an unset variable gives one."""
 

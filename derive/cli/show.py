@@ -17,17 +17,18 @@ def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) 
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if form == "json":
-        click.echo(json.dumps([_as_json(Cayley(n), what) for n in orders], indent=2))
+        found = ({"n": n, **{name: _terms(Cayley(n), name) for name in what}} for n in orders)
+        click.echo(json.dumps(list(found), indent=2))
         return
     for n in orders:
         click.echo("\n".join(_lines(Cayley(n), what, form)))
 
 
-def _terms(cayley: Cayley, name: str) -> dict[str, str]:
-    """Return the coefficients of a formula by basis element; a polynomial has the empty text as its key."""
+def _terms(cayley: Cayley, name: str) -> str | dict[str, str]:
+    """Return a polynomial as text, or the coefficients of another formula by basis element."""
     value = getattr(cayley, name)
     if isinstance(value, sympy.Expr):
-        return {"": _text(value)}
+        return _text(value)
     basis = ("1", "v") if name == "quaternion" else ("I", "skew(v)", "v⊗v")
     return dict(zip(basis, map(_text, value.coefficients), strict=True))
 
@@ -39,8 +40,11 @@ def _lines(cayley: Cayley, what: tuple[str, ...], form: str) -> Iterator[str]:
         value = getattr(cayley, name)
         polynomial = isinstance(value, sympy.Expr)
         if form == "text":
-            terms = [f"({factor}) {basis}" if basis else factor for basis, factor in _terms(cayley, name).items()]
-            yield f"  {name}{f'_{cayley.order}' if polynomial else ''} = {' + '.join(terms)}"
+            terms = _terms(cayley, name)
+            if isinstance(terms, str):
+                yield f"  {name}_{cayley.order} = {terms}"
+            else:
+                yield f"  {name} = {' + '.join(f'({factor}) {basis}' for basis, factor in terms.items())}"
             continue
         latex = f"{name}_{{{cayley.order}}} = {sympy.latex(value, order=LATEX_ORDER)}" if polynomial else value.latex()
         yield f"$${latex}$$\n" if form == "markdown" else latex
@@ -48,8 +52,3 @@ def _lines(cayley: Cayley, what: tuple[str, ...], form: str) -> Iterator[str]:
 
 def _text(expression: sympy.Expr) -> str:
     return str(sympy.sstr(expression, order="rev-lex"))
-
-
-def _as_json(cayley: Cayley, what: tuple[str, ...]) -> dict[str, int | str | dict[str, str]]:
-    terms = {name: _terms(cayley, name) for name in what}
-    return {"n": cayley.order, **{name: found.get("", found) for name, found in terms.items()}}

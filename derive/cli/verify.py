@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -17,46 +17,33 @@ from ..output.tables import columns
 from ..papers import PAPERS, Paper, Status
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text
-from ..proof import Proof, citing, proofs, theorems
+from ..proof import citing, proofs, theorems
 from . import display, options
-
-SUGGESTIONS = 3
-"""Number of existing names proposed for an unknown name."""
 
 
 def verify(
-    paper: str | None,
-    equations: str | None,
-    orders: tuple[int, ...],
-    form: str,
-    output: Path | None,
-    check: bool,
-    strict: bool,
-    max_n: int,
-) -> None:
+    paper: str | None, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
+    check: bool, strict: bool, max_n: int,
+) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
-    papers = [p for p in PAPERS if paper in (None, p.slug)]
+    papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     report = _report(papers, _chosen(papers, equations), orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
     if output is None:
         click.echo(text, nl=False)
-    elif not check:
+    elif check:
+        stale = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
+    else:
         files.write(output.parent, {output.name: text}, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
-    stale = check and output is not None and _stale(output, text)
+    if stale:
+        display.differences(stale, options.without_check())
     wrong = any(result.status is Status.ERRATUM for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
-
-
-def _stale(output: Path, text: str) -> bool:
-    found = [d for d in files.compare(output.parent, {output.name: text}) if d.path == output]
-    if found:
-        display.differences(found, options.without_check())
-    return bool(found)
 
 
 def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
@@ -67,7 +54,7 @@ def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:
     wanted = {part.strip() for part in equations.split(",")}
     unknown = []
     for name in sorted(wanted - known.keys()):
-        nearest = ", ".join(difflib.get_close_matches(name, known, SUGGESTIONS, cutoff=0.0))
+        nearest = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.0))
         unknown.append(f"{name!r} (nearest: {nearest})")
     if unknown:
         raise click.BadParameter(f"no equation {', '.join(unknown)}", param_hint="--eq")
@@ -84,16 +71,12 @@ def _report(papers: Sequence[Paper], equations: list[str], orders: tuple[int, ..
     with display.progress(total + len(orders) + 1) as step:
         step("equations")
         results = decide(slug, equations, orders or None, lambda done, _: step(f"equation {done} of {total}"))
-        found = {(proof.name, proof.scope): proof for proof in _proofs(orders, cited, step)}
-    return Report.of(papers, results, found.values(), _root(output))
-
-
-def _proofs(orders: tuple[int, ...], cited: set[int] | None, step: Callable[[str], None]) -> Iterator[Proof]:
-    """Yield all theorems, or only the theorems that cite given equations, then the proofs at each order."""
-    yield from theorems() if cited is None else citing(cited)
-    for n in orders:
-        step(f"proofs at n = {n}")
-        yield from proofs(Cayley(n))
+        found = list(theorems() if cited is None else citing(cited))
+        for n in orders:
+            step(f"proofs at n = {n}")
+            found += proofs(Cayley(n))
+    unique = {(proof.name, proof.scope): proof for proof in found}
+    return Report.of(papers, results, unique.values(), _root(output))
 
 
 def _root(output: Path | None) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from .lowering import calculus, coordinates, forward, groups, inverse, kinematics, motion, retraction
+from .lowering import calculus, forward, groups, inverse, kinematics, motion, retraction, shadows
 from .lowering.point import Recipe
 from .rows import Array, Function, Table
 
@@ -106,18 +106,18 @@ _ROWS = (
     _way_back("from_tensor", _tensor("R"), inverse.from_tensor),
     replace(_way_back("from_pose", POSE.called("T"), inverse.from_pose), rotation=None),
     replace(
-        _selecting("from_screw", (ANGLE, AXIS), (V,), inverse.from_screw, keywords=(CHECK,)),
+        _selecting("from_screw", (ANGLE, AXIS), (V,), shadows.from_screw, keywords=(CHECK,)),
         rotation="from_angle_axis",
     ),
-    _selecting("to_screw", (V,), (ANGLE, AXIS), inverse.to_screw, rotation="to_angle_axis"),
-    _selecting("angle", (V,), (ANGLE,), inverse.angle),
-    _selecting("to_exponential", (V,), (LOGARITHM,), coordinates.to_exponential),
-    _selecting("from_exponential", (LOGARITHM,), (V,), coordinates.from_exponential),
-    _selecting("turn", (V,), (SHADOW,), inverse.turn, public=False),
-    _selecting("shadow", (V,), (SHADOW,), inverse.shadow, branch=True),
-    _selecting("identity_jacobian", (V,), (JACOBIAN,), inverse.identity_jacobian, public=False),
-    _selecting("shadow_jacobian", (V,), (JACOBIAN,), inverse.shadow_jacobian, branch=True, at_rest="identity_jacobian"),
-    _selecting("principal", (V,), (SHADOW,), inverse.principal),
+    _selecting("to_screw", (V,), (ANGLE, AXIS), shadows.to_screw, rotation="to_angle_axis"),
+    _selecting("angle", (V,), (ANGLE,), shadows.angle),
+    _selecting("to_exponential", (V,), (LOGARITHM,), shadows.to_exponential),
+    _selecting("from_exponential", (LOGARITHM,), (V,), shadows.from_exponential),
+    _selecting("turn", (V,), (SHADOW,), shadows.turn, public=False),
+    _selecting("shadow", (V,), (SHADOW,), shadows.shadow, branch=True),
+    _selecting("identity_jacobian", (V,), (JACOBIAN,), shadows.identity_jacobian, public=False),
+    _selecting("shadow_jacobian", (V,), (JACOBIAN,), shadows.shadow_jacobian, branch=True, at_rest="identity_jacobian"),
+    _selecting("principal", (V,), (SHADOW,), shadows.principal),
     _selecting("compose", TWO, (V,), inverse.compose),
     _selecting("between", TWO, (V,), inverse.between),
     _selecting("compose_jacobians", TWO, BY_TWO, groups.compose_jacobians),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -13,9 +13,6 @@ from .exchange import LEFTOVERS, READY, exchange, finish, locked
 
 MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
 """First line of every generated file: a comment with the command that makes it."""
-
-LINE_MAX = 10_000
-"""Largest number of characters read from a first line."""
 
 
 class RefusedError(Exception):
@@ -38,19 +35,17 @@ def header_command(path: Path) -> str | None:
         if not path.is_file():  # opening a pipe would wait for its writer
             return None
         with path.open(encoding="utf-8") as file:
-            return _command(file.readline(LINE_MAX))
+            return _command(file.readline(10_000))
     except (OSError, UnicodeDecodeError):
         return None
 
 
 def _command(text: str) -> str | None:
-    found = MARK.match(text)
-    return found[1] if found else None
+    return found[1] if (found := MARK.match(text)) else None
 
 
 def _target(command: str | None) -> str | None:
-    found = re.search(r" --target (\S+)", command or "")
-    return found[1] if found else None
+    return found[1] if (found := re.search(r" --target (\S+)", command or "")) else None
 
 
 def _read(path: Path) -> str | None:
@@ -58,9 +53,6 @@ def _read(path: Path) -> str | None:
         return path.read_bytes().decode("utf-8")
     except (FileNotFoundError, NotADirectoryError, IsADirectoryError, UnicodeDecodeError):
         return None
-
-
-# ---- writing --------------------------------------------------------------------------------------------------
 
 
 def write(
@@ -94,12 +86,8 @@ def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
     A file in the way must be a generated one, unless forced. No folder may be in the way. The folder may not contain
     kernels of another target.
     """
-    if folder.is_dir():
-        _refuse_in_the_way(folder, texts, force)
-        _refuse_other_targets(folder, texts)
-
-
-def _refuse_in_the_way(folder: Path, texts: Iterable[str], force: bool) -> None:
+    if not folder.is_dir():
+        return
     paths = [folder / name for name in texts]
     parents = {folder / parent for name in texts for parent in PurePosixPath(name).parents}
     blocked = [path for path in paths if path.is_dir() and not path.is_symlink()]
@@ -110,9 +98,6 @@ def _refuse_in_the_way(folder: Path, texts: Iterable[str], force: bool) -> None:
     if foreign and not force:
         names = ", ".join(map(str, foreign))
         raise RefusedError(f"not a generated file, so not overwritten: {names} (--force overwrites)")
-
-
-def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
     given = {target for text in texts.values() if (target := _target(_command(text)))}
     for path in sorted(folder.iterdir()) if given else ():
         found = _target(header_command(path))
@@ -121,9 +106,6 @@ def _refuse_other_targets(folder: Path, texts: Mapping[str, str]) -> None:
                 f"{folder} holds kernels of the target {found} ({path.name}), and a folder holds those of one: "
                 f"write those of {', '.join(sorted(given))} into another (-o), or remove the others first"
             )
-
-
-# ---- comparing ------------------------------------------------------------------------------------------------
 
 
 def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:

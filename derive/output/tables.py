@@ -15,9 +15,6 @@ from rich.table import Table
 WIDTH = 120
 """Largest width of a table, and its width in files and pipes."""
 
-INDENT = "  "
-
-
 class Column(NamedTuple):
     """Column of a table, aligned to the right for numbers; its width is fixed, or a share (``ratio``) of the rest."""
 
@@ -63,10 +60,10 @@ class Grid(NamedTuple):
         yield from textwrap.wrap(self.title, width)
         headings = [column.heading for column in self.columns[1:]]
         for name, *cells in self.rows:
-            yield from textwrap.wrap(name, width, subsequent_indent=INDENT)
+            yield from textwrap.wrap(name, width, subsequent_indent="  ")
             for heading, cell in zip(headings, cells, strict=True):
                 line = " ".join([*([] if name in self.remarks else [f"{heading}:"]), *cell.split()])
-                yield from textwrap.wrap(line, width, initial_indent=INDENT, subsequent_indent=2 * INDENT)
+                yield from textwrap.wrap(line, width, initial_indent="  ", subsequent_indent="    ")
 
 
 def figures(title: str, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> Grid:

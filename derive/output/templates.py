@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ def folder() -> Path:
     return packaged if packaged.is_dir() else packaged.parent.parent / "templates"
 
 
-@lru_cache(maxsize=1)
+@cache
 def environment() -> jinja2.Environment:
     """Return the environment that renders all templates."""
     return jinja2.Environment(
@@ -32,10 +32,7 @@ def environment() -> jinja2.Environment:
 def render(name: str, /, **data: Any) -> str:
     """Render a template, e.g. ``numpy/cayley.py.j2``.
 
-    Raises
-    ------
-    TypeError
-        If the data are not exactly the names used by the template and its included templates.
+    The data must be exactly the names used by the template and its included templates.
     """
     asked = holes(name)
     if asked != data.keys():
@@ -47,9 +44,7 @@ def render(name: str, /, **data: Any) -> str:
 @cache
 def holes(name: str) -> frozenset[str]:
     """Return the names used by a template and the templates it refers to, without macros it defines for them."""
-    loader = environment().loader
-    assert loader is not None
-    tree = environment().parse(loader.get_source(environment(), name)[0], name)
+    tree = environment().parse((folder() / name).read_text(encoding="utf-8"), name)
     names = set(meta.find_undeclared_variables(tree))
     defined = {node.name for node in tree.body if isinstance(node, nodes.Macro)}
     for reference in meta.find_referenced_templates(tree):

@@ -106,7 +106,7 @@ def _all_real(draw: Draw, free: Sequence[Symbol]) -> Iterator[dict[Symbol, objec
 def _real(value: Any) -> Any:
     """Return a value without its dual part."""
     if isinstance(value, Structure):
-        return value.map(_real)  # type: ignore[attr-defined]
+        return value.map(_real)
     return Dual(value.re, 0 * value.du) if isinstance(value, Dual) else value
 
 

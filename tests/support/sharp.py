@@ -6,10 +6,10 @@ import math
 
 import mpmath
 
-from derive.algebra.arithmetic import Plain
+from derive.algebra.arithmetic import Arithmetic
 
 
-class Sharp(Plain):
+class Sharp(Arithmetic):
     """Arithmetic of formulas, with the functions that a printed program calls."""
 
     sqrt = staticmethod(math.sqrt)

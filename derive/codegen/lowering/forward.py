@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Iterator, Sequence
 
 from ...algebra import Vector
-from ..programs.program import Program
 from ..programs.value import Number
-from .point import Geometry, Point
+from .point import Geometry, Point, Results
 
 Rows = tuple[Vector, Vector, Vector]
 
 
 def flat(rows: Iterable[Iterable[Number]]) -> Iterator[Number]:
     """Yield the entries of a matrix in C order."""
-    for row in rows:
-        yield from row
+    return itertools.chain.from_iterable(rows)
 
 
 def rows_of(entries: Sequence[Number]) -> Rows:
     """Return the rows of a matrix of nine entries."""
-    return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:9])
+    return Vector(*entries[:3]), Vector(*entries[3:6]), Vector(*entries[6:])
 
 
 def rotation(point: Point, f: Number, g: Number) -> Rows:
@@ -64,16 +63,13 @@ def crossed(a: Vector, rows: Rows) -> Iterator[Number]:
     return flat((a2 * third - a3 * second, a3 * first - a1 * third, a1 * second - a2 * first))
 
 
-# --- programs that others call --------------------------------------------------------------------------------
-
-
-def rotate_at(trace: Geometry) -> Program:
+def rotate_at(trace: Geometry) -> Results:
     """Rotated vector Q r = r + f v × r + v × (g v × r), at the real part of v."""
     f, g = trace.numbers("f", "g")
-    return trace.program("rotate_at", rotated(trace, trace.point().re, f, g, trace.real_vector("r")))
+    return rotated(trace, trace.point().re, f, g, trace.real_vector("r"))
 
 
-def tensor_at(trace: Geometry) -> Program:
+def tensor_at(trace: Geometry) -> Results:
     """Tensor R = Q of the scalars f and g, CP23 (57).
 
     The dual part is skew(ρ) Q, with ρ of f, g and h.
@@ -83,55 +79,52 @@ def tensor_at(trace: Geometry) -> Program:
     first, second, third = rotation(point, f, g)
     Q = trace.vector("Q1", first), trace.vector("Q2", second), trace.vector("Q3", third)
     rho = trace.vector("rho", translation(point, f, g, h))
-    return trace.program("tensor_at", (*flat(Q), *crossed(rho, Q)))
+    return *flat(Q), *crossed(rho, Q)
 
 
-# --- functions ------------------------------------------------------------------------------------------------
-
-
-def quaternion(trace: Geometry) -> Program:
+def quaternion(trace: Geometry) -> Results:
     """Unit quaternion q̂ = s + w v, CP23 (50)."""
     point = trace.point()
     s, w, sy, wy = point.scalars("quaternion_scalars")
     turned = trace.name("wo", wy * point.y)
-    return trace.program("quaternion", (s, *(w * point.re), sy * point.y, *(w * point.du + turned * point.re)))
+    return s, *(w * point.re), sy * point.y, *(w * point.du + turned * point.re)
 
 
-def tensor(trace: Geometry) -> Program:
+def tensor(trace: Geometry) -> Results:
     """Orthogonal tensor R = I + f skew(v) + g skew(v)², CP23 (57)."""
     point = trace.point()
-    return trace.program("tensor", trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components))
+    return trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components)
 
 
-def pose(trace: Geometry) -> Program:
+def pose(trace: Geometry) -> Results:
     """Homogeneous matrix [[Q, ρ], [0, 1]] of R = Q + ε skew(ρ) Q, CP23 (16), (57)."""
     point = trace.point()
     f, g, h = point.scalars("pose_scalars")
     pairs = zip(rotation(point, f, g), translation(point, f, g, h), strict=True)
     beside = (entry for row, last in pairs for entry in (*row, last))
-    return trace.program("pose", (*beside, 0, 0, 0, 1))
+    return *beside, 0, 0, 0, 1
 
 
-def transform_point(trace: Geometry) -> Program:
+def transform_point(trace: Geometry) -> Results:
     """Image Q r of a point r.
 
     The translation ρ is added: Q r + ρ.
     """
     point, r = trace.point(), trace.real_vector("r")
     f, g, h = point.scalars("pose_scalars")
-    return trace.program("transform_point", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
+    return rotated(trace, point.re, f, g, r) + translation(point, f, g, h)
 
 
-def transform_line(trace: Geometry) -> Program:
+def transform_line(trace: Geometry) -> Results:
     """Image R l = Q l + ε (Q m + ρ × Q l) of a line with direction l and moment m, CP23 (66)."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
     f, g, h = point.scalars("pose_scalars")
     direction = Vector(*trace.apply(rotate_at, "Ql{}", f, g, point.components, parts[:3]))
     moment = Vector(*trace.apply(rotate_at, "Qm{}", f, g, point.components, parts[3:]))
     rho = trace.vector("rho", translation(point, f, g, h))
-    return trace.program("transform_line", (*direction, *(moment + rho.cross(direction))))
+    return *direction, *(moment + rho.cross(direction))
 
 
-def inverse(trace: Geometry) -> Program:
+def inverse(trace: Geometry) -> Results:
     """Vector −v of the inverse: R(−v) = R(v)ᵀ."""
-    return trace.program("inverse", [-component for component in trace.point().components])
+    return [-component for component in trace.point().components]

@@ -7,36 +7,31 @@ The twist is ``T v̇``: a moved line ``R l`` changes by ``T v̇ × R l``, and ``
 from __future__ import annotations
 
 from ...algebra import Tensor, Vector
-from ..programs.program import Program
-from ..programs.value import Number
 from .calculus import matrix6
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
-from .point import Geometry
+from .point import Geometry, Numbers, Results, dual_tensor
 
 
-def dual_product(trace: Geometry) -> Program:
+def dual_product(trace: Geometry) -> Results:
     """Product A B of two tensors.
 
     The tensors are dual: the dual part is A° B + A B°.
     """
-    A, B = (
-        Tensor.dual(*map(Tensor.from_entries, (entries[:9], entries[9:])))
-        for entries in (trace.components("A", "A", 18), trace.components("B", "B", 18))
-    )
+    A, B = dual_tensor(trace.components("A", "A", 18)), dual_tensor(trace.components("B", "B", 18))
     found = A @ B
-    return trace.program("dual_product", (*found.re, *found.du))
+    return *found.re, *found.du
 
 
-def adjoint(trace: Geometry) -> Program:
+def adjoint(trace: Geometry) -> Results:
     """Adjoint of R as a real matrix, [[Q, 0], [skew(ρ) Q, Q]]."""
     point = trace.point()
     R = trace.apply(tensor_at, "R{}", *point.scalars("pose_scalars"), point.components)
-    return trace.program("adjoint", trace.apply(matrix6, "J{}", R))
+    return trace.apply(matrix6, "J{}", R)
 
 
-def transform_point_jacobians(trace: Geometry) -> Program:
+def transform_point_jacobians(trace: Geometry) -> Results:
     """Derivatives −skew(Q r) T and Q of a moved point by v and by r.
 
     The derivative by v is (T° − skew(Q r + ρ) T, T): three columns by Re v, then three columns by v°.
@@ -49,43 +44,36 @@ def transform_point_jacobians(trace: Geometry) -> Program:
     moved = trace.vector("moved", rotated(trace, point.re, f, g, r) + translation(point, f, g, h))
     by_v = [slope - entry for slope, entry in zip(T[9:], crossed(moved, rows_of(T[:9])), strict=True)]
     beside = (entry for i in (0, 3, 6) for entry in (*by_v[i : i + 3], *T[i : i + 3]))
-    return trace.program("transform_point_jacobians", (*beside, *Q))
+    return *beside, *Q
 
 
-def transform_line_jacobians(trace: Geometry) -> Program:
+def transform_line_jacobians(trace: Geometry) -> Results:
     """Derivatives −skew(R l) T and R of a moved line by v and by the line."""
     point, parts = trace.point(), trace.inputs("line", ("l1", "l2", "l3", "m1", "m2", "m3"))
     f, g, h, *slopes = point.scalars("tangent_scalars")
     R = trace.apply(tensor_at, "R{}", f, g, h, point.components)
     T = trace.apply(tangent_at, "T{}", f, g, h, *slopes, point.components)
-    tensor = Tensor.dual(*map(Tensor.from_entries, (R[:9], R[9:])))
-    moved = tensor @ Vector.dual(parts[:3], parts[3:])
-    back = trace.dual_vector("back", -moved)
-    turned = Tensor.skew(back) @ Tensor.dual(*map(Tensor.from_entries, (T[:9], T[9:])))
-    by_v = (*turned.re, *turned.du)
+    moved = dual_tensor(R) @ Vector.dual(parts[:3], parts[3:])
+    turned = Tensor.skew(trace.vector("back", -moved)) @ dual_tensor(T)
     by_line = trace.apply(matrix6, "by_line{}", R)
-    return trace.program("transform_line_jacobians", (*trace.apply(matrix6, "by_v{}", by_v), *by_line))
+    return *trace.apply(matrix6, "by_v{}", (*turned.re, *turned.du)), *by_line
 
 
-def compose_jacobians(trace: Geometry) -> Program:
+def compose_jacobians(trace: Geometry) -> Results:
     """Derivatives T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1) of v = compose(v2, v1), by v2 and by v1."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     by_second, by_first = _by_factors(trace, v2, v1)
-    by_v2, by_v1 = trace.apply(matrix6, "by_v2{}", by_second), trace.apply(matrix6, "by_v1{}", by_first)
-    return trace.program("compose_jacobians", (*by_v2, *by_v1))
+    return *trace.apply(matrix6, "by_v2{}", by_second), *trace.apply(matrix6, "by_v1{}", by_first)
 
 
-def between_jacobians(trace: Geometry) -> Program:
+def between_jacobians(trace: Geometry) -> Results:
     """Derivatives T(v)⁻¹ R(−v1) T(v2) and −T(v)⁻¹ T(−v1) of v = compose(−v1, v2), by v2 and by v1."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     by_second, by_first = _by_factors(trace, opposite(v1), v2)
-    by_v2 = trace.apply(matrix6, "by_v2{}", by_first)
-    return trace.program("between_jacobians", (*by_v2, *trace.apply(matrix6, "by_v1{}", opposite(by_second))))
+    return *trace.apply(matrix6, "by_v2{}", by_first), *trace.apply(matrix6, "by_v1{}", opposite(by_second))
 
 
-def _by_factors(
-    trace: Geometry, second: tuple[Number, ...], first: tuple[Number, ...]
-) -> tuple[tuple[Number, ...], tuple[Number, ...]]:
+def _by_factors(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers]:
     """Return the derivatives of a composition by its second and by its first factor."""
     v = trace.apply(compose, "v{}", second, first)
     back = trace.apply(tangent_inv, "back{}", v)

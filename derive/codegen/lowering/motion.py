@@ -8,11 +8,10 @@ through whole turns.
 from __future__ import annotations
 
 from ...algebra import Quaternion, Vector
-from ..programs.program import Program
 from ..programs.value import Number
 from .forward import translation
 from .inverse import composed, displacement, dual_part
-from .point import LAYOUTS, Geometry, Point
+from .point import LAYOUTS, Geometry, Point, Results
 from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
@@ -23,7 +22,7 @@ OWN_AXIS = 64
 product stays below it."""
 
 
-def interpolate(trace: Geometry) -> Program:
+def interpolate(trace: Geometry) -> Results:
     """Vector v of exp(t δ) R(v1) with exp(δ) = R(v2) R(v1)⁻¹, on the branch followed from v1."""
     v1, v2 = trace.components("v1", "a", 6), trace.components("v2", "b", 6)
     (t,) = trace.inputs("time", ("t",))
@@ -36,7 +35,7 @@ def interpolate(trace: Geometry) -> Program:
     found = trace.apply(composed, "{}", small, f, g, step, rho, first, (r1, r2, r3))
     before = Point(trace, v1, "a")
     followed = _Followed(trace, before, Quaternion.from_components(first), Vector(*delta[:3]), Vector(*step[:3]))
-    return trace.program("interpolate", followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:])))
+    return followed.vector(Quaternion.from_components(found[:4]), Vector(*found[4:]))
 
 
 class _Followed:

@@ -1,6 +1,7 @@
 """Traces of geometry: programs that call scalar programs and one another, and the vectors in them.
 
-A recipe is a function of a trace that returns a program. Its docstring is the program's contract: the first paragraph
+A recipe is a function of a trace that returns the results of a program: a mapping if they have names of their own,
+else named by `LAYOUTS`. Its name is the program's name, and its docstring the program's contract: the first paragraph
 describes the whole result, the second one the dual part. Names that end in ``o`` are dual parts, marked ° in formulas.
 Other dual parts are given names that end in °, which is not printed: ``rho1°`` becomes ``rho1``.
 """
@@ -13,13 +14,15 @@ from dataclasses import replace
 from functools import cache, cached_property
 from typing import NamedTuple
 
-from ...algebra import Dual, Vector
+from ...algebra import Dual, Tensor, Vector
 from ..programs.program import Call, Program, Statement
 from ..programs.trace import Trace
 from ..programs.value import Number, Value
 from .scalars import SCALARS, SQUARES
 
-Recipe = Callable[["Geometry"], Program]
+Numbers = tuple[Number, ...]
+Results = Iterable[Number] | Mapping[str, Number]
+Recipe = Callable[["Geometry"], Results]
 
 NINE = tuple(f"{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
 LAYOUTS = {
@@ -65,8 +68,6 @@ class Geometry(Trace):
         names = tuple(results) or LAYOUTS.get(count, tuple(map(str, range(1, 1 + count))))
         return replace(program, results=tuple(result.rstrip("°") for result in names))
 
-    # --- arguments ----------------------------------------------------------------------------------------------
-
     def numbers(self, *names: str) -> tuple[Number, ...]:
         """Declare parameters that are single numbers."""
         return tuple(self.inputs(name, [name])[0] for name in names)
@@ -83,28 +84,24 @@ class Geometry(Trace):
         """Declare a vector of three numbers; ``dual`` is the mark ° if they are dual parts, 0 for rotations alone."""
         return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
 
-    def argument(self, argument: str, letter: str) -> Vector:
-        """Declare a vector of dual numbers."""
-        parts = self.components(argument, letter, 6)
-        return Vector.dual(parts[:3], parts[3:])
-
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
         """Declare an argument; drop the mark ° from its names."""
         return super().inputs(argument, [name.rstrip("°") for name in names])
 
-    # --- names --------------------------------------------------------------------------------------------------
-
-    def dual(self, name: str, value: Number) -> Number:
-        """Name both parts of a dual number; the name of the dual part ends in o."""
-        return Dual(self.name(name, value.re), self.name(name + "o", value.du))
-
-    def dual_vector(self, letter: str, value: Vector) -> Vector:
-        """Name the components of a dual vector."""
-        return Vector(*(self.dual(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
+    def name(self, name: str, value: Number) -> Number:
+        """Name a value, or both parts of a dual number; the name of the dual part ends in o."""
+        if isinstance(value, Dual):
+            return Dual(super().name(name, value.re), super().name(name + "o", value.du))
+        return super().name(name, value)
 
     def vector(self, letter: str, value: Vector) -> Vector:
         """Name the components of a vector."""
         return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
+
+
+def dual_tensor(entries: Sequence[Number]) -> Tensor:
+    """Return the dual tensor of 18 entries, real parts first."""
+    return Tensor.dual(Tensor.from_entries(entries[:9]), Tensor.from_entries(entries[9:]))
 
 
 class Found(NamedTuple):
@@ -118,14 +115,8 @@ class Found(NamedTuple):
 class RealGeometry(Geometry):
     """Trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
 
-    Operations on dual parts fold away or no result reads them, so the recipe needs no change.
-
-    Parameters
-    ----------
-    function : str
-        Name of the program; empty for the name in the recipe.
-    kept : sequence of int, optional
-        Places of the results to keep; by default all except dual parts, constants and arguments.
+    Operations on dual parts fold away or no result reads them, so the recipe needs no change. A program with the name
+    ``function`` keeps the results at the places ``kept``; others keep all except dual parts, constants and arguments.
     """
 
     real = True
@@ -164,25 +155,23 @@ class RealGeometry(Geometry):
         """Freeze the operations that the kept outputs need; a program without ``function`` drops unread arguments."""
         given = tuple(outputs)
         names = results or LAYOUTS.get(len(given), ("",) * len(given))
-        made = [i for i, (value, result) in enumerate(zip(given, names, strict=True)) if self._is_made(value, result)]
-        first = {given[i].index: i for i in reversed(made)}
-        places = {index: n for n, index in enumerate(sorted(first, key=first.__getitem__))}
-        pairs = zip(given, names, strict=True)
-        self.found = tuple(self._found(value, name, places) for value, name in pairs)
-        kept = sorted(first.values()) if self.kept is None else self.kept
+        first: dict[int, int] = {}  # place by index of a value
+        for place, (value, result) in enumerate(zip(given, names, strict=True)):
+            if isinstance(value, Value) and not is_dual(result) and self.input_name(value) is None:
+                first.setdefault(value.index, place)
+        self.found = tuple(self._found(value, name, list(first)) for value, name in zip(given, names, strict=True))
+        kept = list(first.values()) if self.kept is None else self.kept
         title = self.function or REAL_NAMES.get(name, name)
         program = super().program(title, [given[i] for i in kept], [names[i] for i in kept])
         read = program.operands
         inputs = tuple(group for group in program.inputs if self.function or read.intersection(group[1]))
         return replace(program, inputs=inputs, statements=tuple(map(narrowed, program.statements)))
 
-    def _is_made(self, value: Number, name: str) -> bool:
-        return isinstance(value, Value) and not is_dual(name) and self.input_name(value) is None
-
-    def _found(self, value: Number, name: str, places: Mapping[int, int]) -> Found:
+    def _found(self, value: Number, name: str, made: list[int]) -> Found:
         if is_dual(name) or not isinstance(value, Value):
             return Found(constant=0 if is_dual(name) else value)
-        return Found(given=self.input_name(value) or "", result=places.get(value.index))
+        given = self.input_name(value)
+        return Found(given=given) if given else Found(made.index(value.index))
 
 
 def _list_name(pattern: str, program: Program) -> str:
@@ -199,24 +188,27 @@ def is_dual(name: str) -> bool:
 @cache
 def traced(recipe: Recipe) -> Program:
     """Return the program of a recipe for poses, with its contract."""
-    return _with_contract(recipe(Geometry()), recipe)
+    return _program(Geometry(), recipe)
 
 
 @cache
 def traced_real(recipe: Recipe) -> tuple[Program, tuple[Found, ...]]:
     """Return the program of a recipe for rotations alone, and the replacements of the pose program's results."""
     trace = RealGeometry()
-    return _with_contract(recipe(trace), recipe, real=True), trace.found
+    return _program(trace, recipe), trace.found
 
 
 def traced_kernel(recipe: Recipe, function: str, kept: Sequence[int]) -> Program:
     """Return the program of a function of rotations; ``kept`` are the places of its results."""
-    return _with_contract(recipe(RealGeometry(function, kept)), recipe, real=True)
+    return _program(RealGeometry(function, kept), recipe)
 
 
-def _with_contract(program: Program, recipe: Recipe, real: bool = False) -> Program:
+def _program(trace: Geometry, recipe: Recipe) -> Program:
+    results = recipe(trace)
+    named = results if isinstance(results, Mapping) else {}
+    program = trace.program(recipe.__name__, named.values() or results, tuple(named))
     contract, *dual = (inspect.getdoc(recipe) or "").split("\n\n")
-    return replace(program, contract=contract if real else "\n".join([contract, *dual]))
+    return replace(program, contract=contract if trace.real else "\n".join([contract, *dual]))
 
 
 def narrowed(statement: Statement) -> Statement:
@@ -249,16 +241,10 @@ class Point:
         """Name a value by a letter and the mark of this vector."""
         return self.trace.name(letter + self.mark, value)
 
-    @property
-    def is_real(self) -> bool:
-        """Tell whether the dual part is the constant 0, as for rotations."""
-        return tuple(self.du) == (0, 0, 0)
-
     @cached_property
     def squares(self) -> tuple[Number, Number, Number]:
         """Return v1², v2², v3²."""
-        names = ("v11", "v22", "v33")
-        first, second, third = (self.name(name, c * c) for name, c in zip(names, self.re, strict=True))
+        first, second, third = (self.name(name, c * c) for name, c in zip(SQUARES, self.re, strict=True))
         return first, second, third
 
     @cached_property
@@ -279,7 +265,11 @@ class Point:
     def lifted(self, function: str, letters: Sequence[str]) -> tuple[Number, ...]:
         """Return some results of a scalar program at the dual x; the dual part of f is its slope fy times y."""
         found = dict(zip(SCALARS[function].results, self.scalars(function), strict=True))
-        return tuple(Dual(found[name], self.name(name + "o", found[name + "y"] * self.y)) for name in letters)
+        return tuple(self.lift(name, found[name], found[name + "y"]) for name in letters)
+
+    def lift(self, letter: str, value: Number, slope: Number) -> Dual:
+        """Return a function of x at the dual x, and name its dual part."""
+        return Dual(value, self.name(letter + "o", slope * self.y))
 
     def scalars(self, function: str) -> tuple[Number, ...]:
         """Return the results of a scalar program at x."""

@@ -9,14 +9,13 @@ from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
 from ...maps.exponential_chart import Exponential, PrincipalScalars
-from ..programs.program import Program
 from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation
 from .groups import dual_product
 from .inverse import composed, displacement, dual_part, product
 from .kinematics import opposite, tangent, tangent_at, tangent_inverse_at
-from .point import Geometry, Point
+from .point import Geometry, Point, Results
 
 EXPONENTIAL = Exponential()
 
@@ -35,18 +34,14 @@ def retracted(
     return Vector(*re), fe, angle, Vector(*found[4:])
 
 
-# --- programs that others call --------------------------------------------------------------------------------
-
-
-def exponential_scalars(trace: Geometry) -> Program:
+def exponential_scalars(trace: Geometry) -> Results:
     """Scalars of exp(δ) at x = δ·δ: q̂ = s + w δ, f = 2 s w, g = 2 w², h, and slopes fy, gy, hy."""
     first, second, third = Point(trace, (*trace.real_vector("delta", "d"), 0, 0, 0)).squares
     at = EXPONENTIAL.scalars(trace.name("x", first + second + third), trace)
-    names = ("s", "w", "f", "g", "h", "fy", "gy", "hy")
-    return trace.program("exponential_scalars", [getattr(at, name) for name in names], names)
+    return {name: getattr(at, name) for name in ("s", "w", "f", "g", "h", "fy", "gy", "hy")}
 
 
-def nearest(trace: Geometry) -> Program:
+def nearest(trace: Geometry) -> Results:
     """Vector φ(α) u of a quaternion e, its factor times e0, and the angle α, within π of v's own angle along u."""
     point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
     e = Quaternion.from_components(trace.components("e", "e", 4))
@@ -71,10 +66,10 @@ def nearest(trace: Geometry) -> Program:
     rest = 2 * slope / trace.name("z0s", trace.where(still, e.scalar, length))
     factor = trace.name("factor", trace.where(still, rest, size / length))
     results = (*(factor * e.vector), factor * e.scalar, alpha)
-    return trace.program("nearest", results, ("w1", "w2", "w3", "fe", "angle"))
+    return dict(zip(("w1", "w2", "w3", "fe", "angle"), results, strict=True))
 
 
-def logarithm(trace: Geometry) -> Program:
+def logarithm(trace: Geometry) -> Results:
     """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ).
 
     The dual part is T⁻¹ ρ.
@@ -86,31 +81,28 @@ def logarithm(trace: Geometry) -> Program:
     first, second, third = Point(trace, (*re, 0, 0, 0)).squares
     at = PrincipalScalars(trace.name("x", first + second + third), trace)
     fe = trace.name("fe", factor * e.scalar)
-    return trace.program("logarithm", (*re, *dual_part(trace, fe, at.hi, re, rho)))
+    return *re, *dual_part(trace, fe, at.hi, re, rho)
 
 
-# --- functions ------------------------------------------------------------------------------------------------
-
-
-def retract(trace: Geometry) -> Program:
+def retract(trace: Geometry) -> Results:
     """Vector of exp(δ) R(v), on the branch nearest v."""
-    return _retract(trace, "retract", body=False)
+    return _retract(trace, body=False)
 
 
-def body_retract(trace: Geometry) -> Program:
+def body_retract(trace: Geometry) -> Results:
     """Vector of R(v) exp(δ), on the branch nearest v."""
-    return _retract(trace, "body_retract", body=True)
+    return _retract(trace, body=True)
 
 
-def _retract(trace: Geometry, name: str, body: bool) -> Program:
+def _retract(trace: Geometry, body: bool) -> Results:
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     s, w, f, g, h, *_ = trace.apply(exponential_scalars, "{}", delta[:3])
     re, fe, angle, rho = retracted(trace, (s, w, f, g, h), delta, v, body)
     (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0)).x, fe, angle))
-    return trace.program(name, (*re, *dual_part(trace, fe, hi, re, rho)))
+    return *re, *dual_part(trace, fe, hi, re, rho)
 
 
-def retract_jacobians(trace: Geometry) -> Program:
+def retract_jacobians(trace: Geometry) -> Results:
     """Derivatives T(w)⁻¹ exp(δ) T(v) and T(w)⁻¹ dexp(δ) of w = retract(v, δ), by v and by δ."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
     s, w, f, g, h, *slopes = trace.apply(exponential_scalars, "{}", delta[:3])
@@ -122,25 +114,23 @@ def retract_jacobians(trace: Geometry) -> Program:
     turned = trace.apply(dual_product, "RT{}", R, trace.apply(tangent, "T{}", v))
     dexp = trace.apply(tangent_at, "dexp{}", f, g, h, *slopes, delta)
     by_v, by_delta = (trace.apply(dual_product, letter, back, D) for letter, D in (("D1{}", turned), ("D2{}", dexp)))
-    results = (*trace.apply(matrix6, "by_v{}", by_v), *trace.apply(matrix6, "by_delta{}", by_delta))
-    return trace.program("retract_jacobians", results)
+    return *trace.apply(matrix6, "by_v{}", by_v), *trace.apply(matrix6, "by_delta{}", by_delta)
 
 
-def body_retract_jacobians(trace: Geometry) -> Program:
+def body_retract_jacobians(trace: Geometry) -> Results:
     """Derivatives T(w)⁻¹ T(v) and T(w)⁻¹ R(v) dexp(δ) of w = −retract(−v, −δ), by v and by δ."""
     v, delta = trace.components("v", "v", 6), trace.components("delta", "d", 6)
-    results = trace.apply(retract_jacobians, "J{}", opposite(v), opposite(delta))
-    return trace.program("body_retract_jacobians", results)
+    return trace.apply(retract_jacobians, "J{}", opposite(v), opposite(delta))
 
 
-def local(trace: Geometry) -> Program:
+def local(trace: Geometry) -> Results:
     """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
     e, rho, _ = product(trace, v2, opposite(v1))
-    return trace.program("local", trace.apply(logarithm, "d{}", e, rho))
+    return trace.apply(logarithm, "d{}", e, rho)
 
 
-def body_local(trace: Geometry) -> Program:
+def body_local(trace: Geometry) -> Results:
     """Step δ from v1 to v2 in the body, exp(δ) = R(v1)⁻¹ R(v2) = R(−v1) R(−v2)⁻¹."""
     v2, v1 = trace.components("v2", "b", 6), trace.components("v1", "a", 6)
-    return trace.program("body_local", trace.apply(local, "d{}", opposite(v1), opposite(v2)))
+    return trace.apply(local, "d{}", opposite(v1), opposite(v2))

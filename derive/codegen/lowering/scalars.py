@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import sympy
 
-from ...algebra import Quaternion, Vector
+from ...algebra import Quaternion
 from ...maps.any_phi.grammar import PhiError
 from ...maps.any_phi.lowering import SYMBOLIC_ONLY, number
 from ...maps.any_phi.real_constants import plus
@@ -59,78 +59,52 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
 TABLE = ("limit", "cos", "sin")
 """Names of the numbers in one row of the table of returns."""
 
-Compute = Callable[[Chart, Trace, Sequence[Number]], Sequence[Number]]
-
-
-@dataclass(frozen=True, slots=True)
-class Scalar:
-    """Function of few numbers: its parameters, results and formula; ``truths`` are results that are truth values."""
-
-    arguments: tuple[str, ...]
-    results: tuple[str, ...]
-    compute: Compute
-    truths: tuple[str, ...] = ()
-
-
 SQUARES = ("v11", "v22", "v33")
 """Terms of x, passed to maps and operators: their sum alone hides its rounding error. Inverse maps take x itself."""
 
 
-def _of_x(*results: str, arguments: tuple[str, ...] = ("x",)) -> Scalar:
-    """Return the row of scalars at x, given their letters."""
-
-    def compute(chart: Chart, trace: Trace, terms: Sequence[Number]) -> tuple[Number, ...]:
-        at = chart.scalars(trace.name("x", sum(terms)), trace)
-        return tuple(getattr(at, name) for name in results)
-
-    return Scalar(arguments, results, compute)
+def _at_x(chart: Chart, trace: Trace, *terms: Number) -> Any:
+    return chart.scalars(trace.name("x", sum(terms)), trace)
 
 
-def _of_squares(*results: str) -> Scalar:
-    return _of_x(*results, arguments=SQUARES)
+def _at_angle(chart: Chart, trace: Trace, x: Number, fe: Number, angle: Number) -> Any:
+    return chart.at_angle(x, fe, angle, trace)
 
 
-def _ray(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
-    at = chart.scalars(arguments[0], trace)
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """Function of few numbers: its parameters and results; ``truths`` are results that are truth values.
+
+    ``compute`` returns a tuple of the results, or the chart's `Scalars`, which have them as attributes.
+    """
+
+    arguments: tuple[str, ...]
+    results: tuple[str, ...]
+    compute: Callable[..., Any] = _at_x
+    truths: tuple[str, ...] = ()
+
+
+def _ray(chart: Chart, trace: Trace, x: Number) -> tuple[Number, ...]:
+    at = chart.scalars(x, trace)
     return *at.ray, at.f, at.g, at.h
 
 
-def _gain_unit(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
-    return (chart.gain(_quaternion(e), 1, trace),)
-
-
-def _gain_positive(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
-    q = _quaternion(e)
+def _gain_positive(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
+    q = Quaternion.from_components(e)
     return (chart.gain(q, trace.name("size", trace.sqrt(q.norm2())), trace, positive=True),)
 
 
-def _gain_product(chart: Chart, trace: Trace, e: Sequence[Number]) -> tuple[Number, ...]:
-    return (chart.gain(_quaternion(e[:4]), trace.name("size", e[4] * e[5]), trace),)
+def _gain_product(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
+    return (chart.gain(Quaternion.from_components(e[:4]), trace.name("size", e[4] * e[5]), trace),)
 
 
-def _quaternion(e: Sequence[Number]) -> Quaternion:
-    return Quaternion(e[0], Vector(*e[1:4]))
-
-
-def _at_angle(*results: str) -> Scalar:
-    """Return the row of scalars of T⁻¹ at a known angle."""
-
-    def compute(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
-        x, fe, angle = arguments
-        at = chart.at_angle(x, fe, angle, trace)
-        return tuple(getattr(at, name) for name in results)
-
-    return Scalar(("x", "fe", "angle"), results, compute)
-
-
-def _beyond(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
-    selected, turn = chart.beyond(arguments[0], arguments[1:], trace)
+def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Number, ...]:
+    selected, turn = chart.beyond(x, table, trace)
     return selected, *turn
 
 
-def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[Number, ...]:
+def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
     """Return an angle α ≥ 0, reduced by whole turns if beyond the edge: the nearest angle of its pose in the chart."""
-    (angle,) = arguments
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
         raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
@@ -154,30 +128,28 @@ def _reached(chart: Chart, trace: Trace, arguments: Sequence[Number]) -> tuple[N
 E = ("e0", "e1", "e2", "e3")
 
 SCALARS: Mapping[str, Scalar] = {
-    "quaternion_scalars": _of_x("s", "w", "sy", "wy"),
-    "pose_scalars": _of_squares("f", "g", "h"),
-    "tangent_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy"),
-    "tangent_dot_scalars": _of_squares("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy"),
-    "rate_scalars": _of_x("rate"),
-    "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, at: c.back(at[0], at[1], m)),
-    "inverse_at": _at_angle("hi"),
-    "tangent_inv_at": _at_angle("fi", "hi", "fiy", "hiy"),
-    "tangent_inv_scalars": _of_x("fi", "hi", "fiy", "hiy"),
-    "tangent_inv_dot_scalars": _of_x("fi", "hi", "fiy", "hiy", "fiyy", "hiyy"),
+    "quaternion_scalars": Scalar(("x",), ("s", "w", "sy", "wy")),
+    "pose_scalars": Scalar(SQUARES, ("f", "g", "h")),
+    "tangent_scalars": Scalar(SQUARES, ("f", "g", "h", "fy", "gy", "hy")),
+    "tangent_dot_scalars": Scalar(SQUARES, ("f", "g", "h", "fy", "gy", "hy", "fyy", "gyy", "hyy")),
+    "rate_scalars": Scalar(("x",), ("rate",)),
+    "inverse_scalars": Scalar(("x", "fe"), ("fi", "hi"), lambda c, m, x, fe: c.back(x, fe, m)),
+    "inverse_at": Scalar(("x", "fe", "angle"), ("hi",), _at_angle),
+    "tangent_inv_at": Scalar(("x", "fe", "angle"), ("fi", "hi", "fiy", "hiy"), _at_angle),
+    "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
+    "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
-    "gain_unit": Scalar(E, ("gain",), _gain_unit),
+    "gain_unit": Scalar(E, ("gain",), lambda c, m, *e: (c.gain(Quaternion.from_components(e), 1, m),)),
     "gain_positive": Scalar(E, ("gain",), _gain_positive),
     "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
-    "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, at: (c.direction(at[0], at[1], at[2], m),)),
-    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, at: c.natural(at[0], at[1], at[2], m)),
-    "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, at: (m.name("own", c.unfolded(at[0], at[1], m)),)),
+    "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, *at: (c.direction(*at, m),)),
+    "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, *at: c.natural(*at, m)),
+    "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
-    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, at: c.turned(at[0], at[1:], m)),
+    "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
     "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
-    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, at: c.coefficient(at[0], m)),
-    "coefficient_of": Scalar(
-        ("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, at: c.coefficient_of(at[0], at[1], at[2], m)
-    ),
+    "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, alpha: c.coefficient(alpha, m)),
+    "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, *at: c.coefficient_of(*at, m)),
 }
 """Scalar programs by name; `Scalars.ray` defines a, b and size, and `Chart` defines turns and tables."""
 
@@ -188,13 +160,12 @@ def table_names(chart: Chart) -> tuple[str, ...]:
 
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:
-    """Return the scalar programs of a chart by name, without the `idle` ones."""
-    return {name: scalar_program(name, chart) for name in SCALARS if name not in idle(chart)}
+    """Return the scalar programs of a chart by name.
 
-
-def idle(chart: Chart) -> set[str]:
-    """Return the names of scalars never called: `beyond` if every v is principal, `turned` if a pose has one v."""
-    return {name for name, asked in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not asked}
+    `beyond` is left out if every v is principal, and `turned` if a pose has one v, since nothing calls them.
+    """
+    idle = {name for name, called in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not called}
+    return {name: scalar_program(name, chart) for name in SCALARS if name not in idle}
 
 
 def scalar_program(name: str, chart: Chart) -> Program:
@@ -207,12 +178,12 @@ def scalar_program(name: str, chart: Chart) -> Program:
     arguments: list[Any] = []
     for argument in row.arguments:
         arguments += trace.inputs(argument, table_names(chart) if argument == "table" else [argument])
-    results = row.compute(chart, trace, arguments)
+    found = row.compute(chart, trace, *arguments)
+    results = list(found) if isinstance(found, tuple) else [getattr(found, name) for name in row.results]
     zero = trace.name(trace.free_name("zero"), arguments[0] - arguments[0])
     one = trace.name(trace.free_name("one"), zero + 1)
-    outputs = list(results)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
         divided = letter == "size" and "size1" in scalar_program("gain_product", chart).operands
         if isinstance(result, Constant) and (result.denominator != 1 or divided):
-            outputs[i] = trace.name(trace.free_name(letter), result * one)
-    return trace.program(name, outputs)
+            results[i] = trace.name(trace.free_name(letter), result * one)
+    return trace.program(name, results)

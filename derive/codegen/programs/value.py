@@ -12,6 +12,7 @@ from math import lcm
 from typing import Any
 
 from ...algebra import Structure
+from ...algebra.arithmetic import Arithmetic
 from .program import Constant, Operand
 
 Number = Any
@@ -70,8 +71,8 @@ def _recorded(op: str) -> Callable[..., Number]:
     return method
 
 
-class Folding(ABC):
-    """Arithmetic (``algebra.arithmetic``) with which formulas are lowered; subclasses record its operations."""
+class Folding(Arithmetic, ABC):
+    """Arithmetic with which formulas are lowered; subclasses record its operations."""
 
     @abstractmethod
     def record(self, op: str, *operands: Number) -> Value:

@@ -60,7 +60,7 @@ class Lowering:
     """Values of expressions at one angle; each part is computed once."""
 
     def __init__(self, angle: Coefficient, m: Arithmetic) -> None:
-        self.m: Arithmetic = _Unnamed(m)
+        self.m: Any = _Unnamed(m)
         self._known: dict[sympy.Expr, Coefficient] = {alpha: angle}
         self._pairs: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
         self._hyperbolics: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}

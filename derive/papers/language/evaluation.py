@@ -78,7 +78,7 @@ class Env:
     def rate(self, a: Any) -> Any:
         """Return the time derivative of a value."""
         if isinstance(a, Structure):
-            return a.map(self.rate)  # type: ignore[attr-defined]
+            return a.map(self.rate)
         if not self.dual:
             return _slope(a)
         return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0

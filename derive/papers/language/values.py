@@ -178,7 +178,7 @@ def coefficients(a: Any) -> Iterator[Any]:
     if isinstance(a, Either):
         yield from coefficients(a.first)
     elif isinstance(a, Structure):
-        for component in a:  # type: ignore[attr-defined]
+        for component in a:
             yield from coefficients(component)
     elif hasattr(a, "re") and hasattr(a, "du"):
         yield from coefficients(a.re)
@@ -192,7 +192,7 @@ def _pairs(a: Any, b: Any) -> Iterator[tuple[Any, Any]]:
         yield from _pairs(a.rotation, b.rotation)
         yield from _pairs(a.displacement, b.displacement)
     elif isinstance(a, Structure):
-        for s, t in zip(a, b, strict=True):  # type: ignore[call-overload]
+        for s, t in zip(a, b, strict=True):
             yield from _pairs(s, t)
     elif hasattr(a, "du") or hasattr(b, "du"):
         for part in ("re", "du"):

@@ -123,7 +123,3 @@ def test_nested_dual_numbers_give_the_second_derivative(a: Dual, b: Dual) -> Non
     y = x**4
     assert y.du.du == 12 * a.re**2
     assert (b + x) - x == b + (x - x)
-
-
-def test_conjugate() -> None:
-    assert Dual(2, 3) * Dual(2, 3).conjugate() == 4

@@ -23,7 +23,7 @@ EPS = 2.0**-52
 
 def compiled(program: Program) -> Callable[..., tuple[float, ...]]:
     """Return a program compiled to a function of numbers."""
-    space: dict[str, Any] = {"m": Sharp}
+    space: dict[str, Any] = {"m": Sharp()}
     inputs = ", ".join(name for name, _ in program.inputs)
     exec(f"def f({inputs}):\n{infix.body(program)}", space)
     return space["f"]

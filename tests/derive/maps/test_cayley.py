@@ -59,7 +59,7 @@ def identities(m: Cayley) -> dict[str, tuple[object, object]]:
     at, q = FIELD.gens[0], FIELD.from_expr(m.q)
     R, T, inverse = field_form(m.tensor), field_form(m.tangent), field_form(m.tangent_inv)
     s, t = m.quaternion.coefficients
-    one = Isotropic.identity(at)
+    one = Isotropic(1, 0, 0, at)
     return {
         "|q|^2 = 1": (sympy.cancel(s**2 + x * t**2), 1),
         "R R^T = I": (R @ R.transpose, one),

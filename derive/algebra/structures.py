@@ -1,0 +1,176 @@
+"""Vectors, second-order tensors and quaternions over any commutative coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, TypeAlias, overload
+
+from . import functions
+from .dual import Coefficient, Dual, Structure
+
+Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
+
+
+@dataclass(frozen=True, slots=True)
+class Vector(Structure):
+    """Vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
+
+    `Dual` components make it a dual vector.
+    """
+
+    c1: Coefficient
+    c2: Coefficient
+    c3: Coefficient
+
+    @classmethod
+    def from_components(cls, components: Iterable[Coefficient]) -> Vector:
+        return cls(*components)
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter((self.c1, self.c2, self.c3))
+
+    def dot(self, other: Vector) -> Coefficient:
+        """Return the scalar product."""
+        return self.c1 * other.c1 + self.c2 * other.c2 + self.c3 * other.c3
+
+    def cross(self, other: Vector) -> Vector:
+        """Return the vector product ``self × other``."""
+        return Vector(
+            self.c2 * other.c3 - self.c3 * other.c2,
+            self.c3 * other.c1 - self.c1 * other.c3,
+            self.c1 * other.c2 - self.c2 * other.c1,
+        )
+
+    def magnitude(self) -> Coefficient:
+        """Return the magnitude, a (dual) number whose square is ``self · self``.
+
+        A dual vector has the magnitude ``|a| + ε a·a°/|a|`` if its real part is non-zero, else ``ε |a°|``.
+        Real coefficients are assumed.
+        """
+        if not any(isinstance(c, Dual) for c in self):
+            return functions.sqrt(self.dot(self))
+        re, du = self.re, self.du
+        length = re.magnitude()
+        return Dual(length, du.magnitude() if length == 0 else re.dot(du) / length)
+
+
+@dataclass(frozen=True, slots=True)
+class Tensor(Structure):
+    """Tensor with the given 3x3 `rows`; `Dual` entries make it a dual tensor."""
+
+    rows: tuple[Row, Row, Row]
+
+    @classmethod
+    def from_entries(cls, entries: Iterable[Coefficient]) -> Tensor:
+        """Return the tensor with nine `entries`, row by row."""
+        e = tuple(entries)
+        if len(e) != 9:
+            raise ValueError(f"a tensor has 9 entries, got {len(e)}")
+        return cls(((e[0], e[1], e[2]), (e[3], e[4], e[5]), (e[6], e[7], e[8])))
+
+    from_components = from_entries
+
+    @classmethod
+    def identity(cls) -> Tensor:
+        """Return the identity tensor I."""
+        return cls(((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+
+    @classmethod
+    def skew(cls, a: Vector) -> Tensor:
+        """Return the skew-symmetric tensor with ``skew(a) b = a × b``."""
+        return cls(((0, -a.c3, a.c2), (a.c3, 0, -a.c1), (-a.c2, a.c1, 0)))
+
+    @classmethod
+    def dyad(cls, a: Vector, b: Vector) -> Tensor:
+        """Return the dyadic product ``a ⊗ b``, which takes w to ``a (b · w)``."""
+        return cls.from_entries(s * t for s in a for t in b)
+
+    @property
+    def transpose(self) -> Tensor:
+        """Transpose Tᵀ, with ``a · Tᵀ b = b · T a``."""
+        (a, b, c), (d, e, f), (g, h, i) = self.rows
+        return Tensor(((a, d, g), (b, e, h), (c, f, i)))
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return (entry for row in self.rows for entry in row)
+
+    def __getitem__(self, index: tuple[int, int]) -> Coefficient:
+        row, column = index
+        return self.rows[row][column]
+
+    @overload
+    def __matmul__(self, other: Vector) -> Vector: ...
+    @overload
+    def __matmul__(self, other: Tensor) -> Tensor: ...
+    def __matmul__(self, other: Vector | Tensor) -> Vector | Tensor:
+        """Apply to a vector, or compose with a tensor (`other` acts first)."""
+        rows = [Vector(*row) for row in self.rows]
+        if isinstance(other, Vector):
+            return Vector(*(row.dot(other) for row in rows))
+        if isinstance(other, Tensor):
+            columns = [Vector(*column) for column in other.transpose.rows]
+            return Tensor.from_entries(row.dot(column) for row in rows for column in columns)
+        return NotImplemented
+
+    def vect(self) -> Vector:
+        """Return the axial vector of the skew-symmetric part ``(T − Tᵀ)/2``; ``skew(a).vect() == a``."""
+        t = self.rows
+        return Vector((t[2][1] - t[1][2]) / 2, (t[0][2] - t[2][0]) / 2, (t[1][0] - t[0][1]) / 2)
+
+    def trace(self) -> Coefficient:
+        """Return the trace."""
+        return self.rows[0][0] + self.rows[1][1] + self.rows[2][2]
+
+    def det(self) -> Coefficient:
+        """Return the determinant, the triple product of the rows."""
+        first, second, third = (Vector(*row) for row in self.rows)
+        return first.dot(second.cross(third))
+
+    def inverse(self) -> Tensor:
+        """Return the inverse, adjugate over determinant; without one, the division raises ZeroDivisionError."""
+        first, second, third = (Vector(*row) for row in self.rows)
+        adjugate = Tensor.from_entries((*second.cross(third), *third.cross(first), *first.cross(second))).transpose
+        inverse: Tensor = adjugate / self.det()
+        return inverse
+
+
+@dataclass(frozen=True, slots=True)
+class Quaternion(Structure):
+    """Quaternion ``scalar + vector``, scalar first; `Dual` coefficients make it a dual quaternion."""
+
+    scalar: Coefficient
+    vector: Vector
+
+    @classmethod
+    def from_components(cls, components: Iterable[Coefficient]) -> Quaternion:
+        """Return the quaternion with four components, scalar first."""
+        scalar, c1, c2, c3 = components
+        return cls(scalar, Vector(c1, c2, c3))
+
+    def __iter__(self) -> Iterator[Coefficient]:
+        return iter((self.scalar, *self.vector))
+
+    def __mul__(self, other: Any) -> Quaternion:
+        """Return the quaternion product ``(s t − a·b, s b + t a + a × b)``, or the multiple by a scalar."""
+        if isinstance(other, Quaternion):
+            s, t, a, b = self.scalar, other.scalar, self.vector, other.vector
+            return Quaternion(s * t - a.dot(b), b * s + a * t + a.cross(b))
+        return Structure.__mul__(self, other)
+
+    def conjugate(self) -> Quaternion:
+        """Return ``scalar − vector``."""
+        return Quaternion(self.scalar, -self.vector)
+
+    def norm2(self) -> Coefficient:
+        """Return the squared norm, ``q q*``."""
+        return self.scalar * self.scalar + self.vector.dot(self.vector)
+
+    def inverse(self) -> Quaternion:
+        """Return ``q* / |q|²``; a dual quaternion with real part zero raises `ZeroDivisorError`."""
+        inverse: Quaternion = self.conjugate() / self.norm2()
+        return inverse
+
+    def sandwich(self, v: Vector) -> Vector:
+        """Return ``q v q*``, the vector turned by a unit quaternion."""
+        return (self * Quaternion(0, v) * self.conjugate()).vector
