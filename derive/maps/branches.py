@@ -1,12 +1,8 @@
-r"""Branches of a chart of order n: the axis of the principal angle, and turns of θ = α/2n by kπ/n.
-
-For the Cayley map, v_k = r_k u follows from v = r u by ``r_k = (r cos + sin)/(cos − r sin)``, with the cosine and sine
-of ``kπ/n``, CP23 (49). The formulas serve both values and programs.
-"""
+"""Branches of a chart of order n: turns of θ = α/2n by kπ/n, for values and programs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import mpmath
@@ -15,7 +11,8 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .cayley_scalars import CayleyScalars
+from .chart import Chart
+from .families import alpha
 
 Derivatives = tuple[Coefficient, Coefficient, Coefficient]
 """Value with its first and second derivatives."""
@@ -26,50 +23,6 @@ NOISE = 16
 Such a term is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
 2π eps for ``cot(α/2)``.
 """
-
-
-def direction(n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
-
-    For p = 0 return the sign of q; for q = 0 return the sign of the translation along v.
-    """
-    sign, _ = _direction(n, at, y, r, m)
-    return sign
-
-
-def _direction(
-    n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
-) -> tuple[Coefficient, Coefficient]:
-    """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
-
-    At half a turn p is 0 up to rounding and q > 0; the direction of v is kept then.
-    """
-    sine = m.name("rq", r * m.abs(at.q))
-    either = at.x if n == 1 else m.name("either", sine + at.p)
-    one = m.name("one", either - either + 1)
-    if n == 1:
-        return one, sine * one
-    negative = m.name("qneg", m.less(at.q, 0))
-    kept = m.name("kept", m.where(negative, 0, sine))
-    turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
-    backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
-    return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
-
-
-def natural(
-    n: int, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
-) -> tuple[Coefficient, Coefficient, Coefficient]:
-    """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the sign from `direction`."""
-    sign, sine = _direction(n, at, y, r, m)
-    return m.name("angle", 2 * m.atan2(sine, m.abs(at.p))), m.name("slope", 2 * n / (1 + at.x)), sign
-
-
-def turned(r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
-    """Return ``r_k = (r cos + sin)/(cos − r sin)``, ``dr_k/dr = 1/(cos − r sin)²`` and the second derivative."""
-    cosine, sine = turn
-    inverse = m.name("iden", m.div(1, cosine - r * sine))
-    slope = m.name("slope", inverse * inverse)
-    return m.name("rk", (r * cosine + sine) * inverse), slope, m.name("bend", 2 * (sine * inverse) * slope)
 
 
 def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
@@ -101,17 +54,13 @@ def turn(n: int, branch: int) -> tuple[Any, Any]:
     return mpmath.cospi(step), mpmath.sinpi(step)
 
 
-def returns(n: int) -> Iterator[tuple[Any, Any, Any]]:
-    """Yield the limit ``tan²((2j − 1)π/2n)`` of x, and the cosine and sine of the turn, for each turn back by jπ/n."""
-    for j in range(1, n // 2 + 1):
-        half = mpmath.mpf(2 * j - 1) / (2 * n)
-        yield ((mpmath.sinpi(half) / mpmath.cospi(half)) ** 2, *turn(n, -j))
+def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
+    """Return φ² of an angle, in the working precision of mpmath."""
+    return mpmath.mpf(phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 
-class BranchesOfOrder:
+class BranchesOfOrder(Chart):
     """Edge and branches of a chart of order n: |Re α| < nπ, and θ turns by π/n from one of n branches to the next."""
-
-    order: int
 
     @property
     def edge(self) -> sympy.Expr:
@@ -123,7 +72,7 @@ class BranchesOfOrder:
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Return the angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
+        """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
     def beyond(
@@ -133,3 +82,8 @@ class BranchesOfOrder:
 
     def turn(self, branch: int) -> tuple[Any, Any]:
         return turn(self.order, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        """Return φ² at ``(2j − 1)π``, and the cosine and sine of the turn back by jπ/n, for each turn back."""
+        turns = range(1, self.order // 2 + 1)
+        return tuple((square(self.phi, (2 * j - 1) * sympy.pi), *self.turn(-j)) for j in turns)

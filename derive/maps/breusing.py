@@ -20,12 +20,11 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import near_pole
 from .branches import Derivatives
-from .dependent import DependentScalars
 from .families import alpha
+from .gains import near_pole
 from .order_charts import OrderChart, double_angle
-from .scalar import scalar
+from .scalars import DependentScalars, scalar
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
@@ -132,7 +131,7 @@ class Breusing(OrderChart):
     def coefficient_of(
         self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
     ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
+        next_to, rest, side = near_pole(self.order, angle, sine, cosine, m)
         of_rest = double_angle(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
         first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)

@@ -14,7 +14,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .evaluation import HORNER_LIMIT, Jet, chain, horner
-from .scalar import scalar
+from .scalars import scalar
 
 
 def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet], Coefficient]) -> scalar:

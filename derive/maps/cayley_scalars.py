@@ -23,7 +23,7 @@ from ..algebra import Coefficient
 from . import polynomials
 from .cayley_polynomials import CayleyPolynomials
 from .gains import has_ladder
-from .scalar import scalar
+from .scalars import scalar
 
 
 class CayleyScalars(CayleyPolynomials):

@@ -15,10 +15,9 @@ from ..algebra.arithmetic import Arithmetic
 from . import stumpff
 from .any_phi.angle_chart import AngleChart
 from .branches import Derivatives
-from .dependent import DependentScalars
 from .families import alpha
 from .order_charts import double_angle
-from .scalar import scalar
+from .scalars import DependentScalars, scalar
 
 
 class ExponentialScalars(DependentScalars):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy
 
@@ -27,8 +27,6 @@ class Formula:
         The order n.
     coefficients : tuple of Expr
         Functions of `x`, exact and reduced.
-    at : callable
-        Function that returns the coefficients at any number x.
     equations : tuple of int
         Equation numbers in CP23: the general equations, then the one printed for this order, if any.
     identities : tuple of str
@@ -42,7 +40,6 @@ class Formula:
     name: str
     order: int
     coefficients: tuple[sympy.Expr, ...]
-    at: Callable[[Any], Any] = field(repr=False, compare=False)
     equations: tuple[int, ...]
     identities: tuple[str, ...] = field(repr=False)
     domain: str = field(repr=False)

@@ -1,4 +1,4 @@
-r"""Gain of a Cayley map: the factor in ``v = gain · vec q``, for values and programs.
+"""Angle of a quaternion and gain of a Cayley map, the factor in ``v = gain · vec q``, for values and programs.
 
 The gain is ``tan(α/2n)/sin(α/2)`` with the sign of the scalar part. For n a power of two,
 half-angle formulas replace trigonometric functions.
@@ -6,6 +6,7 @@ half-angle formulas replace trigonometric functions.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from ..algebra import Coefficient, Quaternion
@@ -64,3 +65,20 @@ def _ladder(n: int, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Co
         divisor = divisor * (2 * c)
     total = divisor * (unit + c)
     return total if unit is size else total * size
+
+
+def near_pole(
+    n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+) -> tuple[Any, Coefficient, Coefficient]:
+    """Return whether |α| is near the pole nπ, the distance ``nπ − |α|`` if so or |α| if not, and the sign of α.
+
+    ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor. They give all digits of the distance, by its
+    half tangent ``−tan(α/2)`` for even n, ``cot(α/2)`` for odd n. The rounded angle gives few digits near the pole.
+    """
+    side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
+    size = m.name("size", m.abs(angle))
+    next_to = m.name("nextto", m.less(m.abs(size - round(n * math.pi)), 1))
+    above, below = (cosine, sine) if n % 2 else (-sine, cosine)
+    divisor = m.name("divisor", m.where(next_to, below, 1))
+    left = 2 * side * m.atan2(above / divisor, 1)
+    return next_to, m.name("rest", m.where(next_to, left, size)), side

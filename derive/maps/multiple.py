@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any
 
@@ -23,7 +24,6 @@ from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
 from .branches import Derivatives
 from .chart import Chart, Scalars
-from .parameterized import Parameterized
 from .polynomials import x
 
 POWERS = {
@@ -71,7 +71,7 @@ class MultipleScalars:
 
 
 @dataclass(frozen=True)
-class Multiple(Parameterized):
+class Multiple(Chart):
     """Chart ``v = K w`` with the branches, edge and singular angles of its base chart.
 
     Attributes
@@ -83,34 +83,20 @@ class Multiple(Parameterized):
     """
 
     name: str
-    base: Chart = field()  # without the default of Parameterized
+    base: Chart = field()  # without the default of Chart
     factor: Fraction = field()
     selection: tuple[str, str] = ("", "")
     title: str = ""
 
-    @property
-    def order(self) -> int:  # type: ignore[override]
-        return self.base.order
+    order = property(attrgetter("base.order"))
+    edge = property(attrgetter("base.edge"))
+    branches = property(attrgetter("base.branches"))
+    singular_angles = property(attrgetter("base.singular_angles"))
+    remainder = property(attrgetter("base.remainder"))
 
     @property
     def phi(self) -> sympy.Expr:
         return sympy.Rational(self.factor) * self.base.phi
-
-    @property
-    def edge(self) -> sympy.Expr:
-        return self.base.edge
-
-    @property
-    def branches(self) -> int:
-        return self.base.branches
-
-    @property
-    def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        return self.base.singular_angles
-
-    @property
-    def remainder(self) -> float:
-        return self.base.remainder
 
     @property
     def algebraic(self) -> bool:

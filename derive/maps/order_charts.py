@@ -7,18 +7,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import Any
-
-import mpmath
-import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import branches
 from .branches import Derivatives
-from .families import alpha
 from .gains import half_cosine, half_sine, has_ladder
-from .parameterized import QuaternionChart
+from .scalars import QuaternionChart
 
 
 class OrderChart(branches.BranchesOfOrder, QuaternionChart):
@@ -94,13 +89,6 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         sine_k, cosine_k = m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further)
         return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
-
-    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))
-
-    def _square(self, angle: sympy.Expr) -> Any:
-        """Return φ² of an angle, in the working precision of mpmath."""
-        return mpmath.mpf(self.phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
 
 
 def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:

@@ -20,12 +20,11 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .branches import Derivatives
-from .dependent import DependentScalars
 from .evaluation import horner
 from .families import alpha
 from .order_charts import OrderChart, double_angle
 from .polynomials import RING, RING_X, ring_pair
-from .scalar import scalar
+from .scalars import DependentScalars, scalar
 
 
 @lru_cache(maxsize=64)

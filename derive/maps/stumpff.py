@@ -25,7 +25,7 @@ from math import factorial
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
-from .scalar import scalar
+from .scalars import scalar
 
 LIMIT = 6
 """Largest ξ for the series; the angle there is 2.4."""

@@ -1,4 +1,4 @@
-"""Chart outside the toolkit, v = sin(α/6) u, with all members of the Protocol of charts."""
+"""Chart outside the toolkit, v = sin(α/6) u, with all members of `Chart`, but without its code."""
 
 from __future__ import annotations
 
@@ -164,7 +164,7 @@ class Sine:
 
     def _formula(self, kind: Any, name: str, *coefficients: sympy.Expr) -> Any:
         texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": name}
-        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6", "at": None}
+        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6"}
         return kind(name=name, order=1, coefficients=coefficients, **texts, **rest)
 
     @cached_property

@@ -18,7 +18,7 @@ from .. import branches
 from ..branches import Derivatives
 from ..families import alpha
 from ..gains import half_cosine, half_sine
-from ..parameterized import QuaternionChart
+from ..scalars import QuaternionChart
 from .lowering import number
 from .real_constants import times
 
@@ -95,5 +95,4 @@ class AngleChart(QuaternionChart):
         """Return one row, x at half a turn with a turn of 0: `beyond` computes the turn back."""
         if self.edge <= sympy.pi:
             return ()
-        limit = mpmath.mpf(self.phi.subs(alpha, sympy.pi).evalf(mpmath.mp.dps + 5)) ** 2
-        return ((limit, *self.turn(0)),)
+        return ((branches.square(self.phi, sympy.pi), *self.turn(0)),)

@@ -20,10 +20,9 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
 from ..branches import Derivatives
-from ..dependent import DependentScalars
 from ..families import alpha
 from ..order_charts import double_angle
-from ..scalar import scalar
+from ..scalars import DependentScalars, scalar
 from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
