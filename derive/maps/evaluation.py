@@ -6,6 +6,8 @@ The chain divides by powers of 1 + x at each step. Every order then overflows no
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
+from operator import add, sub
 from typing import Any
 
 from ..algebra import Coefficient
@@ -28,31 +30,18 @@ class Jet:
     sixth_third: Coefficient = 0
 
     def __add__(self, other: Jet) -> Jet:
-        return Jet(
-            self.value + other.value,
-            self.first + other.first,
-            self.half_second + other.half_second,
-            self.sixth_third + other.sixth_third,
-        )
+        return Jet(*map(add, self.terms, other.terms))
 
     def __sub__(self, other: Jet) -> Jet:
-        return Jet(
-            self.value - other.value,
-            self.first - other.first,
-            self.half_second - other.half_second,
-            self.sixth_third - other.sixth_third,
-        )
+        return Jet(*map(sub, self.terms, other.terms))
 
     def __mul__(self, other: Jet) -> Jet:
-        return Jet(
-            self.value * other.value,
-            self.value * other.first + self.first * other.value,
-            self.value * other.half_second + self.first * other.first + self.half_second * other.value,
-            self.value * other.sixth_third
-            + self.first * other.half_second
-            + self.half_second * other.first
-            + self.sixth_third * other.value,
-        )
+        a, b = self.terms, other.terms
+        return Jet(*(reduce(add, (a[i] * b[k - i] for i in range(k + 1))) for k in range(len(a))))
+
+    @property
+    def terms(self) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
+        return self.value, self.first, self.half_second, self.sixth_third
 
     def square(self) -> Jet:
         bend = 2 * (self.value * self.half_second) + self.first * self.first
@@ -61,12 +50,8 @@ class Jet:
 
     def named(self, m: Arithmetic, letter: str) -> Jet:
         """Return the jet with its coefficients named p, p_x, p_xx, p_xxx."""
-        return Jet(
-            m.name(letter, self.value),
-            m.name(f"{letter}_x", self.first),
-            m.name(f"{letter}_xx", self.half_second),
-            m.name(f"{letter}_xxx", self.sixth_third),
-        )
+        suffixes = "", "_x", "_xx", "_xxx"
+        return Jet(*(m.name(letter + suffix, term) for suffix, term in zip(suffixes, self.terms, strict=True)))
 
 
 def horner(polynomial: Any, x: Coefficient) -> Coefficient:

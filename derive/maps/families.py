@@ -19,7 +19,6 @@ where ``ω = T v̇`` is the space twist. All coefficients are smooth functions o
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -58,37 +57,27 @@ class Family:
     scale: sympy.Expr
     domain: str
 
-    @cached_property
-    def slope(self) -> sympy.Expr:
-        """Derivative φ′."""
-        return self.phi.diff(alpha)
-
     @property
     def tangent(self) -> Triple:
         """Coefficients of I, ṽ and v⊗v in T, functions of α ≠ 0."""
-        along = sympy.sin(alpha) / self.phi
-        return along, (1 - sympy.cos(alpha)) / self.phi**2, (1 / self.slope - along) / self.phi**2
+        at = of_angle(self.phi)
+        return at.f, at.g, at.h
 
     @property
     def tangent_inv(self) -> Triple:
         """Coefficients of I, ṽ and v⊗v in T⁻¹, functions of Re α ≠ 2πk."""
-        along = self.phi / 2 * sympy.cot(alpha / 2)
-        return along, -sympy.Rational(1, 2), (self.slope - along) / self.phi**2
+        at = of_angle(self.phi)
+        return at.fi / 2, -sympy.Rational(1, 2), at.hi / 2
 
     def at(self, angle: Coefficient, library: Any = functions) -> Coefficient:
-        """Return φ at a number; `library` provides ``sin``, ``cos`` and ``sqrt`` for it.
-
-        Raises
-        ------
-        ZeroDivisionError
-            At a pole of φ.
-        """
+        """Return φ at a number; `library` provides ``sin``, ``cos`` and ``sqrt``. A pole raises ZeroDivisionError."""
         return evaluate(self.phi, alpha, angle, library)
 
     def vector(self, angle: Coefficient, axis: Vector, library: Any = functions) -> Vector:
         """Return ``v = φ(α) u`` for a dual angle α and an axis u."""
         v: Vector = axis * self.at(angle, library)
         return v
+
 
 def rodrigues(n: int) -> Family:
     """Higher-order Rodrigues vector, ``tan(α/2n) u``, CP23 (49) at k = 0."""
@@ -130,12 +119,6 @@ def isochoric() -> Family:
     phi = sympy.cbrt(6 * (alpha - sympy.sin(alpha)))
     scale = phi * sympy.cot(alpha / 2)  # not an elementary function of x
     return Family("isochoric", 1, phi, scale, "every alpha; T loses rank at |Re alpha| = 2 pi k")
-
-
-def euler() -> Family:
-    """Euler vector, ``α u``: T is dexp, CP23 (82), (84)."""
-    root = sympy.sqrt(x)
-    return Family("Euler", 1, alpha, root * sympy.cot(root / 2), "every alpha; T loses rank at |Re alpha| = 2 pi k")
 
 
 def of_angle(phi: sympy.Expr) -> SimpleNamespace:

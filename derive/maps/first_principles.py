@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
-from .sign_tests import is_zero
+from .pose import is_zero
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:

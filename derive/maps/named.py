@@ -21,7 +21,7 @@ from .any_phi.recognition import multiple_of_known
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
-from .exponential_chart import Exponential
+from .exponential import Exponential
 from .multiple import Multiple
 from .polynomials import require_order
 from .sine import Sine

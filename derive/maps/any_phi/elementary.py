@@ -11,7 +11,7 @@ import mpmath
 import sympy
 
 from ...algebra import Coefficient, functions, real_part
-from ..sign_tests import is_zero
+from ..pose import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
 """Functions that a library may provide besides sqrt."""

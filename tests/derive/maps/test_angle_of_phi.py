@@ -50,7 +50,7 @@ def _degree(chart: General) -> int:
 
 
 def _called(guess: Guess) -> str:
-    name = type(guess.variable if isinstance(guess, Fitted) else guess).__name__
+    name = guess.variable.name if isinstance(guess, Fitted) else type(guess).__name__
     return f"{name} by {guess.count}" if isinstance(guess, Guarded) else name
 
 

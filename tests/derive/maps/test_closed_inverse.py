@@ -7,8 +7,7 @@ import pytest
 import sympy
 
 from derive.maps import parameterization
-from derive.maps.any_phi.closed_inverse import closed_inverse
-from derive.maps.any_phi.edges import DIGITS, real_value
+from derive.maps.any_phi.edges import DIGITS, closed_inverse, real_value
 from derive.maps.families import alpha
 
 INVERSES = {

@@ -13,7 +13,6 @@ from derive.maps.families import (
     Family,
     alpha,
     breusing,
-    euler,
     isochoric,
     lambert,
     normal_rodrigues,
@@ -25,7 +24,7 @@ from derive.maps.pose import Screw
 
 FAMILIES = [
     rodrigues(1), rodrigues(4), normal_rodrigues(1), normal_rodrigues(3), orthographic(), lambert(), sine(5),
-    breusing(), euler(),
+    breusing(),
 ]  # fmt: skip
 TINY = mpmath.mpf(10) ** -40
 

@@ -9,8 +9,7 @@ import mpmath
 
 from derive.algebra import Tensor, Vector, real_part
 from derive.maps.exponential import tensor_exponential
-from derive.maps.lines import line_through
-from derive.maps.pose import Pose, pose_from_tensor
+from derive.maps.pose import Pose, line_through, pose_from_tensor
 
 from ...language import values
 from ...language.definitions import plain, screw_tensor

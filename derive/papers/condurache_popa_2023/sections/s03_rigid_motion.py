@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from derive.maps.lines import foot
-from derive.maps.pose import Pose, pose_from_tensor
+from derive.maps.pose import Pose, foot, pose_from_tensor
 
 from ...equation import equation
 from ...language.claims import homogeneous, orthogonal, pose, proposition

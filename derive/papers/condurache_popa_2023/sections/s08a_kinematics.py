@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra import Tensor
-from derive.maps.lines import line_through
+from derive.maps.pose import line_through
 
 from ...equation import Reading, equation
 from ...language.definitions import image, plain, screw_quaternion, screw_tensor, skew_of

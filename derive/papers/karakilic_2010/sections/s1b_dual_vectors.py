@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.maps import lines
+from derive.maps import pose
 
 from ...equation import equation
 from ...language.definitions import *
@@ -85,7 +85,7 @@ LINES = (
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
              both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
-             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, plain(lines.foot), l_a)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, plain(pose.foot), l_a)),
              remark="The line through p with direction a. Every line is two points, one for each orientation."),
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),
