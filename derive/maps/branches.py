@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy
@@ -13,8 +13,9 @@ from ..algebra.arithmetic import Arithmetic
 from . import polynomials
 from .chart import Chart
 from .families import alpha
+from .polynomials import Pair, Triple
 
-Derivatives = tuple[Coefficient, Coefficient, Coefficient]
+Derivatives: TypeAlias = Triple
 """Value with its first and second derivatives."""
 
 NOISE = 16
@@ -35,7 +36,7 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
     return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
 
 
-def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
     first, *others = table[::3]
     # up to rounding, v at half a turn is on the first branch
@@ -75,9 +76,7 @@ class BranchesOfOrder(Chart):
         """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         return beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:

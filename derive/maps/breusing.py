@@ -24,6 +24,7 @@ from .branches import Derivatives
 from .families import alpha
 from .gains import near_pole
 from .order_charts import OrderChart, double_angle
+from .polynomials import Pair, Triple
 from .scalars import DependentScalars, scalar
 
 
@@ -59,7 +60,7 @@ class BreusingScalars(DependentScalars):
         return 2 * self.w
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         return self._above, self.m.name("b", 2 * self._root), self._size
 
     _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
@@ -128,21 +129,19 @@ class Breusing(OrderChart):
         slope = m.div((1 + square) / cosine * inverse, 2)
         return sine * inverse, slope, m.div((3 - square) * sine / square * inverse, 4)
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         next_to, rest, side = near_pole(self.order, angle, sine, cosine, m)
         of_rest = double_angle(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
         first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow for a v that comes from a quaternion."""
         return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
-    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
         c = cosine(x, m)
         return c, m.name("sigma", m.sqrt(c))
 
-    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         return 1, m.sqrt(cosine)

@@ -19,12 +19,11 @@ from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import closed_forms, gains, polynomials
 from .branches import NOISE, BranchesOfOrder, Derivatives
-from .cayley_scalars import CayleyScalars
+from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Map
-from .evaluation import CHAIN_POWER, HORNER_LIMIT
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
-from .polynomials import FIELD, rational, require_order, x
+from .polynomials import FIELD, Pair, Triple, rational, require_order, x
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""
@@ -59,17 +58,6 @@ class Cayley(BranchesOfOrder):
     name, selection : optional
         Name of the module and command-line option, for a user's φ equal to tan(α/2n).
 
-    Attributes
-    ----------
-    p, q, c, d : Expr
-        The polynomials of order n in `derive.x` (see `polynomials`).
-    quaternion : QuaternionMap
-        Unit dual quaternion ``(p + q v)/(1+x)^(n/2)``, CP23 (50), (55).
-    tensor : IsotropicMap
-        Orthogonal dual tensor, CP23 (57).
-    tangent, tangent_inv : IsotropicMap
-        Tangent operator dcay_n and its inverse, CP23 (88), (89).
-
     Examples
     --------
     >>> import derive
@@ -100,22 +88,22 @@ class Cayley(BranchesOfOrder):
     @cached_property
     def p(self) -> sympy.Expr:
         """Polynomial p_n, CP23 (51)."""
-        return polynomials.p(self.order)
+        return polynomials.ring_pair(self.order)[0].as_expr()
 
     @cached_property
     def q(self) -> sympy.Expr:
         """Polynomial q_n, CP23 (52)."""
-        return polynomials.q(self.order)
+        return polynomials.ring_pair(self.order)[1].as_expr()
 
     @cached_property
     def c(self) -> sympy.Expr:
         """Bracket ``[n (1+x)ⁿ⁻¹ − p q]/x`` of dcay_n."""
-        return polynomials.c(self.order)
+        return polynomials.ring_brackets(self.order)[0].as_expr()
 
     @cached_property
     def d(self) -> sympy.Expr:
         """Bracket ``[(1+x) q − n p]/x`` of dcay_n⁻¹."""
-        return polynomials.d(self.order)
+        return polynomials.ring_brackets(self.order)[1].as_expr()
 
     @property
     def poles(self) -> tuple[sympy.Expr, ...]:
@@ -189,13 +177,11 @@ class Cayley(BranchesOfOrder):
     def scalars(self, x: Coefficient, m: Arithmetic) -> CayleyScalars:
         return CayleyScalars(self.order, x, m)
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         r = m.name("r", m.tan(m.div(angle, 2 * self.order)))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         next_to, rest, side = gains.near_pole(self.order, angle, sine, cosine, m)
         t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
@@ -204,7 +190,7 @@ class Cayley(BranchesOfOrder):
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return m.name("gain", gains.gain(self.order, q, size, m, positive))
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)
         return at.fi, at.hi
 
@@ -219,9 +205,7 @@ class Cayley(BranchesOfOrder):
         sign, _ = self._direction(self.scalars(x, m), y, r, m)
         return sign
 
-    def _direction(
-        self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:
         """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
 
         At half a turn p is 0 up to rounding and q > 0; the direction of v is kept then.
@@ -237,9 +221,7 @@ class Cayley(BranchesOfOrder):
         backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
         return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the sign from `direction`."""
         at = self.scalars(x, m)
         sign, sine = self._direction(at, y, r, m)

@@ -11,8 +11,9 @@ A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, s
 marked yy. The slope of N divided by N is ``e = 2n/(1 + x)``. No formula divides by x or uses |v|, so a pure translation
 is no special case.
 
-Above `HORNER_LIMIT` p, q, c and d come from the chain, divided by powers of 1 + x. With ``D = (1 + x)^⌊n/2⌋``, the
-divisor of p, q and d is D, and the divisor of c, p² and x q² is D². In the scalars the divisors cancel.
+Above `HORNER_LIMIT` p, q, c and d come from a chain of doublings, divided by powers of 1 + x, so that every order
+overflows no sooner than order 4. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p, q and d is D, and the divisor of c, p²
+and x q² is D². In the scalars the divisors cancel.
 
 N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
 overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
@@ -21,15 +22,82 @@ overflow. On overflow the replacement is NaN, while 1/N would be finite and wron
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
+from dataclasses import dataclass
+from functools import cached_property, reduce
+from operator import add, sub
 from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .evaluation import HORNER_LIMIT, Jet, chain, horner
 from .gains import has_ladder
+from .polynomials import Pair, Triple, horner
 from .scalars import scalar
+
+HORNER_LIMIT = 8
+"""Largest order evaluated by Horner's rule: above it, large alternating coefficients cancel and digits are lost."""
+
+CHAIN_POWER = 4
+"""Largest power of 1/(1 + x) in second slopes: ``(1 + x)^4`` must not overflow."""
+
+
+@dataclass(frozen=True, slots=True)
+class Jet:
+    """Taylor coefficients in x: the value, its first, half its second and a sixth of its third derivative."""
+
+    value: Coefficient
+    first: Coefficient = 0
+    half_second: Coefficient = 0
+    sixth_third: Coefficient = 0
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet(*map(add, self.terms, other.terms))
+
+    def __sub__(self, other: Jet) -> Jet:
+        return Jet(*map(sub, self.terms, other.terms))
+
+    def __mul__(self, other: Jet) -> Jet:
+        a, b = self.terms, other.terms
+        return Jet(*(reduce(add, (a[i] * b[k - i] for i in range(k + 1))) for k in range(len(a))))
+
+    @property
+    def terms(self) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
+        return self.value, self.first, self.half_second, self.sixth_third
+
+    def square(self) -> Jet:
+        bend = 2 * (self.value * self.half_second) + self.first * self.first
+        twist = 2 * (self.value * self.sixth_third + self.first * self.half_second)
+        return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
+
+    def named(self, m: Arithmetic, letter: str) -> Jet:
+        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx."""
+        suffixes = "", "_x", "_xx", "_xxx"
+        return Jet(*(m.name(letter + suffix, term) for suffix, term in zip(suffixes, self.terms, strict=True)))
+
+
+def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
+    """Return the jets of (p_k, q_k), divided by ``(1 + x)^⌊k/2⌋``, for each k on a chain of doublings up to ``order``.
+
+    Steps are ``p_2k = p² − x q²``, ``q_2k = 2 p q`` and ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``, without alternating
+    sums. Derivatives of p_k and q_k are divided by the same power. Doubling an odd k divides once more by 1 + x.
+    """
+    argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
+    k, p, q = 1, Jet(1), Jet(1)
+    pairs = {1: (p, q)}
+    for bit in bin(order)[3:]:
+        pp, qq = p.square().named(m, f"p{k}p{k}"), q.square().named(m, f"q{k}q{k}")
+        xqq = (argument * qq).named(m, f"xq{k}q{k}")
+        odd = k % 2
+        k *= 2
+        p, q = pp - xqq, two * (p * q)
+        if odd:
+            p, q = p * shrink, q * shrink
+        pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
+        if bit == "1":
+            k += 1
+            p, q = p - argument * q, p + q
+            pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
+    return pairs
 
 
 def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet], Coefficient]) -> scalar:
@@ -113,7 +181,7 @@ class CayleyScalars:
         return self.m.name("root", root if self._expanded or self.order % 4 == 0 else root * self._shrinking)
 
     @cached_property
-    def _half(self) -> tuple[Coefficient, Coefficient]:
+    def _half(self) -> Pair:
         """Return p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
@@ -139,7 +207,7 @@ class CayleyScalars:
     wy = scalar(lambda at: 2 * at.dq * at._inverse_root + at.sy)  # 2 w′ = 2 q′/√N − n w/(1 + x)
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         """Return (p, q, size): ``p + q v`` is the quaternion times the size; only half-angle formulas use the size."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 

@@ -30,7 +30,7 @@ from ..algebra.arithmetic import PLAIN, Arithmetic
 from .any_phi.edges import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
-from .polynomials import x
+from .polynomials import Pair, Triple, x
 
 if TYPE_CHECKING:
     from .cayley import Cayley
@@ -61,30 +61,14 @@ Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slo
 
 
 class Chart(ABC):
-    """Parameterization of displacements that can be proved and lowered: an immutable data class.
+    """Parameterization of displacements that can be proved and lowered: an immutable data class."""
 
-    Attributes
-    ----------
-    name : str
-        Name of the generated module, an identifier.
-    selection : tuple of str
-        Command-line option that selects the chart, and its value: ``-n``, ``3``.
-    order : int
-        Order n; 1 for a chart without an order.
-    title : str
-        Headline, such as ``Cayley map of order 3``.
-    base : Chart or None
-        Base chart with the vectors w in ``v = factor · w``; None for a chart that is no multiple.
-    factor : Fraction
-        Factor K in ``v = K w``; 1 without a base chart.
-    """
-
-    name: str
-    selection: tuple[str, str]
-    order: int
-    title: str
-    base: Chart | None = None
-    factor: Fraction = Fraction(1)
+    name: str  # of the generated module, an identifier
+    selection: tuple[str, str]  # command-line option and its value: -n, 3
+    order: int  # order n; 1 for a chart without an order
+    title: str  # headline, such as "Cayley map of order 3"
+    base: Chart | None = None  # chart with the vectors w in v = factor · w
+    factor: Fraction = Fraction(1)  # 1 without a base chart
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields, without cached results."""
@@ -139,22 +123,17 @@ class Chart(ABC):
 
     @abstractmethod
     def overflow(self, largest: float) -> tuple[str, float]:
-        """Return the reason why forward maps are NaN for large v, and the limit of Re|v|.
-
-        `largest` is the largest finite float.
-        """
+        """Return why forward maps are NaN for large v, and the limit of Re|v|, for floats up to `largest`."""
 
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars:
         """Return the scalars at x."""
 
     @abstractmethod
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at an angle."""
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at the angle of a quaternion.
 
         Sine ≥ 0 and cosine of half the angle are given up to a common factor. Unlike the rounded angle, they determine
@@ -164,13 +143,10 @@ class Chart(ABC):
 
     @abstractmethod
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return the factor in ``v = gain · vec q`` for a quaternion of norm `size`.
-
-        `positive` states that the scalar part is positive.
-        """
+        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` states that the scalar part is."""
 
     @abstractmethod
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         """Return the scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``.
 
         `fi` is the gain times the scalar part of q. For a chart with a fold at its edge, where x hardly changes, it is
@@ -191,9 +167,7 @@ class Chart(ABC):
         """Return the sign, 1 or −1, in the axis ``u = ±v/|v|`` of the principal angle, for ``r = |v|``."""
 
     @abstractmethod
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         """Return the principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on the branch of v, and the `direction`."""
 
     @abstractmethod
@@ -201,18 +175,14 @@ class Chart(ABC):
         """Return the angle of ``v = r u``, r > 0, on the branch of v."""
 
     @abstractmethod
-    def turned(
-        self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
         """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
 
         For a principal v the results are unused but must be numbers; r is then ``sqrt(1 + x)``.
         """
 
     @abstractmethod
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
 
     @abstractmethod
@@ -254,8 +224,7 @@ class Chart(ABC):
 
     @cached_property
     def quaternion(self) -> QuaternionMap:
-        at = self._values
-        return self._formula(QuaternionMap, "quaternion", at.s, at.w)
+        return self._formula(QuaternionMap, "quaternion", self._values.s, self._values.w)
 
     @cached_property
     def tensor(self) -> IsotropicMap:

@@ -23,6 +23,7 @@ from .any_phi.angle_chart import AngleChart
 from .branches import Derivatives
 from .families import alpha
 from .order_charts import double_angle
+from .polynomials import Pair
 from .pose import is_zero
 from .scalars import DependentScalars, scalar
 
@@ -75,13 +76,13 @@ class ExponentialScalars(DependentScalars):
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
     @cached_property
-    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+    def _trigonometry(self) -> Pair:
         """Values of ``cos(α/2)`` and ``sin(α/2)/α``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
         return cosine, sine / self._angle
 
     @cached_property
-    def _turned(self) -> tuple[Coefficient, Coefficient]:
+    def _turned(self) -> Pair:
         """Values of ``sin α`` and ``1 − cos α``, corrected for the rounding error of the root α = √x."""
         t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
         tt = self.m.name("tthalf", t * t)

@@ -24,7 +24,7 @@ from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
 from .branches import Derivatives
 from .chart import Chart, Scalars
-from .polynomials import x
+from .polynomials import Pair, Triple, x
 
 POWERS = {
     "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,
@@ -65,7 +65,7 @@ class MultipleScalars:
         return self._known[name]
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         a, b, size = self.base.ray
         return a, divided(b, self.factor, self.m), size
 
@@ -126,22 +126,20 @@ class Multiple(Chart):
     def scalars(self, x: Coefficient, m: Arithmetic) -> MultipleScalars:
         return MultipleScalars(self.base.scalars(self._square(x, m), m), self.factor, m)
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         return self._multiplied(self.base.coefficient(angle, m), m)
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         return self._multiplied(self.base.coefficient_of(angle, sine, cosine, m), m)
 
-    def _multiplied(self, pair: tuple[Coefficient, Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def _multiplied(self, pair: Pair, m: Arithmetic) -> Pair:
         r, slope = pair
         return self._times(r, m, "r_v"), self._times(slope, m, "slope_v")
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return self._times(self.base.gain(q, size, m, positive), m, "gain_v")
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)
         return self._times(f, m, "fi_v"), m.name("hi_v", divided(h, self.factor, m))
 
@@ -152,9 +150,7 @@ class Multiple(Chart):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.direction(self._square(x, m), y, self._length(r, m), m)
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
         return angle, divided(slope, self.factor, m), sign
 
@@ -165,9 +161,7 @@ class Multiple(Chart):
         rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
         return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         return self.base.beyond(self._square(x, m), table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:

@@ -13,6 +13,7 @@ from ..algebra.arithmetic import Arithmetic
 from . import branches
 from .branches import Derivatives
 from .gains import half_cosine, half_sine, has_ladder
+from .polynomials import Pair
 from .scalars import QuaternionChart
 
 
@@ -24,18 +25,18 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         """Return φ and its first two derivatives by θ, from sine and cosine of θ; `mark` is a suffix for names."""
 
     @abstractmethod
-    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
         """Return cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
-    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         """Return numerator and denominator of ``φ/sin θ``."""
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at the angle reduced to (−nπ, nπ], where cos θ ≥ 0."""
         return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
-    def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         further = m.name("further", cosine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
@@ -51,9 +52,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         above, below = found(q, cosine, size, m)
         return m.name("gain", m.div(sign * above, below))
 
-    def _by_halves(
-        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def _by_halves(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Pair:
         below = size
         c = cosine if self.order == 1 else m.name("cos0", m.div(cosine, size))
         for step in range(1, self.order.bit_length()):
@@ -62,9 +61,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         above, root = self.over_sine(c, m)
         return above, below * root
 
-    def _by_angle(
-        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def _by_angle(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Pair:
         still, _, sine = half_sine(q, cosine, m)
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
@@ -91,7 +88,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
 
 
-def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+def double_angle(t: Coefficient, m: Arithmetic) -> Pair:
     """Return sine and cosine of twice the angle whose tangent is t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)

@@ -22,6 +22,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .branches import NOISE
 from .chart import Chart
+from .polynomials import Pair, Triple
 
 
 class scalar:
@@ -100,7 +101,7 @@ class DependentScalars:
         return self.m.name("hiyy", change / self.rate)
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         return self.s, self.w, 1
 
 
@@ -110,7 +111,7 @@ class QuaternionChart(Chart):
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> DependentScalars: ...
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         return fi, self.scalars(x, m).hi
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
@@ -134,9 +135,7 @@ class QuaternionChart(Chart):
         one = m.name("one", at.s - at.s + 1)  # NaN where x overflows
         return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         at = self.scalars(x, m)
         sign = self._direction(at, y, m)
         return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

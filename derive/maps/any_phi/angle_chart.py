@@ -18,6 +18,7 @@ from .. import branches
 from ..branches import Derivatives
 from ..families import alpha
 from ..gains import half_cosine, half_sine
+from ..polynomials import Pair
 from ..scalars import QuaternionChart
 from .lowering import number
 from .real_constants import times
@@ -52,7 +53,7 @@ class AngleChart(QuaternionChart):
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′ and φ″ at an angle, NaN beyond the edge; `mark` is a suffix for names."""
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
@@ -77,9 +78,7 @@ class AngleChart(QuaternionChart):
         after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
         return branches.by_length(self.phi_derivatives(angle, m), after, m)
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         """Return whether α exceeds half a turn, and the turn back to the principal angle."""
         selected, (one, _) = branches.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))

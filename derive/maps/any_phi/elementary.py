@@ -28,11 +28,8 @@ Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficien
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
-    Parameters
-    ----------
-    library
-        Provider of ``sin``, ``cos``, ``sqrt`` for the numbers. Quotients give tan and cot; ``exp`` and ``log`` give
-        powers of positive numbers whose exponents have denominators above 2.
+    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for powers with exponents whose
+    denominators are above 2.
 
     Raises
     ------
@@ -95,7 +92,7 @@ class _Reader:
     def _power(self, e: sympy.Expr) -> Step:
         base, exponent = e.as_base_exp()
         if not exponent.is_Rational:
-            raise self._refused(e)
+            raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         at, p, q = self.place(base), int(exponent.p), int(exponent.q)
         if q > 2:  # for positive numbers
             return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
@@ -108,16 +105,13 @@ class _Reader:
 
     def _function(self, e: sympy.Expr) -> Step:
         if e.func.__name__ not in FUNCTIONS and e.func not in QUOTIENTS:
-            raise self._refused(e)
+            raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         argument = e.args[0]
         if quotient := QUOTIENTS.get(e.func):
             above, below = (self.place(f(argument, evaluate=False)) for f in quotient)
             return lambda known, value, library: over(known[above], known[below])
         name, at = e.func.__name__, self.place(argument)
         return lambda known, value, library: getattr(library, name)(known[at])
-
-    def _refused(self, e: sympy.Expr) -> ValueError:
-        return ValueError(f"not an elementary expression in {self._symbol}: {e}")
 
 
 def over(a: Coefficient, b: Coefficient) -> Coefficient:

@@ -22,6 +22,7 @@ from .. import stumpff
 from ..branches import Derivatives
 from ..families import alpha
 from ..order_charts import double_angle
+from ..polynomials import Pair
 from ..scalars import DependentScalars, scalar
 from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
@@ -114,7 +115,7 @@ class GeneralScalars(DependentScalars):
         return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     @cached_property
-    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+    def _trigonometry(self) -> Pair:
         """Values of ``cos(α/2)`` and ``sin(α/2)/|v|``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, reduce
 from operator import add, mul
-from typing import Any, TypeAlias
+from typing import Any
 
 import mpmath
 import sympy
@@ -123,12 +123,8 @@ def chebyshev_points(low: Any, high: Any, count: int) -> list[Any]:
 
 def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
     """Return the coefficients of the polynomial with given values at nodes."""
-    count = len(nodes)
-    matrix = mpmath.matrix(count, count)
-    for i, t in enumerate(nodes):
-        for k in range(count):
-            matrix[i, k] = t**k
-    return list(mpmath.lu_solve(matrix, mpmath.matrix(values)))
+    powers = mpmath.matrix([[t**k for k in range(len(nodes))] for t in nodes])
+    return list(mpmath.lu_solve(powers, mpmath.matrix(values)))
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
@@ -189,12 +185,8 @@ def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
                 yield iv.mpc(side * iv.mpf([i, i + 1]), side * iv.mpf([j, j + 1]))
 
 
-Interval: TypeAlias = Any
-"""Complex or real interval of mpmath."""
-
-
 @lru_cache(maxsize=256)
-def _on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
+def _on_intervals(e: sympy.Expr) -> Callable[[Any], Any]:
     """Return an expression as a function of complex intervals.
 
     The function raises ValueError where an interval may contain a pole or a branch cut.
@@ -218,14 +210,14 @@ def _on_intervals(e: sympy.Expr) -> Callable[[Interval], Interval]:
     return lambda z: function(_complex(first(z)))
 
 
-def _constant(e: sympy.Expr) -> Interval:
+def _constant(e: sympy.Expr) -> Any:
     with mpmath.workdps(DIGITS):
         value = mpmath.mpf(e.evalf(DIGITS))
     off = abs(value) * mpmath.mpf(2) ** -45
     return mpmath.iv.mpf([value - off, value + off])
 
 
-def _power(base: Interval, exponent: int) -> Interval:
+def _power(base: Any, exponent: int) -> Any:
     power = reduce(mul, [base] * abs(exponent))
     return power if exponent > 0 else 1 / _nonzero(power)
 

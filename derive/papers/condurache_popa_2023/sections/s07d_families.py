@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.maps.families import breusing, lambert, orthographic
+from derive.maps.families import breusing, sine
 
 from ...equation import Reading, equation
 from ...language.definitions import multiple, screw_quaternion
@@ -81,8 +81,8 @@ FIRST = (
 )
 
 forward_2, forward_4, forward_n = (positive(Re(cos(alpha / m))) for m in (2, 4, 2 * n))
-ORTHOGRAPHIC = family(cayley_maps.member(orthographic()), one)
-LAMBERT = family(cayley_maps.member(lambert()), two)
+ORTHOGRAPHIC = family(cayley_maps.member(sine(1)), one)
+LAMBERT = family(cayley_maps.member(sine(2)), two)
 SECOND = (
     equation("orthographic-vector", "orthographic projection and its factor", 325,
              both(equal(v, sin(alpha / 2) * u), equal(a(v), root(1 - x))),
