@@ -35,15 +35,7 @@ Triple: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
 
 def require_order(n: Any) -> int:
-    """Return the order as an ``int``.
-
-    Raises
-    ------
-    TypeError
-        If `n` is no integer (``bool`` is refused too).
-    ValueError
-        If `n` is less than 1.
-    """
+    """Return the order as an ``int``; TypeError if `n` is no integer or a ``bool``, ValueError if it is below 1."""
     try:
         order = operator.index(n)
     except TypeError:
@@ -125,21 +117,10 @@ def ring_pair(n: int) -> tuple[Any, Any]:
 
 @lru_cache(maxsize=256)
 def ring_brackets(n: int) -> tuple[Any, Any]:
-    """Return c_n and d_n as elements of `RING`, the brackets of CP23 (88) and (89) divided by x.
-
-    Raises
-    ------
-    ArithmeticError
-        If x does not divide a bracket, which never happens.
-    """
-    p_n, q_n = ring_pair(n)
-    quotients = []
-    for bracket in (n * (1 + RING_X) ** (n - 1) - p_n * q_n, (1 + RING_X) * q_n - n * p_n):
-        quotient, remainder = divmod(bracket, RING_X)
-        if remainder != 0:
-            raise ArithmeticError(f"x does not divide {bracket}")
-        quotients.append(quotient)
-    return quotients[0], quotients[1]
+    """Return c_n and d_n as elements of `RING`, the brackets of CP23 (88) and (89) divided exactly by x."""
+    p, q = ring_pair(n)
+    brackets = n * (1 + RING_X) ** (n - 1) - p * q, (1 + RING_X) * q - n * p
+    return brackets[0].exquo(RING_X), brackets[1].exquo(RING_X)
 
 
 def p_binomial(n: int) -> sympy.Expr:

@@ -84,12 +84,7 @@ def natural_invariants(R: Tensor) -> Screw:
         d = \rho \cdot u, \qquad
         u^\circ = \tfrac12 \rho \times u + \tfrac12 \cot\tfrac\alpha2\,u \times (\rho \times u)
 
-    Orthogonality is not checked. Zero tests of w and ρ are exact (`is_zero`).
-
-    Raises
-    ------
-    ValueError
-        For the identity, which has no axis.
+    Orthogonality is not checked. Zero tests of w and ρ are exact (`is_zero`). The identity has no axis: ValueError.
     """
     pose = pose_from_tensor(R)
     Q, rho = pose.rotation, pose.displacement

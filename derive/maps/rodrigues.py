@@ -18,10 +18,7 @@ from ..algebra import Tensor, Vector, functions
 def cayley_matrix(A: Tensor) -> Tensor:
     """Return ``B = (A − I)(A + I)⁻¹``, K10 section 2: skew-symmetric where A is orthogonal.
 
-    Raises
-    ------
-    ZeroDivisionError
-        If ``A + I`` is exactly singular: at a half turn, and for every reflection.
+    At a half turn and for every reflection ``A + I`` is exactly singular, which raises ZeroDivisionError.
     """
     unit = Tensor.identity()
     B: Tensor = (A - unit) @ (A + unit).inverse()
@@ -56,10 +53,7 @@ def direction(b: Vector, library: Any = functions) -> Vector:
 def compose_first_order(b2: Vector, b1: Vector) -> Vector:
     """Return ``(b1 + b2 + b2 × b1)/(1 − b1 · b2)``, composition at n = 1, CP23 (45): b1 acts first.
 
-    Raises
-    ------
-    ZeroDivisorError
-        If the composed rotation is by π, which n = 1 cannot represent.
+    A composed rotation by π, which n = 1 cannot represent, raises ZeroDivisorError.
     """
     composed: Vector = (b1 + b2 + b2.cross(b1)) / (1 - b1.dot(b2))
     return composed
@@ -72,12 +66,8 @@ def compose_second_order(s2: Vector, s1: Vector) -> Vector:
         \sigma = \frac{(1 - \sigma_2^2)\,\sigma_1 + (1 - \sigma_1^2)\,\sigma_2 + 2\,\sigma_2 \times \sigma_1}
             {(1 - \sigma_2 \cdot \sigma_1)^2 + (\sigma_2 \times \sigma_1)^2}
 
-    The result is the principal v where the product has real scalar part ≥ 0, and its shadow elsewhere.
-
-    Raises
-    ------
-    ZeroDivisorError
-        If the product is −1, at ``Re σ2 · σ1 = 1`` with ``Re σ2 ∥ Re σ1``: the shadow is v = 0 there.
+    The result is the principal v where the product has real scalar part ≥ 0, and its shadow elsewhere. A product −1,
+    where the shadow is v = 0, raises ZeroDivisorError.
     """
     cross, dot = s2.cross(s1), s2.dot(s1)
     numerator = s1 * (1 - s2.dot(s2)) + s2 * (1 - s1.dot(s1)) + cross * 2

@@ -26,14 +26,9 @@ from .polynomials import Pair, Triple
 
 
 class scalar:
-    """Scalar of a class with an arithmetic ``m``, given by its formula.
+    """Scalar of a class with an arithmetic ``m``, computed by its formula from other scalars on first use.
 
-    Parameters
-    ----------
-    formula : callable
-        Return the value from the other scalars.
-    name : str, optional
-        Name in programs; the name of the attribute by default.
+    The name in programs is the name of the attribute by default.
     """
 
     def __init__(self, formula: Callable[[Any], Coefficient], name: str = "") -> None:

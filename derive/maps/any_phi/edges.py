@@ -42,10 +42,7 @@ class Edge:
 def edge_of(phi: sympy.Expr) -> Edge:
     """Return the edge: the first zero of φ′ or pole of φ, or else the cut at 4π.
 
-    Raises
-    ------
-    PhiError
-        If φ does not increase from 0, or is not real.
+    A φ that does not increase from 0 or is not real raises `PhiError`.
     """
     slope = phi.diff(alpha)
     with mpmath.workdps(DIGITS):
@@ -69,13 +66,7 @@ def edge_of(phi: sympy.Expr) -> Edge:
 
 
 def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
-    """Return φ, or a derivative of φ, at an angle.
-
-    Raises
-    ------
-    PhiError
-        If the value is not real.
-    """
+    """Return φ, or a derivative of φ, at an angle; `PhiError` if the value is not real."""
     value = evaluate(expression, alpha, at)
     if isinstance(value, mpmath.mpc | complex):
         if value.imag != 0:

@@ -29,14 +29,8 @@ def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, l
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
     `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for powers with exponents whose
-    denominators are above 2.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If a part is divided by zero, whatever the number type.
-    ValueError
-        If a part is not elementary, or contains another symbol.
+    denominators are above 2. Division by zero raises ZeroDivisionError for every number type. A part that is not
+    elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):

@@ -28,10 +28,7 @@ NUMBER_BITS_MAX = 2000
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`; `order` is the value of n.
 
-    Raises
-    ------
-    PhiError
-        If a part is refused; the message names the part.
+    A part that is refused raises `PhiError` with its name.
     """
     text = text.strip()
     tree = grammar.syntax_tree(text)

@@ -151,13 +151,7 @@ class Guarded(Guess):
 
 
 def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
-    """Return the first guess for x beyond a limit.
-
-    Raises
-    ------
-    PhiError
-        If no guess leads to the root at every angle.
-    """
+    """Return the first guess for x beyond a limit; `PhiError` if no guess leads to the root at every angle."""
     with mpmath.workdps(DIGITS):
         end, start = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
         first = angle_of(phi, edge.angle, mpmath.sqrt(start)) * mpmath.mpf("0.98")

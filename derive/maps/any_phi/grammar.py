@@ -31,10 +31,7 @@ class PhiError(ValueError):
 def syntax_tree(text: str) -> ast.expr:
     """Return the syntax tree of a φ, with every node checked against the allowed syntax.
 
-    Raises
-    ------
-    PhiError
-        If a part is not allowed; the message names the part.
+    A part that is not allowed raises `PhiError` with its name.
     """
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")

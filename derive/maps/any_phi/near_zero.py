@@ -54,13 +54,7 @@ class Ratio:
 
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
-    """Return polynomials that interpolate ``α/|v|`` near 0.
-
-    Raises
-    ------
-    PhiError
-        If no circle proves that a is analytic.
-    """
+    """Return polynomials that interpolate ``α/|v|`` near 0; `PhiError` if no circle proves that a is analytic."""
     for share in NEAR_DIVISORS:
         try:
             return _ratio(phi, edge, NEAR_ANGLE / share)

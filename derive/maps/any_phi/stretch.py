@@ -121,9 +121,7 @@ def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:
     def sized(at: Angles) -> tuple[Angles, Angles]:
         all_coefficients = np.array([1.0, *coefficients])
         slopes = all_coefficients * np.arange(1, 2 * len(all_coefficients), 2)
-        size: Angles = at * polyval(at * at, all_coefficients)
-        slope: Angles = polyval(at * at, slopes)
-        return size, slope
+        return at * np.asarray(polyval(at * at, all_coefficients)), np.asarray(polyval(at * at, slopes))
 
     return _worst(sized, angle)
 
