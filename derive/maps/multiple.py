@@ -72,15 +72,7 @@ class MultipleScalars:
 
 @dataclass(frozen=True)
 class Multiple(Chart):
-    """Chart ``v = K w`` with the branches, edge and singular angles of its base chart.
-
-    Attributes
-    ----------
-    base : Chart
-        Chart of w.
-    factor : Fraction
-        Factor K > 0.
-    """
+    """Chart ``v = K w``, K > 0, with the branches, edge and singular angles of the base chart of w."""
 
     name: str
     base: Chart = field()  # without the default of Chart

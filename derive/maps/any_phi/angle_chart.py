@@ -23,8 +23,8 @@ from ..scalars import QuaternionChart
 from .lowering import number
 from .real_constants import times
 
-SINGULAR_ANGLE_MAX = 4 * sympy.pi
-"""Largest singular angle that is listed for a chart without an edge."""
+TURNS_MAX = 2
+"""Number of whole turns that are listed for a chart without an edge."""
 
 
 class AngleChart(QuaternionChart):
@@ -40,10 +40,9 @@ class AngleChart(QuaternionChart):
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """Return the whole turns, then the edge, if any."""
-        if self.edge.is_infinite:
-            return tuple(2 * sympy.pi * k for k in range(1, int(SINGULAR_ANGLE_MAX / (2 * sympy.pi)) + 1))
-        turns = int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
-        return (*(2 * sympy.pi * k for k in range(1, turns + 1)), self.edge)
+        turns = TURNS_MAX if self.edge.is_infinite else int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
+        whole = tuple(2 * sympy.pi * k for k in range(1, turns + 1))
+        return whole if self.edge.is_infinite else (*whole, self.edge)
 
     @abstractmethod
     def own_angle(self, at: Any, r: Coefficient) -> Coefficient:

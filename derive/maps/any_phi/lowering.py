@@ -19,10 +19,10 @@ from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
 from ..polynomials import Pair
+from .edges import DIGITS
 from .grammar import PhiError
 from .real_constants import is_small, plus, times
 
-DIGITS = 60
 SQUARE = sympy.Symbol("square", positive=True)
 LEVELS = 5
 """Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
-from math import gcd
 from typing import Any
 
 import sympy
@@ -43,14 +42,14 @@ def multiple_of_known(phi: sympy.Expr) -> Form | None:
         return (_fraction(factor), None, 1) if _is_positive_rational(factor) else None
     atoms = phi.atoms(TrigonometricFunction)
     shares = {atom: atom.args[0] / alpha for atom in atoms}
-    if not all(atom.func in BY_EXPONENTIAL and shares[atom].is_Rational for atom in atoms):
+    if not atoms or not all(atom.func in BY_EXPONENTIAL and shares[atom].is_Rational for atom in atoms):
         return None
-    unit = reduce(_common_divisor, (abs(_fraction(share)) for share in shares.values()), Fraction(0))
-    counts = {atom: int(_fraction(share) / unit) for atom, share in shares.items()}
-    if max(map(abs, counts.values()), default=HARMONICS_MAX + 1) > HARMONICS_MAX:
+    unit = abs(reduce(sympy.Rational.gcd, shares.values()))
+    counts = {atom: int(share / unit) for atom, share in shares.items()}
+    if max(map(abs, counts.values())) > HARMONICS_MAX:
         return None
     rational = phi.xreplace({atom: BY_EXPONENTIAL[atom.func](counts[atom]) for atom in atoms})
-    return _form(rational, unit) if rational.is_rational_function(E) and rational.free_symbols == {E} else None
+    return _form(rational, _fraction(unit)) if rational.is_rational_function(E) and rational.free_symbols == {E} else None
 
 
 def _form(rational: sympy.Expr, unit: Fraction) -> Form | None:
@@ -84,7 +83,3 @@ def _is_positive_rational(value: sympy.Expr) -> bool:
 
 def _fraction(value: sympy.Rational) -> Fraction:
     return Fraction(int(value.p), int(value.q))
-
-
-def _common_divisor(a: Fraction, b: Fraction) -> Fraction:
-    return Fraction(gcd(a.numerator * b.denominator, b.numerator * a.denominator), a.denominator * b.denominator)
