@@ -20,10 +20,9 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .branches import Derivatives
 from .families import alpha
 from .gains import near_pole
-from .order_charts import OrderChart, double_angle
+from .order_charts import Derivatives, OrderChart, double_angle
 from .polynomials import Pair, Triple
 from .scalars import DependentScalars, scalar
 
@@ -42,10 +41,7 @@ def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
 class BreusingScalars(DependentScalars):
     """Scalars at ``x = sin² θ/cos θ``."""
 
-    @cached_property
-    def c(self) -> Coefficient:
-        return cosine(self.x, self.m)
-
+    c = cached_property(lambda at: cosine(at.x, at.m))
     cc = scalar(lambda at: at.c * at.c)
     _over = scalar(lambda at: at.m.div(1, 1 + at.cc), "over")  # 1/(1 + c²)
     _weight = scalar(lambda at: 3 + 2 * at.cc, "weight")
@@ -54,10 +50,7 @@ class BreusingScalars(DependentScalars):
     s = scalar(lambda at: at._above / at._size)
     w = scalar(lambda at: 2 * at._root / at._size)
 
-    @property
-    def _twice(self) -> Coefficient:
-        """Return 2 w."""
-        return 2 * self.w
+    _twice = property(lambda at: 2 * at.w)
 
     @property
     def ray(self) -> Triple:

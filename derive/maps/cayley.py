@@ -18,12 +18,13 @@ import sympy
 from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import closed_forms, gains, polynomials
-from .branches import NOISE, BranchesOfOrder, Derivatives
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Map
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
+from .order_charts import BranchesOfOrder, Derivatives
 from .polynomials import FIELD, Pair, Triple, rational, require_order, x
+from .scalars import NOISE
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""

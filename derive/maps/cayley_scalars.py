@@ -113,15 +113,9 @@ class CayleyScalars:
         self.x = x
         self.m = m
 
-    @property
-    def _expanded(self) -> bool:
-        """Return whether Horner's rule is used; at higher orders it loses digits on shadows."""
-        return self.order <= HORNER_LIMIT
-
-    @cached_property
-    def _chain(self) -> dict[int, tuple[Jet, Jet]]:
-        return chain(self.order, self.x, self._shrinking, self.m)
-
+    _expanded = property(lambda at: at.order <= HORNER_LIMIT)
+    _chain = cached_property(lambda at: chain(at.order, at.x, at._shrinking, at.m))
+    _jets = cached_property(lambda at: at._chain[at.order])
     _beyond_one = scalar(lambda at: 1 + at.x, "x1")
 
     @cached_property
@@ -130,10 +124,6 @@ class CayleyScalars:
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
-
-    @cached_property
-    def _jets(self) -> tuple[Jet, Jet]:
-        return self._chain[self.order]
 
     def _horner(self, name: str, polynomial: Any) -> Coefficient:
         return self.m.name(name, horner(polynomial, self.x))
@@ -217,11 +207,7 @@ class CayleyScalars:
     g = scalar(lambda at: at._qq * at._twice_inverse_norm)
     h = scalar(lambda at: at.c * at._twice_inverse_norm)
 
-    @property
-    def rate(self) -> Coefficient:
-        """Factor ``2n/(1 + x)`` of T along the axis."""
-        return self._growth
-
+    rate = property(lambda at: at._growth)  # 2n/(1 + x), the factor of T along the axis
     ratey = scalar(lambda at: -at._falling, "ey")  # −4n/(1 + x)²
     _growing_g = scalar(lambda at: at._growth * at.g, "eg")
     _falling = scalar(lambda at: 2 * at._growth / at._beyond_one, "ee")  # −2 e′ = e²/n

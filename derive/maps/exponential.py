@@ -20,9 +20,8 @@ from ..algebra import Coefficient, Quaternion, Tensor, Vector, functions, real_p
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
 from .any_phi.angle_chart import AngleChart
-from .branches import Derivatives
 from .families import alpha
-from .order_charts import double_angle
+from .order_charts import Derivatives, double_angle
 from .polynomials import Pair
 from .pose import is_zero
 from .scalars import DependentScalars, scalar
@@ -67,9 +66,7 @@ class ExponentialScalars(DependentScalars):
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
-    @cached_property
-    def _whole(self) -> stumpff.WholeAngle:
-        return stumpff.WholeAngle(self._half, self.m)
+    _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
 
     # α² beyond the limit; for x below the limit, a stand-in beyond it
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")

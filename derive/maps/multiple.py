@@ -22,8 +22,8 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
-from .branches import Derivatives
 from .chart import Chart, Scalars
+from .order_charts import Derivatives
 from .polynomials import Pair, Triple, x
 
 POWERS = {

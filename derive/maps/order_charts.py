@@ -1,24 +1,94 @@
-r"""Charts of order n with θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ``, ``σ = sin θ/|v|``; CP23 (60) with ``a = cos θ/σ``.
-
-A subclass defines φ as a function of θ. Branches differ by turns ``kπ/n`` of θ, reduced to |θ| < π/2.
-"""
+"""Charts of order n with θ = α/2n, and their branches, which differ by turns ``kπ/n`` of θ."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import mpmath
+import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import branches
-from .branches import Derivatives
+from . import polynomials
+from .chart import Chart
+from .families import alpha
 from .gains import half_cosine, half_sine, has_ladder
-from .polynomials import Pair
-from .scalars import QuaternionChart
+from .polynomials import Pair, Triple
+from .scalars import NOISE, QuaternionChart
+
+Derivatives: TypeAlias = Triple
+"""Value with its first and second derivatives."""
 
 
-class OrderChart(branches.BranchesOfOrder, QuaternionChart):
-    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2."""
+def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
+    """Return r_k and its derivatives by r, from φ and its derivatives by the angle before and after the turn."""
+    _, slope, bend = before
+    slope = m.name("before", slope)
+    rk, slope_k, bend_k = after
+    ratio = m.name("slope", m.div(slope_k, slope))
+    change = m.name("slopeo", m.div(bend_k - ratio * bend, slope))
+    return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
+
+
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+    """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
+    first, *others = table[::3]
+    # up to rounding, v at half a turn is on the first branch
+    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
+    cosine, sine = table[1:3]
+    for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
+        cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))
+        sine = m.name(f"sine{j}", m.where(further, values[1], sine))
+    return limits[0], (cosine, sine)
+
+
+def turn(n: int, branch: int) -> tuple[Any, Any]:
+    """Return cosine and sine of kπ/n."""
+    step = mpmath.mpf(branch) / n
+    return mpmath.cospi(step), mpmath.sinpi(step)
+
+
+def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
+    """Return φ² of an angle, in the working precision of mpmath."""
+    return mpmath.mpf(phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
+
+
+class BranchesOfOrder(Chart):
+    """Edge and branches of a chart of order n: |Re α| < nπ, and θ turns by π/n from one of n branches to the next."""
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.order * sympy.pi
+
+    @property
+    def branches(self) -> int:
+        return self.order
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
+        return polynomials.singular_angles(self.order)
+
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+        return beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turn(self.order, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        """Return φ² at ``(2j − 1)π``, and the cosine and sine of the turn back by jπ/n, for each turn back."""
+        turns = range(1, self.order // 2 + 1)
+        return tuple((square(self.phi, (2 * j - 1) * sympy.pi), *self.turn(-j)) for j in turns)
+
+
+class OrderChart(BranchesOfOrder, QuaternionChart):
+    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2.
+
+    ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``: CP23 (60) with ``a = cos θ/σ``. Turned θ are reduced to |θ| < π/2.
+    """
 
     @abstractmethod
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
@@ -85,7 +155,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         further = m.name("further", c * cosine - s * sine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         sine_k, cosine_k = m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further)
-        return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
+        return by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
 
 
 def double_angle(t: Coefficient, m: Arithmetic) -> Pair:

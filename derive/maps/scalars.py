@@ -20,9 +20,15 @@ from typing import Any
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .branches import NOISE
 from .chart import Chart
 from .polynomials import Pair, Triple
+
+NOISE = 16
+"""Divisor that detects noise: a term is rounding noise if, divided by it, the term leaves a sum unchanged.
+
+Such a term is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
+2π eps for ``cot(α/2)``.
+"""
 
 
 class scalar:

@@ -19,9 +19,8 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .branches import Derivatives
 from .families import alpha
-from .order_charts import OrderChart, double_angle
+from .order_charts import Derivatives, OrderChart, double_angle
 from .polynomials import RING, RING_X, Pair, horner, ring_pair
 from .scalars import DependentScalars, scalar
 

@@ -14,10 +14,10 @@ import sympy
 
 from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
-from .. import branches
-from ..branches import Derivatives
+from .. import order_charts
 from ..families import alpha
 from ..gains import half_cosine, half_sine
+from ..order_charts import Derivatives
 from ..polynomials import Pair
 from ..scalars import QuaternionChart
 from .lowering import number
@@ -75,11 +75,11 @@ class AngleChart(QuaternionChart):
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))
         after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
-        return branches.by_length(self.phi_derivatives(angle, m), after, m)
+        return order_charts.by_length(self.phi_derivatives(angle, m), after, m)
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         """Return whether α exceeds half a turn, and the turn back to the principal angle."""
-        selected, (one, _) = branches.beyond(x, table, m)
+        selected, (one, _) = order_charts.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))
@@ -93,4 +93,4 @@ class AngleChart(QuaternionChart):
         """Return one row, x at half a turn with a turn of 0: `beyond` computes the turn back."""
         if self.edge <= sympy.pi:
             return ()
-        return ((branches.square(self.phi, sympy.pi), *self.turn(0)),)
+        return ((order_charts.square(self.phi, sympy.pi), *self.turn(0)),)

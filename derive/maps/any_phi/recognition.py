@@ -49,7 +49,9 @@ def multiple_of_known(phi: sympy.Expr) -> Form | None:
     if max(map(abs, counts.values())) > HARMONICS_MAX:
         return None
     rational = phi.xreplace({atom: BY_EXPONENTIAL[atom.func](counts[atom]) for atom in atoms})
-    return _form(rational, _fraction(unit)) if rational.is_rational_function(E) and rational.free_symbols == {E} else None
+    if not rational.is_rational_function(E) or rational.free_symbols != {E}:
+        return None
+    return _form(rational, _fraction(unit))
 
 
 def _form(rational: sympy.Expr, unit: Fraction) -> Form | None:
