@@ -21,8 +21,7 @@ import sympy
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .families import alpha
-from .gains import near_pole
-from .order_charts import Derivatives, OrderChart, double_angle
+from .order_charts import Derivatives, OrderChart, double_angle, near_pole
 from .polynomials import Pair, Triple
 from .scalars import DependentScalars, scalar
 

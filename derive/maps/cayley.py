@@ -17,12 +17,12 @@ import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import closed_forms, gains, polynomials
+from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Map
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
-from .order_charts import BranchesOfOrder, Derivatives
+from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole
 from .polynomials import FIELD, Pair, Triple, rational, require_order, x
 from .scalars import NOISE
 
@@ -183,13 +183,13 @@ class Cayley(BranchesOfOrder):
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
-        next_to, rest, side = gains.near_pole(self.order, angle, sine, cosine, m)
+        next_to, rest, side = near_pole(self.order, angle, sine, cosine, m)
         t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", gains.gain(self.order, q, size, m, positive))
+        return m.name("gain", cayley_gain(self.order, q, size, m, positive))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)

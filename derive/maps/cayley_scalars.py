@@ -30,7 +30,7 @@ from typing import Any
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .gains import has_ladder
+from .order_charts import has_ladder
 from .polynomials import Pair, Triple, horner
 from .scalars import scalar
 

@@ -13,11 +13,10 @@ from typing import TypeAlias
 import sympy
 
 from .any_phi.edges import edge_of
-from .any_phi.expressions import parity, parsed
+from .any_phi.expressions import multiple_of_known, parity, parsed
 from .any_phi.general import General
 from .any_phi.grammar import PhiError
 from .any_phi.real_constants import is_small
-from .any_phi.recognition import multiple_of_known
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart

@@ -13,8 +13,7 @@ The modules, in the order of their use:
 
 ====================  ==============================================================================================
 grammar               Check the text against a list of allowed syntax. Nothing is evaluated, SymPy is not loaded.
-expressions           Build the SymPy expression, and decide that it is odd by its structure.
-recognition           Decide exactly whether φ is a named chart or a multiple of it, and use that chart then.
+expressions           Build the SymPy expression, decide that it is odd, and whether it is a multiple of a named chart.
 edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ below it.
 near_zero             Interpolate a(x) with a bound of the error, proved by interval arithmetic on a circle.
 first_guess           Choose the start of Newton's method, and count the steps that it needs.

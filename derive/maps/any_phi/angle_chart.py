@@ -16,8 +16,7 @@ from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
 from .. import order_charts
 from ..families import alpha
-from ..gains import half_cosine, half_sine
-from ..order_charts import Derivatives
+from ..order_charts import Derivatives, half_cosine, half_sine
 from ..polynomials import Pair
 from ..scalars import QuaternionChart
 from .lowering import number
