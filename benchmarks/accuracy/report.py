@@ -11,7 +11,7 @@ import numpy as np
 from benchmarks.accuracy.curves import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
-from derive.maps.evaluation import HORNER_LIMIT
+from derive.maps.cayley_scalars import HORNER_LIMIT
 from tests.support import errors, rotations
 from tests.support.calculus import CALCULUS, EVERY
 from tests.support.cases import DTYPES

@@ -20,12 +20,10 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from . import near_pole
-from .branches import Derivatives
-from .dependent import DependentScalars
 from .families import alpha
-from .order_charts import OrderChart, double_angle
-from .scalar import scalar
+from .order_charts import Derivatives, OrderChart, double_angle, near_pole
+from .polynomials import Pair, Triple
+from .scalars import DependentScalars, scalar
 
 
 def twice_secant(x: Coefficient, m: Arithmetic) -> Coefficient:
@@ -42,10 +40,7 @@ def cosine(x: Coefficient, m: Arithmetic) -> Coefficient:
 class BreusingScalars(DependentScalars):
     """Scalars at ``x = sin² θ/cos θ``."""
 
-    @cached_property
-    def c(self) -> Coefficient:
-        return cosine(self.x, self.m)
-
+    c = cached_property(lambda at: cosine(at.x, at.m))
     cc = scalar(lambda at: at.c * at.c)
     _over = scalar(lambda at: at.m.div(1, 1 + at.cc), "over")  # 1/(1 + c²)
     _weight = scalar(lambda at: 3 + 2 * at.cc, "weight")
@@ -54,13 +49,10 @@ class BreusingScalars(DependentScalars):
     s = scalar(lambda at: at._above / at._size)
     w = scalar(lambda at: 2 * at._root / at._size)
 
-    @property
-    def _twice(self) -> Coefficient:
-        """Return 2 w."""
-        return 2 * self.w
+    _twice = property(lambda at: 2 * at.w)
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         return self._above, self.m.name("b", 2 * self._root), self._size
 
     _root = scalar(lambda at: at.m.sqrt(at.c), "rootc")
@@ -129,21 +121,19 @@ class Breusing(OrderChart):
         slope = m.div((1 + square) / cosine * inverse, 2)
         return sine * inverse, slope, m.div((3 - square) * sine / square * inverse, 4)
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
+        next_to, rest, side = near_pole(self.order, angle, sine, cosine, m)
         of_rest = double_angle(m.name("t", m.tan(m.div(rest, 4 * self.order))), m)
         first, second = (m.name(f"{letter}rest", value) for letter, value in zip("sc", of_rest, strict=True))
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow for a v that comes from a quaternion."""
         return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
-    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
         c = cosine(x, m)
         return c, m.name("sigma", m.sqrt(c))
 
-    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         return 1, m.sqrt(cosine)

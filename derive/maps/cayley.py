@@ -8,22 +8,23 @@ Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
 import sympy
 
-from ..algebra import Coefficient, Quaternion
+from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import branches, closed_forms, gains, near_pole, polynomials
-from .cayley_scalars import CayleyScalars
-from .evaluation import CHAIN_POWER, HORNER_LIMIT
+from . import closed_forms, polynomials
+from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
+from .chart import Map
 from .families import alpha
 from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
-from .parameterized import Parameterized
-from .polynomials import FIELD, rational, require_order, x
+from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole
+from .polynomials import FIELD, Pair, Triple, rational, require_order, x
+from .scalars import NOISE
 
 EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent_inv": (89,)}
 """Numbers of the general equations of each map in CP23."""
@@ -32,8 +33,23 @@ _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
 """Number of the first of the four equations (q̂, R, dcay, dcay⁻¹) in CP23, by order."""
 
 
+_IDENTITIES = {
+    "quaternion": ("|q|^2 = 1",),
+    "tensor": ("R R^T = I", "det R = 1"),
+    "tangent": ("dcay v = 2n/(1+x) v", "dcay^T = R^T dcay", "det dcay = 8n q^2/(1+x)^(n+1)"),
+    "tangent_inv": ("dcay dcay^-1 = I",),
+}
+_SINGULAR = {"quaternion": "none", "tensor": "none", "tangent": "loses rank at {}", "tangent_inv": "pole at {}"}
+_SYMBOLS = {
+    "quaternion": r"\hat{{q}}",
+    "tensor": "R",
+    "tangent": r"\mathrm{{dcay}}_{{{}}}",
+    "tangent_inv": r"\mathrm{{dcay}}_{{{}}}^{{-1}}",
+}
+
+
 @dataclass(frozen=True)
-class Cayley(branches.BranchesOfOrder, Parameterized):
+class Cayley(BranchesOfOrder):
     """Cayley map of order n, ``v = tan(α/2n) u``.
 
     Parameters
@@ -42,17 +58,6 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
         Integer n ≥ 1: TypeError for other types, ValueError below 1.
     name, selection : optional
         Name of the module and command-line option, for a user's φ equal to tan(α/2n).
-
-    Attributes
-    ----------
-    p, q, c, d : Expr
-        The polynomials of order n in `derive.x` (see `polynomials`).
-    quaternion : QuaternionMap
-        Unit dual quaternion ``(p + q v)/(1+x)^(n/2)``, CP23 (50), (55).
-    tensor : IsotropicMap
-        Orthogonal dual tensor, CP23 (57).
-    tangent, tangent_inv : IsotropicMap
-        Tangent operator dcay_n and its inverse, CP23 (88), (89).
 
     Examples
     --------
@@ -84,22 +89,22 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
     @cached_property
     def p(self) -> sympy.Expr:
         """Polynomial p_n, CP23 (51)."""
-        return polynomials.p(self.order)
+        return polynomials.ring_pair(self.order)[0].as_expr()
 
     @cached_property
     def q(self) -> sympy.Expr:
         """Polynomial q_n, CP23 (52)."""
-        return polynomials.q(self.order)
+        return polynomials.ring_pair(self.order)[1].as_expr()
 
     @cached_property
     def c(self) -> sympy.Expr:
         """Bracket ``[n (1+x)ⁿ⁻¹ − p q]/x`` of dcay_n."""
-        return polynomials.c(self.order)
+        return polynomials.ring_brackets(self.order)[0].as_expr()
 
     @cached_property
     def d(self) -> sympy.Expr:
         """Bracket ``[(1+x) q − n p]/x`` of dcay_n⁻¹."""
-        return polynomials.d(self.order)
+        return polynomials.ring_brackets(self.order)[1].as_expr()
 
     @property
     def poles(self) -> tuple[sympy.Expr, ...]:
@@ -109,75 +114,49 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
     @cached_property
     def quaternion(self) -> QuaternionMap:
         """Unit dual quaternion, CP23 (50), (55)."""
-        n = self.order
-        root = (1 + x) ** sympy.Rational(n, 2)
-        return QuaternionMap(
-            name="quaternion",
-            order=n,
-            coefficients=(self.p / root, self.q / root),
-            at=lambda at: closed_forms.quaternion(n, at),
-            equations=self._equations("quaternion"),
-            identities=("|q|^2 = 1",),
-            domain="every dual vector v",
-            singular=f"none; v is infinite at {self._chart_edge}",
-            symbol=r"\hat{q}",
-            definition=rf"\frac{{p_{{{n}}} + q_{{{n}}} v}}{{{_power(sympy.Rational(n, 2))}}}",
-        )
+        root = (1 + x) ** sympy.Rational(self.order, 2)
+        return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
 
     @cached_property
     def tensor(self) -> IsotropicMap:
         """Orthogonal dual tensor, CP23 (57)."""
-        p, q, norm = self._letters
-        return self._isotropic(
-            "tensor",
-            equations=self._equations("tensor"),
-            identities=("R R^T = I", "det R = 1"),
-            domain="every dual vector v",
-            singular=f"none; v is infinite at {self._chart_edge}",
-            symbol="R",
-            definition=rf"I + \frac{{2 {p} {q}}}{{{norm}}} \tilde{{v}} + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}}^2",
-        )
+        return self._isotropic(closed_forms.tensor)
 
     @cached_property
     def tangent(self) -> IsotropicMap:
         """Tangent operator dcay_n, CP23 (88): space twist from v̇."""
-        n = self.order
-        p, q, norm = self._letters
-        return self._isotropic(
-            "tangent",
-            equations=self._equations("tangent"),
-            identities=("dcay v = 2n/(1+x) v", "dcay^T = R^T dcay", "det dcay = 8n q^2/(1+x)^(n+1)"),
-            domain="every dual vector v",
-            singular=f"loses rank at {self._rank_loss}; v is infinite at {self._chart_edge}",
-            symbol=rf"\mathrm{{dcay}}_{{{n}}}",
-            definition=(
-                rf"\frac{{2 {p} {q}}}{{{norm}}} I + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}} + "
-                rf"\frac{{2 [{f'{n} {_power(n - 1)}'.rstrip()} - {p} {q}]}}{{x {norm}}} v \otimes v"
-            ),
-        )
+        return self._isotropic(closed_forms.tangent)
 
     @cached_property
     def tangent_inv(self) -> IsotropicMap:
         """Inverse tangent operator dcay_n⁻¹, CP23 (89): v̇ from the space twist."""
-        n = self.order
-        p, q, _ = self._letters
-        return self._isotropic(
-            "tangent_inv",
-            equations=self._equations("tangent_inv"),
-            identities=("dcay dcay^-1 = I",),
-            domain="every dual vector v" if n < 3 else f"every dual vector v with Re q_{n} != 0",
-            singular=f"pole at {self._rank_loss}; v is infinite at {self._chart_edge}",
-            symbol=rf"\mathrm{{dcay}}_{{{n}}}^{{-1}}",
-            definition=(
-                rf"\frac{{{p}}}{{2 {q}}} I - \frac{{1}}{{2}} \tilde{{v}} + "
-                rf"\frac{{(1 + x) {q} - {f'{n} ' if n > 1 else ''}{p}}}{{{2 * n} x {q}}} v \otimes v"
-            ),
+        return self._isotropic(closed_forms.tangent_inv)
+
+    def _isotropic(self, closed_form: Callable[[int, Any], Isotropic]) -> IsotropicMap:
+        coefficients = closed_form(self.order, FIELD.gens[0]).coefficients
+        return self._formula(IsotropicMap, closed_form.__name__, *map(rational, coefficients))
+
+    def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
+        printed = [_PRINTED[self.order] + list(EQUATIONS).index(name)] if self.order in _PRINTED else []
+        angles = ", ".join(map(str, self.singular_angles[:-1]))
+        lost = f"Re alpha = {angles}" if angles else "no finite v"
+        poles = name == "tangent_inv" and angles
+        return kind(
+            name=name,
+            order=self.order,
+            coefficients=coefficients,
+            equations=(*EQUATIONS[name], *printed),
+            identities=_IDENTITIES[name],
+            domain=f"every dual vector v with Re q_{self.order} != 0" if poles else "every dual vector v",
+            singular=f"{_SINGULAR[name].format(lost)}; v is infinite at Re alpha = {self.edge}",
+            symbol=_SYMBOLS[name].format(self.order),
+            definition=_definitions(self.order)[name],
         )
 
     # --- chart (see `Chart`) ----------------------------------------------------------------------------------
 
     @property
-    def title(self) -> str:
+    def title(self) -> str:  # type: ignore[override]
         return f"Cayley map of order {self.order}"
 
     @property
@@ -199,22 +178,20 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
     def scalars(self, x: Coefficient, m: Arithmetic) -> CayleyScalars:
         return CayleyScalars(self.order, x, m)
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         r = m.name("r", m.tan(m.div(angle, 2 * self.order)))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
-        next_to, rest, side = near_pole.sides(self.order, angle, sine, cosine, m)
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
+        next_to, rest, side = near_pole(self.order, angle, sine, cosine, m)
         t = m.name("t", m.tan(m.div(rest, 2 * self.order)))
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", gains.gain(self.order, q, size, m, positive))
+        return m.name("gain", cayley_gain(self.order, q, size, m, positive))
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)
         return at.fi, at.hi
 
@@ -222,59 +199,65 @@ class Cayley(branches.BranchesOfOrder, Parameterized):
         return self.scalars(x, m)
 
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return branches.direction(self.order, self.scalars(x, m), y, r, m)
+        """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
-        return branches.natural(self.order, self.scalars(x, m), y, r, m)
+        For p = 0 return the sign of q; for q = 0 return the sign of the translation along v.
+        """
+        sign, _ = self._direction(self.scalars(x, m), y, r, m)
+        return sign
+
+    def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:
+        """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
+
+        At half a turn p is 0 up to rounding and q > 0; the direction of v is kept then.
+        """
+        sine = m.name("rq", r * m.abs(at.q))
+        either = at.x if self.order == 1 else m.name("either", sine + at.p)
+        one = m.name("one", either - either + 1)
+        if self.order == 1:
+            return one, sine * one
+        negative = m.name("qneg", m.less(at.q, 0))
+        kept = m.name("kept", m.where(negative, 0, sine))
+        turned = m.name("qp", m.where(m.less(kept + m.div(at.p, NOISE), kept), -at.q, at.q))
+        backwards = m.both(m.equal(at.q, 0), m.less(y, 0))
+        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1)), sine * one
+
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
+        """Return the principal angle ``2 atan2(r |q|, |p|)``, ``dα/dr = 2n/(1 + x)``, and the sign from `direction`."""
+        at = self.scalars(x, m)
+        sign, sine = self._direction(at, y, r, m)
+        angle = m.name("angle", 2 * m.atan2(sine, m.abs(at.p)))
+        return angle, m.name("slope", 2 * self.order / (1 + at.x)), sign
 
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 2 * self.order * m.atan2(r, 1)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
-        return branches.turned(r, turn, m)
-
-    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        return tuple(branches.returns(self.order))
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Derivatives:
+        """Return ``r_k = (r cos + sin)/(cos − r sin)``, CP23 (49), and its first two derivatives by r."""
+        cosine, sine = turn
+        inverse = m.name("iden", m.div(1, cosine - r * sine))
+        slope = m.name("slope", inverse * inverse)
+        return m.name("rk", (r * cosine + sine) * inverse), slope, m.name("bend", 2 * (sine * inverse) * slope)
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the paper's letters."""
-        n = self.order
-        values = (("p", self.p), ("q", self.q))
-        lines = [f"{letter}_{{{n}}} &= {sympy.latex(value, order=LATEX_ORDER)}" for letter, value in values]
-        maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
-        lines += [f"{item.symbol} &= {item.definition}" for item in maps]
-        separator = " \\\\\n"
-        return f"\\begin{{aligned}}\n{separator.join(lines)}\n\\end{{aligned}}"
-
-    @property
-    def _letters(self) -> tuple[str, str, str]:
-        return f"p_{{{self.order}}}", f"q_{{{self.order}}}", _power(self.order)
-
-    @property
-    def _chart_edge(self) -> str:
-        return f"Re alpha = {sympy.pi * self.order}"
-
-    @property
-    def _rank_loss(self) -> str:
-        angles = self.singular_angles[:-1]
-        return f"Re alpha = {', '.join(map(str, angles))}" if angles else "no finite v"
-
-    def _equations(self, name: str) -> tuple[int, ...]:
-        printed = _PRINTED.get(self.order)
-        return EQUATIONS[name] if printed is None else (*EQUATIONS[name], printed + list(EQUATIONS).index(name))
-
-    def _isotropic(self, name: str, **texts: Any) -> IsotropicMap:
-        closed_form = getattr(closed_forms, name)
-        coefficients = closed_form(self.order, FIELD.gens[0]).coefficients
-        return IsotropicMap(
-            name=name,
-            order=self.order,
-            coefficients=tuple(map(rational, coefficients)),
-            at=lambda at: closed_form(self.order, at),
-            **texts,
+        return self._aligned(
+            *((f"{letter}_{{{self.order}}}", sympy.latex(value, order=LATEX_ORDER)) for letter, value in self.letters)
         )
+
+
+def _definitions(n: int) -> dict[str, str]:
+    """Return the right-hand sides of the four maps in LaTeX."""
+    p, q, norm = f"p_{{{n}}}", f"q_{{{n}}}", _power(n)
+    rotation = rf"\frac{{2 {p} {q}}}{{{norm}}}"
+    return {
+        "quaternion": rf"\frac{{{p} + {q} v}}{{{_power(sympy.Rational(n, 2))}}}",
+        "tensor": rf"I + {rotation} \tilde{{v}} + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}}^2",
+        "tangent": rf"{rotation} I + \frac{{2 {q}^2}}{{{norm}}} \tilde{{v}} + "
+        rf"\frac{{2 [{f'{n} {_power(n - 1)}'.rstrip()} - {p} {q}]}}{{x {norm}}} v \otimes v",
+        "tangent_inv": rf"\frac{{{p}}}{{2 {q}}} I - \frac{{1}}{{2}} \tilde{{v}} + "
+        rf"\frac{{(1 + x) {q} - {f'{n} ' if n > 1 else ''}{p}}}{{{2 * n} x {q}}} v \otimes v",
+    }
 
 
 def _power(exponent: int | sympy.Rational) -> str:

@@ -11,23 +11,150 @@ A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, s
 marked yy. The slope of N divided by N is ``e = 2n/(1 + x)``. No formula divides by x or uses |v|, so a pure translation
 is no special case.
 
+Above `HORNER_LIMIT` p, q, c and d come from a chain of doublings, divided by powers of 1 + x, so that every order
+overflows no sooner than order 4. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p, q and d is D, and the divisor of c, p²
+and x q² is D². In the scalars the divisors cancel.
+
 N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
 overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
 """
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, reduce
+from operator import add, sub
+from typing import Any
 
 from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
 from . import polynomials
-from .cayley_polynomials import CayleyPolynomials
-from .gains import has_ladder
-from .scalar import scalar
+from .order_charts import has_ladder
+from .polynomials import Pair, Triple, horner
+from .scalars import scalar
+
+HORNER_LIMIT = 8
+"""Largest order evaluated by Horner's rule: above it, large alternating coefficients cancel and digits are lost."""
+
+CHAIN_POWER = 4
+"""Largest power of 1/(1 + x) in second slopes: ``(1 + x)^4`` must not overflow."""
 
 
-class CayleyScalars(CayleyPolynomials):
-    """Scalars at x of the Cayley map of one order."""
+@dataclass(frozen=True, slots=True)
+class Jet:
+    """Taylor coefficients in x: the value, its first, half its second and a sixth of its third derivative."""
+
+    value: Coefficient
+    first: Coefficient = 0
+    half_second: Coefficient = 0
+    sixth_third: Coefficient = 0
+
+    def __add__(self, other: Jet) -> Jet:
+        return Jet(*map(add, self.terms, other.terms))
+
+    def __sub__(self, other: Jet) -> Jet:
+        return Jet(*map(sub, self.terms, other.terms))
+
+    def __mul__(self, other: Jet) -> Jet:
+        a, b = self.terms, other.terms
+        return Jet(*(reduce(add, (a[i] * b[k - i] for i in range(k + 1))) for k in range(len(a))))
+
+    @property
+    def terms(self) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
+        return self.value, self.first, self.half_second, self.sixth_third
+
+    def square(self) -> Jet:
+        bend = 2 * (self.value * self.half_second) + self.first * self.first
+        twist = 2 * (self.value * self.sixth_third + self.first * self.half_second)
+        return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
+
+    def named(self, m: Arithmetic, letter: str) -> Jet:
+        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx."""
+        suffixes = "", "_x", "_xx", "_xxx"
+        return Jet(*(m.name(letter + suffix, term) for suffix, term in zip(suffixes, self.terms, strict=True)))
+
+
+def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
+    """Return the jets of (p_k, q_k), divided by ``(1 + x)^⌊k/2⌋``, for each k on a chain of doublings up to ``order``.
+
+    Steps are ``p_2k = p² − x q²``, ``q_2k = 2 p q`` and ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``, without alternating
+    sums. Derivatives of p_k and q_k are divided by the same power. Doubling an odd k divides once more by 1 + x.
+    """
+    argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
+    k, p, q = 1, Jet(1), Jet(1)
+    pairs = {1: (p, q)}
+    for bit in bin(order)[3:]:
+        pp, qq = p.square().named(m, f"p{k}p{k}"), q.square().named(m, f"q{k}q{k}")
+        xqq = (argument * qq).named(m, f"xq{k}q{k}")
+        odd = k % 2
+        k *= 2
+        p, q = pp - xqq, two * (p * q)
+        if odd:
+            p, q = p * shrink, q * shrink
+        pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
+        if bit == "1":
+            k += 1
+            p, q = p - argument * q, p + q
+            pairs[k] = p, q = p.named(m, f"p{k}"), q.named(m, f"q{k}")
+    return pairs
+
+
+def _polynomial(letter: str, derivative: int, by_chain: Callable[[Any, Jet, Jet], Coefficient]) -> scalar:
+    """Return the scalar for a derivative of p, q, c or d, by Horner's rule or from the jets of the chain."""
+    return scalar(lambda at: at._at_x(letter, derivative) if at._expanded else by_chain(at, *at._jets))
+
+
+class CayleyScalars:
+    """Scalars at x of the Cayley map of one order, each computed and named on first use."""
+
+    def __init__(self, order: int, x: Coefficient, m: Arithmetic) -> None:
+        self.order = order
+        self.x = x
+        self.m = m
+
+    _expanded = property(lambda at: at.order <= HORNER_LIMIT)
+    _chain = cached_property(lambda at: chain(at.order, at.x, at._shrinking, at.m))
+    _jets = cached_property(lambda at: at._chain[at.order])
+    _beyond_one = scalar(lambda at: 1 + at.x, "x1")
+
+    @cached_property
+    def _shrinking(self) -> Coefficient:
+        """Factor ``1/(1 + x)``; NaN where 1 + x to the `CHAIN_POWER` overflows, since second slopes are wrong there."""
+        square = self.m.name("x2", self._beyond_one * self._beyond_one)
+        fourth = self.m.name("x4", square * square)
+        return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
+
+    def _horner(self, name: str, polynomial: Any) -> Coefficient:
+        return self.m.name(name, horner(polynomial, self.x))
+
+    def _at_x(self, letter: str, derivative: int) -> Coefficient:
+        """Return a derivative of p, q, c or d by Horner's rule."""
+        pair = polynomials.ring_pair if letter in "pq" else polynomials.ring_brackets
+        polynomial = pair(self.order)[letter in "qd"]
+        for _ in range(derivative):
+            polynomial = polynomial.diff(polynomials.RING_X)
+        return horner(polynomial, self.x)
+
+    p = _polynomial("p", 0, lambda at, p, q: p.value)  # CP23 (51)
+    q = _polynomial("q", 0, lambda at, p, q: q.value)  # CP23 (52)
+    dp = _polynomial("p", 1, lambda at, p, q: p.first)
+    dq = _polynomial("q", 1, lambda at, p, q: q.first)
+    ddq = _polynomial("q", 2, lambda at, p, q: 2 * q.half_second)
+    # [n (1+x)ⁿ⁻¹ − p q]/x = 2 (p q′ − q p′)
+    c = _polynomial("c", 0, lambda at, p, q: 2 * (at.p * at.dq - at.q * at.dp))
+    dc = _polynomial("c", 1, lambda at, p, q: 4 * (at.p * q.half_second - at.q * p.half_second))
+
+    @cached_property
+    def _cubic(self) -> Coefficient:
+        p, q = self._jets
+        return 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
+
+    ddc = _polynomial("c", 2, lambda at, p, q: 4 * (at._cubic + p.first * q.half_second - q.first * p.half_second))
+    # [(1+x) q − n p]/x = q − 2 q′ − 2 p′
+    d = _polynomial("d", 0, lambda at, p, q: at.q - 2 * (at.dq + at.dp))
+    dd = _polynomial("d", 1, lambda at, p, q: at.dq - 4 * (q.half_second + p.half_second))
+    ddd = _polynomial("d", 2, lambda at, p, q: at.ddq - 12 * (q.sixth_third + p.sixth_third))
 
     # --- norm -------------------------------------------------------------------------------------------------
 
@@ -44,7 +171,7 @@ class CayleyScalars(CayleyPolynomials):
         return self.m.name("root", root if self._expanded or self.order % 4 == 0 else root * self._shrinking)
 
     @cached_property
-    def _half(self) -> tuple[Coefficient, Coefficient]:
+    def _half(self) -> Pair:
         """Return p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
@@ -70,7 +197,7 @@ class CayleyScalars(CayleyPolynomials):
     wy = scalar(lambda at: 2 * at.dq * at._inverse_root + at.sy)  # 2 w′ = 2 q′/√N − n w/(1 + x)
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         """Return (p, q, size): ``p + q v`` is the quaternion times the size; only half-angle formulas use the size."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 
@@ -80,11 +207,7 @@ class CayleyScalars(CayleyPolynomials):
     g = scalar(lambda at: at._qq * at._twice_inverse_norm)
     h = scalar(lambda at: at.c * at._twice_inverse_norm)
 
-    @property
-    def rate(self) -> Coefficient:
-        """Factor ``2n/(1 + x)`` of T along the axis."""
-        return self._growth
-
+    rate = property(lambda at: at._growth)  # 2n/(1 + x), the factor of T along the axis
     ratey = scalar(lambda at: -at._falling, "ey")  # −4n/(1 + x)²
     _growing_g = scalar(lambda at: at._growth * at.g, "eg")
     _falling = scalar(lambda at: 2 * at._growth / at._beyond_one, "ee")  # −2 e′ = e²/n

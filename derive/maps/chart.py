@@ -1,4 +1,4 @@
-r"""Chart: a parameterization v = φ(α) u of displacements, given by scalars of ``x = v · v`` and inverse maps.
+r"""Chart of displacements, ``v = φ(α) u``, given by its scalars at ``x = v · v`` and inverse maps.
 
 All charts share the same geometry and differ in scalars, each regular at x = 0:
 
@@ -15,18 +15,27 @@ of f(x) is ``fy y``, where ``fy = 2 f′``. A trailing y marks a slope, yy a sec
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from dataclasses import fields
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
 
+import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
-from ..algebra.arithmetic import Arithmetic
-from .formula import IsotropicMap, QuaternionMap
+from ..algebra.arithmetic import PLAIN, Arithmetic
+from .any_phi.edges import angle_of
+from .families import alpha, of_angle
+from .formula import Formula, IsotropicMap, QuaternionMap
+from .polynomials import Pair, Triple, x
 
 if TYPE_CHECKING:
     from .cayley import Cayley
+
+Map = TypeVar("Map", bound=Formula)
 
 DEFINITIONS = {
     "quaternion": r"\hat q = s + w\,v",
@@ -36,6 +45,12 @@ DEFINITIONS = {
 }
 """LaTeX of the maps of every chart in terms of its scalars."""
 
+IDENTITIES = {
+    "quaternion": ("|q|^2 = 1",),
+    "tensor": ("R R^T = I", "det R = 1"),
+    "tangent": ("T v = (phi/phi') u", "T^T = R^T T"),
+    "tangent_inv": ("T T^-1 = I",),
+}
 
 Scalars: TypeAlias = Any
 """Scalars of a chart at x: s, w, f, g, h, fi, hi, and ``rate = 1/φ′ = f + x h``, the factor of T along the axis.
@@ -45,147 +60,222 @@ Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slo
 """
 
 
-class Chart(Protocol):
-    """Parameterization of displacements that can be proved and lowered."""
+class Chart(ABC):
+    """Parameterization of displacements that can be proved and lowered: an immutable data class."""
 
-    def __hash__(self) -> int:
-        """Return the hash: charts are immutable, and results about them are cached."""
+    name: str  # of the generated module, an identifier
+    selection: tuple[str, str]  # command-line option and its value: -n, 3
+    order: int  # order n; 1 for a chart without an order
+    title: str  # headline, such as "Cayley map of order 3"
+    base: Chart | None = None  # chart with the vectors w in v = factor · w
+    factor: Fraction = Fraction(1)  # 1 without a base chart
 
-    @property
-    def name(self) -> str:
-        """Name of the generated module, an identifier."""
-
-    @property
-    def selection(self) -> tuple[str, str]:
-        """Command-line option that selects the chart, and its value: ``-n``, ``3``."""
-
-    @property
-    def order(self) -> int:
-        """Order n; 1 for a chart without an order."""
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, without cached results."""
+        return {field.name: getattr(self, field.name) for field in fields(cast(Any, self))}
 
     @property
-    def title(self) -> str:
-        """Headline, such as ``Cayley map of order 3``."""
-
-    @property
-    def parameter(self) -> str:
-        """Text of φ(α), such as ``tan(α/6)``."""
-
-    @property
+    @abstractmethod
     def phi(self) -> sympy.Expr:
         """Function φ of `families.alpha`: odd, increasing up to the edge."""
 
     @property
+    @abstractmethod
     def edge(self) -> sympy.Expr:
         """Largest Re α of the chart: a pole of φ or a zero of φ′; infinite for a chart without an edge."""
 
     @property
+    @abstractmethod
     def branches(self) -> int:
         """Number of vectors v_k = φ(α + 2πk) u of a pose, k modulo this number; 0 if every integer k counts."""
 
     @property
+    @abstractmethod
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """Angles Re α > 0 where v, T or T⁻¹ is singular; the edge, if any, comes last."""
 
     @property
-    def cayley(self) -> Cayley | None:
-        """Chart itself if it is a Cayley map, whose theorems hold at every order; None otherwise."""
-
-    @property
-    def base(self) -> Chart | None:
-        """Base chart with the vectors w in ``v = factor · w``; None for a chart that is no multiple."""
-
-    @property
-    def factor(self) -> Fraction:
-        """Factor K in ``v = K w``; 1 without a base chart."""
-
-    def overflow(self, largest: float) -> tuple[str, float]:
-        """Return the reason why forward maps are NaN for large v, and the limit of Re|v|.
-
-        `largest` is the largest finite float.
-        """
+    def algebraic(self) -> bool:
+        """Tell whether the formulas contain at most one root, sqrt(1 + x/k) with k an integer."""
+        return True
 
     @property
     def remainder(self) -> float:
         """Bound of the approximation error of scalars at any number of digits; 0 for closed formulas."""
-
-    @property
-    def quaternion(self) -> QuaternionMap: ...
-    @property
-    def tensor(self) -> IsotropicMap: ...
-    @property
-    def tangent(self) -> IsotropicMap: ...
-    @property
-    def tangent_inv(self) -> IsotropicMap: ...
+        return 0.0
 
     @property
     def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
         """Functions of x in the formulas, by letter: p_n and q_n."""
+        return ()
 
+    @property
+    def cayley(self) -> Cayley | None:
+        """Chart itself if it is a Cayley map, whose theorems hold at every order; None otherwise."""
+        return None
+
+    @property
+    def parameter(self) -> str:
+        """Text of φ(α), such as ``tan(α/6)``."""
+        return str(self.phi).replace("alpha", "α").replace("**", "^").replace("*", " ")
+
+    # --- scalars and inverse maps ---------------------------------------------------------------------------------
+
+    @abstractmethod
+    def overflow(self, largest: float) -> tuple[str, float]:
+        """Return why forward maps are NaN for large v, and the limit of Re|v|, for floats up to `largest`."""
+
+    @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars:
         """Return the scalars at x."""
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    @abstractmethod
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at an angle."""
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at the angle of a quaternion.
 
         Sine ≥ 0 and cosine of half the angle are given up to a common factor. Unlike the rounded angle, they determine
         the distance to a pole of φ.
         """
+        return self.coefficient(angle, m)
 
+    @abstractmethod
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return the factor in ``v = gain · vec q`` for a quaternion of norm `size`.
+        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` states that the scalar part is."""
 
-        `positive` states that the scalar part is positive.
-        """
-
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    @abstractmethod
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         """Return the scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``.
 
-        `fi` is f_i computed as the gain times the scalar part of q. This value is better for a chart with a fold at its
-        edge, where x hardly changes. For other charts f_i computed from x is better: the derivative of the gain loses
-        digits for small v.
+        `fi` is the gain times the scalar part of q. For a chart with a fold at its edge, where x hardly changes, it is
+        better than f_i from x. For other charts f_i from x is better: the gain loses digits for small v.
         """
 
+    @abstractmethod
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> Scalars:
         """Return the scalars of T⁻¹ at a known angle, with `fi` as in `back`.
 
         Near a fold, x alone determines the angle badly: the error grows with 1/φ′.
         """
 
+    # --- branches -------------------------------------------------------------------------------------------------
+
+    @abstractmethod
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign, 1 or −1, in the axis ``u = ±v/|v|`` of the principal angle, for ``r = |v|``."""
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    @abstractmethod
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         """Return the principal angle of ``v = r u``, r ≥ 0, ``dα/dr`` on the branch of v, and the `direction`."""
 
+    @abstractmethod
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the angle of ``v = r u``, r > 0, on the branch of v."""
 
-    def turned(
-        self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    @abstractmethod
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
         """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
 
         For a principal v the results are unused but must be numbers; r is then ``sqrt(1 + x)``.
         """
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    @abstractmethod
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
 
+    @abstractmethod
     def turn(self, branch: int) -> tuple[Any, Any]:
         """Return the two numbers that describe a turn by `branch` branches, in the working precision of mpmath."""
 
+    @abstractmethod
     def returns(self) -> Sequence[tuple[Any, Any, Any]]:
         """Return a table with a row for each turn back: the limit of x, and the two numbers of the turn.
 
         For a multiple K of a base chart the limit applies to ``x/K²``. The table is empty if every v is principal.
         """
+
+    # --- from φ ---------------------------------------------------------------------------------------------------
+
+    @property
+    def scale(self) -> sympy.Expr:
+        """Factor a(v) as a function of α, from ``q̂ = ±(a + v)ⁿ/(a² + x)^(n/2)``: CP23 (60), (61)."""
+        return self.phi * sympy.cot(alpha / (2 * self.order))
+
+    @property
+    def range(self) -> sympy.Expr:
+        """Length |v| at the edge; infinite at a pole."""
+        return self.phi.subs(alpha, self.edge)
+
+    @property
+    def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
+        """Coefficients of T and of T⁻¹ at α = 0, from ``φ = c₁ α + c₃ α³ + …``."""
+        first, third = (self.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
+        sixth, bend = sympy.Rational(1, 6), 2 * third / first
+        tangent = 1 / first, 1 / (2 * first**2), (sixth - bend) / first**3
+        return tangent, (first, -sympy.Rational(1, 2), bend / first + sixth / (2 * first))
+
+    def inverse(self, size: Any) -> Any:
+        """Return φ⁻¹ of a length below `range`, in the working precision of mpmath."""
+        return angle_of(self.phi, self.edge, mpmath.mpf(size))
+
+    # --- formulas -------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def quaternion(self) -> QuaternionMap:
+        return self._formula(QuaternionMap, "quaternion", self._values.s, self._values.w)
+
+    @cached_property
+    def tensor(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tensor", 1 - at.x * at.g, at.f, at.g)
+
+    @cached_property
+    def tangent(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tangent", at.f, at.g, at.h)
+
+    @cached_property
+    def tangent_inv(self) -> IsotropicMap:
+        at = self._values
+        return self._formula(IsotropicMap, "tangent_inv", at.fi / 2, -sympy.Rational(1, 2), at.hi / 2)
+
+    def latex(self) -> str:
+        """Return φ and the four maps as LaTeX."""
+        return self._aligned((r"\varphi", sympy.latex(self.phi)))
+
+    def _aligned(self, *first: tuple[str, str]) -> str:
+        """Return equations in LaTeX, with the four maps last."""
+        maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
+        equations = (*first, *((of.symbol, of.definition) for of in maps))
+        lines = " \\\\\n".join(f"{left} &= {right}" for left, right in equations)
+        return f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+    @cached_property
+    def _values(self) -> Any:
+        """Scalars and x as expressions in x; in α for a chart that is not algebraic."""
+        return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
+
+    def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
+        poles = [f"Re alpha = {angle}" for angle in self.singular_angles if angle != self.edge]
+        infinite = self.range.is_infinite
+        end = "v is infinite" if infinite else "v ends, and with it the domain,"
+        end = "there is no edge" if self.edge.is_infinite else f"{end} at Re alpha = {self.edge}"
+        lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
+        coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # Python integers become SymPy numbers
+        symbol, _, definition = DEFINITIONS[name].partition(" = ")
+        return kind(
+            name=name,
+            order=self.order,
+            coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
+            equations=(),
+            identities=IDENTITIES[name],
+            domain="every dual vector v" if infinite else f"|Re v| < {self.range}",
+            singular=f"{lost} {', '.join(poles)}; {end}" if lost else end,
+            symbol=symbol,
+            definition=definition,
+        )

@@ -1,28 +1,36 @@
-r"""Exponential of so(3) over dual numbers, on tensors and on quaternions.
+r"""Exponential: of tensors and quaternions, and the chart ``v = α u``, whose inverse map is the logarithm.
 
 .. math:: \exp\tilde a = I + \frac{\sin|a|}{|a|}\,\tilde a + \frac{1 - \cos|a|}{|a|^2}\,\tilde a^2 \qquad
     \text{CP23 (17), (25)}
 
-For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
+T of the chart is dexp. With Stumpff functions c_k and ``x = α²``:
+
+.. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x)
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
-from ..algebra import Quaternion, Tensor, Vector, functions, real_part
-from .sign_tests import is_zero
+import sympy
+
+from ..algebra import Coefficient, Quaternion, Tensor, Vector, functions, real_part
+from ..algebra.arithmetic import Arithmetic
+from . import stumpff
+from .any_phi.angle_chart import AngleChart
+from .families import alpha
+from .order_charts import Derivatives, double_angle
+from .polynomials import Pair
+from .pose import is_zero
+from .scalars import DependentScalars, scalar
 
 
 def tensor_exponential(a: Vector, library: Any = functions) -> Tensor:
-    """Return exp(skew(a)), a rotation by |a| about a.
+    """Return exp(skew(a)), a rotation by |a| about a; `library` provides ``sin``, ``cos``, ``sqrt``.
 
-    Parameters
-    ----------
-    a : Vector
-        Euler (dual) vector.
-    library
-        Provider of ``sin``, ``cos``, ``sqrt`` for the coefficients.
+    For Re a = 0 the series terminates: ``skew(a)³ = −|a|² skew(a) = 0``.
     """
     square, skew = a.dot(a), Tensor.skew(a)
     if is_zero(real_part(square)):
@@ -41,3 +49,119 @@ def quaternion_exponential(a: Vector, library: Any = functions) -> Quaternion:
         return Quaternion(1 + 0 * square, a)
     angle = library.sqrt(square)
     return Quaternion(library.cos(angle), a * (library.sin(angle) / angle))
+
+
+class ExponentialScalars(DependentScalars):
+    """Scalars at x = α²."""
+
+    rate = 1
+    ratey = 0
+    rateyy = 0
+
+    _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "near")
+
+    @cached_property
+    def _half(self) -> stumpff.HalfAngle:
+        """Stumpff functions of the half angle by series; beyond the limit unused, at angle 0."""
+        zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
+        return stumpff.HalfAngle(zeta, self.m)
+
+    _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
+
+    # α² beyond the limit; for x below the limit, a stand-in beyond it
+    _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
+    _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
+
+    @cached_property
+    def _trigonometry(self) -> Pair:
+        """Values of ``cos(α/2)`` and ``sin(α/2)/α``."""
+        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
+        return cosine, sine / self._angle
+
+    @cached_property
+    def _turned(self) -> Pair:
+        """Values of ``sin α`` and ``1 − cos α``, corrected for the rounding error of the root α = √x."""
+        t = self.m.name("thalf", self.m.tan(self.m.div(self._angle, 2)))
+        tt = self.m.name("tthalf", t * t)
+        below = self.m.name("belowhalf", 1 + tt)
+        sine = self.m.name("sine", 2 * t / below)
+        # near half a turn the derivative of 2 tt/below is a difference of terms as large as t
+        versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
+        return sine + self._lost * (1 - versine), versine + self._lost * sine
+
+    # (α² − root²)/2α, with α² the exact sum of the given squares
+    _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
+
+    @property
+    def _left(self) -> Coefficient:
+        """Difference ``α² − root²``, by terms that are exact up to α = 8.
+
+        Beyond 8 it is set to 0: the error may be a large angle, and a corrected R would not be a rotation.
+        """
+        beside = self.m.name("beside", self._angle - 4)
+        left = (self._square - 16) - 8 * beside - beside * beside
+        return self._bounded(self.m.name("left", left + self.m.rounded_off(self.x)))
+
+    def _bounded(self, left: Coefficient) -> Coefficient:
+        return self.m.where(self.m.less(self._angle, 8), left, 0)
+
+    s = scalar(lambda at: at.m.where(at._near, at._half.c0, at._trigonometry[0]))
+    w = scalar(lambda at: at.m.where(at._near, at.m.div(at._half.c1, 2), at._trigonometry[1]))
+    f = scalar(lambda at: at.m.where(at._near, at._half.c0 * at._half.c1, at._turned[0] / at._angle))
+
+    @cached_property
+    def g(self) -> Coefficient:
+        near = self.m.div(self._half.square, 2)
+        return self.m.name("g", self.m.where(self._near, near, self._turned[1] / self._square))
+
+    h = scalar(lambda at: at.m.where(at._near, at._whole.c3, (1 - at.f) / at._square))
+
+    @cached_property
+    def hy(self) -> Coefficient:
+        near = 3 * self._whole.c5 - self._whole.c4
+        return self.m.name("hy", self.m.where(self._near, near, (self.g - 3 * self.h) / self._square))
+
+    @cached_property
+    def hyy(self) -> Coefficient:
+        near = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
+        return self.m.name("hyy", self.m.where(self._near, near, (self.gy - 5 * self.hy) / self._square))
+
+
+class PrincipalScalars(ExponentialScalars):
+    """Scalars up to half a turn, the range of the logarithm."""
+
+    def _bounded(self, left: Coefficient) -> Coefficient:
+        return left
+
+
+@dataclass(frozen=True)
+class Exponential(AngleChart):
+    """Chart v = α u, without an edge."""
+
+    name: str = "exponential"
+    selection: tuple[str, str] = ("--family", "exponential")
+    title: str = "Exponential map"
+
+    @property
+    def phi(self) -> sympy.Expr:
+        return alpha
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return sympy.oo
+
+    @property
+    def remainder(self) -> float:
+        return stumpff.REMAINDER
+
+    def overflow(self, largest: float) -> tuple[str, float]:
+        return "x overflows", float(largest**0.5)
+
+    def scalars(self, x: Coefficient, m: Arithmetic) -> ExponentialScalars:
+        return ExponentialScalars(x, m)
+
+    def own_angle(self, at: ExponentialScalars, r: Coefficient) -> Coefficient:
+        return r
+
+    def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
+        return angle, 1, 0

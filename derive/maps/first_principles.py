@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, dual_part, real_part
-from .sign_tests import is_zero
+from .pose import is_zero
 
 
 def tensor_by_sandwich(q: Quaternion) -> Tensor:
@@ -34,17 +34,14 @@ def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
     columns = []
     for axis in Tensor.identity().rows:
         R = tensor(Vector(*(_moving(c, rate) for c, rate in zip(v, axis, strict=True))))
-        columns.append(twist(R.map(_value), R.map(_slope)))
+        columns.append(_twist(R))
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
     """Return the operator that takes the space twist of ``tensor(α, u)`` to u̇, from three independent motions.
 
-    Raises
-    ------
-    ZeroDivisionError
-        If the twist does not determine u̇.
+    A twist that does not determine u̇ raises ZeroDivisionError.
     """
     across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
     first = next(w for w in across if not is_zero(real_part(w.dot(w))))
@@ -52,7 +49,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
     twists, rates = [], []
     for alpha_dot, u_dot in motions:
         R = tensor(_moving(alpha, alpha_dot), Vector(*(_moving(c, rate) for c, rate in zip(u, u_dot, strict=True))))
-        twists.append(twist(R.map(_value), R.map(_slope)))
+        twists.append(_twist(R))
         rates.append(u_dot)
     of_twists, of_rates = (Tensor.from_entries(c for row in rows for c in row).transpose for rows in (twists, rates))
     return of_rates @ of_twists.inverse()
@@ -65,13 +62,11 @@ def _moving(c: Coefficient, rate: Coefficient) -> Dual:
     return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))
 
 
-def _value(c: Any) -> Any:
-    if not isinstance(c, Dual):
-        return c
-    return Dual(c.re.re, c.du.re) if isinstance(c.re, Dual) else c.re
+def _part(c: Any, part: Callable[[Any], Any]) -> Any:
+    """Return the value or the rate of a moving coefficient, by `real_part` or `dual_part`."""
+    return Dual(part(c.re), part(c.du)) if isinstance(c, Dual) and isinstance(c.re, Dual) else part(c)
 
 
-def _slope(c: Any) -> Any:
-    if not isinstance(c, Dual):
-        return 0
-    return Dual(c.re.du, c.du.du) if isinstance(c.re, Dual) else c.du
+def _twist(R: Tensor) -> Vector:
+    """Return the space twist of a tensor of moving coefficients."""
+    return twist(R.map(lambda c: _part(c, real_part)), R.map(lambda c: _part(c, dual_part)))

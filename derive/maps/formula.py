@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import sympy
 
@@ -17,18 +17,14 @@ LATEX_ORDER = "rev-lex"
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """Map of order n whose coefficients are functions of ``x = v · v``.
+    """Map of order n whose coefficients are functions of ``x = v · v``, exact and reduced.
 
     Parameters
     ----------
     name : str
         ``quaternion``, ``tensor``, ``tangent`` or ``tangent_inv``.
     order : int
-        The order n.
     coefficients : tuple of Expr
-        Functions of `x`, exact and reduced.
-    at : callable
-        Function that returns the coefficients at any number x.
     equations : tuple of int
         Equation numbers in CP23: the general equations, then the one printed for this order, if any.
     identities : tuple of str
@@ -42,7 +38,6 @@ class Formula:
     name: str
     order: int
     coefficients: tuple[sympy.Expr, ...]
-    at: Callable[[Any], Any] = field(repr=False, compare=False)
     equations: tuple[int, ...]
     identities: tuple[str, ...] = field(repr=False)
     domain: str = field(repr=False)
@@ -75,11 +70,8 @@ class Formula:
             raise ValueError(f"expected 6 symbols, real part v1 v2 v3 then dual part, got {len(v)}")
         vector = Vector.dual(v[:3], v[3:])
         square = vector.dot(vector)
-
-        def at(expression: sympy.Expr) -> sympy.Expr:
-            return expression.xreplace({x: square.re})
-
-        duals = (Dual(at(a), square.du * at(a.diff(x))) for a in self.coefficients)
+        at = {x: square.re}
+        duals = (Dual(a.xreplace(at), square.du * a.diff(x).xreplace(at)) for a in self.coefficients)
         return tuple(duals), vector
 
 
@@ -97,12 +89,7 @@ class IsotropicMap(Formula):
         return Isotropic(a, b, c, x)
 
     def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
-        """Return the real and the dual part as 3x3 matrices.
-
-        Parameters
-        ----------
-        v : sequence of 6 symbols or expressions
-            The Rodrigues dual vector of this order: real part, then dual part.
+        """Return the real and the dual part as 3x3 matrices, for the 6 components of v, real part first.
 
         Examples
         --------
@@ -125,12 +112,7 @@ class QuaternionMap(Formula):
     basis = ("", "v")
 
     def matrix(self, v: Sequence[sympy.Expr]) -> tuple[sympy.Matrix, sympy.Matrix]:
-        """Return the real and the dual part as columns of four components, scalar first.
-
-        Parameters
-        ----------
-        v : sequence of 6 symbols or expressions
-            The Rodrigues dual vector of this order: real part, then dual part.
+        """Return the real and the dual part as columns, scalar first, for the 6 components of v, real part first.
 
         Examples
         --------

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from operator import attrgetter
 from types import SimpleNamespace
 from typing import Any
 
@@ -21,10 +22,9 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
-from .branches import Derivatives
 from .chart import Chart, Scalars
-from .parameterized import Parameterized
-from .polynomials import x
+from .order_charts import Derivatives
+from .polynomials import Pair, Triple, x
 
 POWERS = {
     "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,
@@ -65,52 +65,30 @@ class MultipleScalars:
         return self._known[name]
 
     @property
-    def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def ray(self) -> Triple:
         a, b, size = self.base.ray
         return a, divided(b, self.factor, self.m), size
 
 
 @dataclass(frozen=True)
-class Multiple(Parameterized):
-    """Chart ``v = K w`` with the branches, edge and singular angles of its base chart.
-
-    Attributes
-    ----------
-    base : Chart
-        Chart of w.
-    factor : Fraction
-        Factor K > 0.
-    """
+class Multiple(Chart):
+    """Chart ``v = K w``, K > 0, with the branches, edge and singular angles of the base chart of w."""
 
     name: str
-    base: Chart = field()  # without the default of Parameterized
+    base: Chart = field()  # without the default of Chart
     factor: Fraction = field()
     selection: tuple[str, str] = ("", "")
     title: str = ""
 
-    @property
-    def order(self) -> int:  # type: ignore[override]
-        return self.base.order
+    order = property(attrgetter("base.order"))
+    edge = property(attrgetter("base.edge"))
+    branches = property(attrgetter("base.branches"))
+    singular_angles = property(attrgetter("base.singular_angles"))
+    remainder = property(attrgetter("base.remainder"))
 
     @property
     def phi(self) -> sympy.Expr:
         return sympy.Rational(self.factor) * self.base.phi
-
-    @property
-    def edge(self) -> sympy.Expr:
-        return self.base.edge
-
-    @property
-    def branches(self) -> int:
-        return self.base.branches
-
-    @property
-    def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        return self.base.singular_angles
-
-    @property
-    def remainder(self) -> float:
-        return self.base.remainder
 
     @property
     def algebraic(self) -> bool:
@@ -140,22 +118,20 @@ class Multiple(Parameterized):
     def scalars(self, x: Coefficient, m: Arithmetic) -> MultipleScalars:
         return MultipleScalars(self.base.scalars(self._square(x, m), m), self.factor, m)
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         return self._multiplied(self.base.coefficient(angle, m), m)
 
-    def coefficient_of(
-        self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         return self._multiplied(self.base.coefficient_of(angle, sine, cosine, m), m)
 
-    def _multiplied(self, pair: tuple[Coefficient, Coefficient], m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def _multiplied(self, pair: Pair, m: Arithmetic) -> Pair:
         r, slope = pair
         return self._times(r, m, "r_v"), self._times(slope, m, "slope_v")
 
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
         return self._times(self.base.gain(q, size, m, positive), m, "gain_v")
 
-    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)
         return self._times(f, m, "fi_v"), m.name("hi_v", divided(h, self.factor, m))
 
@@ -166,9 +142,7 @@ class Multiple(Parameterized):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return self.base.direction(self._square(x, m), y, self._length(r, m), m)
 
-    def natural(
-        self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient, Coefficient]:
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
         return angle, divided(slope, self.factor, m), sign
 
@@ -179,9 +153,7 @@ class Multiple(Parameterized):
         rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
         return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         return self.base.beyond(self._square(x, m), table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:

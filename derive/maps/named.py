@@ -13,15 +13,14 @@ from typing import TypeAlias
 import sympy
 
 from .any_phi.edges import edge_of
-from .any_phi.expressions import parity, parsed
+from .any_phi.expressions import multiple_of_known, parity, parsed
 from .any_phi.general import General
 from .any_phi.grammar import PhiError
 from .any_phi.real_constants import is_small
-from .any_phi.recognition import multiple_of_known
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
-from .exponential_chart import Exponential
+from .exponential import Exponential
 from .multiple import Multiple
 from .polynomials import require_order
 from .sine import Sine
@@ -60,13 +59,7 @@ NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled
 
 
 def family(name: str) -> Named:
-    """Return a parameterization by its name, such as ``lambert`` or ``sine7``.
-
-    Raises
-    ------
-    ValueError
-        If no parameterization has that name.
-    """
+    """Return a parameterization by its name, such as ``lambert`` or ``sine7``; ValueError for another name."""
     numbered = re.fullmatch(rf"([a-z]+?)([1-9]\d{{0,{ORDER_DIGITS_MAX - 1}}})", name)
     if name in SINGLE:
         found = SINGLE[name]()
@@ -109,21 +102,9 @@ def described(chart: Chart) -> str:
 
 
 def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
-    """Return the chart of φ under the given name: a known chart where φ describes one, else a general chart.
+    """Return the chart of φ, an odd function of α: a known chart where φ describes one, else a general chart.
 
-    Parameters
-    ----------
-    phi : str or Expr
-        Odd function of `families.alpha`; a text is read by `expressions.parsed`.
-    name : str
-        Name of the generated module, an identifier.
-    order : int, optional
-        Value of n in a text.
-
-    Raises
-    ------
-    PhiError
-        If φ is refused, with the reason.
+    `order` is the value of n in a text. A refused φ raises `PhiError` with the reason.
     """
     expression = parsed(phi, order) if isinstance(phi, str) else phi
     if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):

@@ -1,46 +1,189 @@
-r"""Charts of order n with θ = α/2n: ``q̂ = (cos θ + σ v)ⁿ``, ``σ = sin θ/|v|``; CP23 (60) with ``a = cos θ/σ``.
-
-A subclass defines φ as a function of θ. Branches differ by turns ``kπ/n`` of θ, reduced to |θ| < π/2.
-"""
+"""Charts of order n with θ = α/2n: gains of quaternions, and branches, which differ by turns ``kπ/n`` of θ."""
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from . import branches
-from .branches import Derivatives
+from . import polynomials
+from .chart import Chart
 from .families import alpha
-from .gains import half_cosine, half_sine, has_ladder
-from .parameterized import QuaternionChart
+from .polynomials import Pair, Triple
+from .scalars import NOISE, QuaternionChart
+
+Derivatives: TypeAlias = Triple
+"""Value with its first and second derivatives."""
 
 
-class OrderChart(branches.BranchesOfOrder, QuaternionChart):
-    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2."""
+def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivatives:
+    """Return r_k and its derivatives by r, from φ and its derivatives by the angle before and after the turn."""
+    _, slope, bend = before
+    slope = m.name("before", slope)
+    rk, slope_k, bend_k = after
+    ratio = m.name("slope", m.div(slope_k, slope))
+    change = m.name("slopeo", m.div(bend_k - ratio * bend, slope))
+    return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
+
+
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+    """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
+    first, *others = table[::3]
+    # up to rounding, v at half a turn is on the first branch
+    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
+    cosine, sine = table[1:3]
+    for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
+        cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))
+        sine = m.name(f"sine{j}", m.where(further, values[1], sine))
+    return limits[0], (cosine, sine)
+
+
+def turn(n: int, branch: int) -> tuple[Any, Any]:
+    """Return cosine and sine of kπ/n."""
+    step = mpmath.mpf(branch) / n
+    return mpmath.cospi(step), mpmath.sinpi(step)
+
+
+def square(phi: sympy.Expr, angle: sympy.Expr) -> Any:
+    """Return φ² of an angle, in the working precision of mpmath."""
+    return mpmath.mpf(phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
+
+
+# --- gain of a quaternion ----------------------------------------------------------------------------------------
+
+
+def cayley_gain(n: int, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+    """Return ``tan(α/2n)/|vec q|`` with the sign of the scalar part, for a quaternion of norm `size`.
+
+    Only n = 2, 4, 8, … need `size`. The gain is infinite at α = nπ: for n = 1 at half a turn.
+    """
+    if n == 1:
+        return m.div(1, q.scalar)
+    negative, cosine = half_cosine(q, m, positive)
+    sign = m.where(negative, -1, 1)
+    if has_ladder(n):
+        return m.div(sign, _ladder(n, cosine, size, m))
+    still, square, sine = half_sine(q, cosine, m)
+    if not (positive or isinstance(size, int)):  # NaN instead of 1/∞ = 0 where the square overflows
+        sine = m.name("sinq", square / sine)
+    tangent = m.tan(m.div(m.atan2(sine, cosine), n))
+    return sign * (m.where(still, 1, tangent) / m.where(still, n * cosine, sine))
+
+
+def half_cosine(q: Quaternion, m: Arithmetic, positive: bool) -> tuple[Any, Coefficient]:
+    """Return whether the scalar part is negative, and its absolute value."""
+    negative = False if positive else m.name("negative", m.less(q.scalar, 0))
+    cosine = m.name("cos", m.where(negative, -q.scalar, q.scalar))
+    return negative, cosine
+
+
+def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, Coefficient, Coefficient]:
+    """Return whether the vector part is 0, its square, and its length (a stand-in for a zero vector)."""
+    square = m.name("ss", q.vector.dot(q.vector))
+    still = m.name("still", m.equal(square, 0))
+    # avoid the root of 0: its derivative is infinite, and 0 · ∞ would spoil the gradient
+    sine = m.name("sin", m.sqrt(m.where(still, cosine, square)))
+    return still, square, sine
+
+
+def has_ladder(n: int) -> bool:
+    """Return whether n is a power of two: then log2(n) half-angle formulas lead from α/2 to α/2n."""
+    return n & (n - 1) == 0
+
+
+def _ladder(n: int, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Coefficient:
+    """Return ``size · sin(α/2)/tan(α/2n)`` for n = 2^m, from ``size · cos(α/2)``."""
+    divisor: Coefficient = 1
+    c = cosine if n == 2 else m.name("cos1", m.div(cosine, size))
+    unit = size if n == 2 else 1
+    step = 1
+    while n > 2:
+        n //= 2
+        step += 1
+        c = m.name(f"cos{step}", m.sqrt(m.div(1 + c, 2)))
+        divisor = divisor * (2 * c)
+    total = divisor * (unit + c)
+    return total if unit is size else total * size
+
+
+def near_pole(
+    n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
+) -> tuple[Any, Coefficient, Coefficient]:
+    """Return whether |α| is near the pole nπ, the distance ``nπ − |α|`` if so or |α| if not, and the sign of α.
+
+    ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor. They give all digits of the distance, by its
+    half tangent ``−tan(α/2)`` for even n, ``cot(α/2)`` for odd n. The rounded angle gives few digits near the pole.
+    """
+    side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
+    size = m.name("size", m.abs(angle))
+    next_to = m.name("nextto", m.less(m.abs(size - round(n * math.pi)), 1))
+    above, below = (cosine, sine) if n % 2 else (-sine, cosine)
+    divisor = m.name("divisor", m.where(next_to, below, 1))
+    left = 2 * side * m.atan2(above / divisor, 1)
+    return next_to, m.name("rest", m.where(next_to, left, size)), side
+
+
+# --- charts ------------------------------------------------------------------------------------------------------
+
+
+class BranchesOfOrder(Chart):
+    """Edge and branches of a chart of order n: |Re α| < nπ, and θ turns by π/n from one of n branches to the next."""
+
+    @property
+    def edge(self) -> sympy.Expr:
+        return self.order * sympy.pi
+
+    @property
+    def branches(self) -> int:
+        return self.order
+
+    @property
+    def singular_angles(self) -> tuple[sympy.Expr, ...]:
+        """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
+        return polynomials.singular_angles(self.order)
+
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+        return beyond(x, table, m)
+
+    def turn(self, branch: int) -> tuple[Any, Any]:
+        return turn(self.order, branch)
+
+    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
+        """Return φ² at ``(2j − 1)π``, and the cosine and sine of the turn back by jπ/n, for each turn back."""
+        turns = range(1, self.order // 2 + 1)
+        return tuple((square(self.phi, (2 * j - 1) * sympy.pi), *self.turn(-j)) for j in turns)
+
+
+class OrderChart(BranchesOfOrder, QuaternionChart):
+    """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2.
+
+    ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``: CP23 (60) with ``a = cos θ/σ``. Turned θ are reduced to |θ| < π/2.
+    """
 
     @abstractmethod
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ and its first two derivatives by θ, from sine and cosine of θ; `mark` is a suffix for names."""
 
     @abstractmethod
-    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
         """Return cos θ and ``σ = sin θ/|v|`` at x."""
 
     @abstractmethod
-    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         """Return numerator and denominator of ``φ/sin θ``."""
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at the angle reduced to (−nπ, nπ], where cos θ ≥ 0."""
         return self._folded(*double_angle(m.name("t", m.tan(m.div(angle, 4 * self.order))), m), m)
 
-    def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def _folded(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         further = m.name("further", cosine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         r, slope, _ = self.phi_derivatives(m.name("sin", side * sine), m.name("cos", side * further), m)
@@ -56,9 +199,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         above, below = found(q, cosine, size, m)
         return m.name("gain", m.div(sign * above, below))
 
-    def _by_halves(
-        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def _by_halves(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Pair:
         below = size
         c = cosine if self.order == 1 else m.name("cos0", m.div(cosine, size))
         for step in range(1, self.order.bit_length()):
@@ -67,9 +208,7 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         above, root = self.over_sine(c, m)
         return above, below * root
 
-    def _by_angle(
-        self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic
-    ) -> tuple[Coefficient, Coefficient]:
+    def _by_angle(self, q: Quaternion, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Pair:
         still, _, sine = half_sine(q, cosine, m)
         t = m.name("t", m.tan(m.div(m.atan2(sine, cosine), 2 * self.order)))
         of_angle, cos = double_angle(t, m)
@@ -93,17 +232,10 @@ class OrderChart(branches.BranchesOfOrder, QuaternionChart):
         further = m.name("further", c * cosine - s * sine)
         side = m.name("side", m.where(m.less(further, 0), -1, 1))
         sine_k, cosine_k = m.name("sk", side * (s * cosine + c * sine)), m.name("ck", side * further)
-        return branches.by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
-
-    def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        return tuple((self._square((2 * j - 1) * sympy.pi), *self.turn(-j)) for j in range(1, self.order // 2 + 1))
-
-    def _square(self, angle: sympy.Expr) -> Any:
-        """Return φ² of an angle, in the working precision of mpmath."""
-        return mpmath.mpf(self.phi.subs(alpha, angle).evalf(mpmath.mp.dps + 5)) ** 2
+        return by_length(self.phi_derivatives(s, c, m), self.phi_derivatives(sine_k, cosine_k, m, "k"), m)
 
 
-def double_angle(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+def double_angle(t: Coefficient, m: Arithmetic) -> Pair:
     """Return sine and cosine of twice the angle whose tangent is t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)

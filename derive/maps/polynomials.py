@@ -31,18 +31,11 @@ FIELD = RING.to_field()
 """Field Q(x) of the coefficients of the maps."""
 
 Pair: TypeAlias = tuple[Coefficient, Coefficient]
+Triple: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
 
 def require_order(n: Any) -> int:
-    """Return the order as an ``int``.
-
-    Raises
-    ------
-    TypeError
-        If `n` is no integer (``bool`` is refused too).
-    ValueError
-        If `n` is less than 1.
-    """
+    """Return the order as an ``int``; TypeError if `n` is no integer or a ``bool``, ValueError if it is below 1."""
     try:
         order = operator.index(n)
     except TypeError:
@@ -122,43 +115,12 @@ def ring_pair(n: int) -> tuple[Any, Any]:
     return RING(p), RING(q)
 
 
-def p(n: int) -> sympy.Expr:
-    """Return p_n in x, CP23 (51), (56)."""
-    return ring_pair(n)[0].as_expr()
-
-
-def q(n: int) -> sympy.Expr:
-    """Return q_n in x, CP23 (52), (56)."""
-    return ring_pair(n)[1].as_expr()
-
-
 @lru_cache(maxsize=256)
 def ring_brackets(n: int) -> tuple[Any, Any]:
-    """Return c_n and d_n as elements of `RING`, the brackets of CP23 (88) and (89) divided by x.
-
-    Raises
-    ------
-    ArithmeticError
-        If x does not divide a bracket, which never happens.
-    """
-    p_n, q_n = ring_pair(n)
-    quotients = []
-    for bracket in (n * (1 + RING_X) ** (n - 1) - p_n * q_n, (1 + RING_X) * q_n - n * p_n):
-        quotient, remainder = divmod(bracket, RING_X)
-        if remainder != 0:
-            raise ArithmeticError(f"x does not divide {bracket}")
-        quotients.append(quotient)
-    return quotients[0], quotients[1]
-
-
-def c(n: int) -> sympy.Expr:
-    """Return ``c_n = [n (1+x)ⁿ⁻¹ − p_n q_n]/x``, the bracket of dcay_n in CP23 (88), by exact division."""
-    return ring_brackets(n)[0].as_expr()
-
-
-def d(n: int) -> sympy.Expr:
-    """Return ``d_n = [(1+x) q_n − n p_n]/x``, the bracket of dcay_n⁻¹ in CP23 (89), by exact division."""
-    return ring_brackets(n)[1].as_expr()
+    """Return c_n and d_n as elements of `RING`, the brackets of CP23 (88) and (89) divided exactly by x."""
+    p, q = ring_pair(n)
+    brackets = n * (1 + RING_X) ** (n - 1) - p * q, (1 + RING_X) * q - n * p
+    return brackets[0].exquo(RING_X), brackets[1].exquo(RING_X)
 
 
 def p_binomial(n: int) -> sympy.Expr:
@@ -181,6 +143,14 @@ def d_binomial(n: int) -> sympy.Expr:
     """Return ``d_n = Σ_{j≥1} (−1)ʲ [C(n, 2j+1) − C(n, 2j−1) − n C(n, 2j)] xʲ⁻¹``."""
     terms = range(1, require_order(n) // 2 + 2)
     return _sum((-1) ** j * (comb(n, 2 * j + 1) - comb(n, 2 * j - 1) - n * comb(n, 2 * j)) for j in terms)
+
+
+def horner(polynomial: Any, x: Coefficient) -> Coefficient:
+    """Return the value of an element of Z[x] at a number x, by Horner's rule."""
+    value: Coefficient = 0
+    for power in range(max(polynomial.degree(), 0), -1, -1):
+        value = value * x + int(polynomial.get((power,), 0))
+    return value
 
 
 def rational(value: Any) -> sympy.Expr:

@@ -1,16 +1,19 @@
-r"""Poses, orthogonal dual tensors and screws: the isomorphism φ, structural and natural invariants.
+r"""Poses, orthogonal dual tensors, screws and lines: the isomorphism φ, structural and natural invariants.
 
 A pose takes body to space by a rotation Q and a displacement ρ of the origin (length units). CP23 (14) represents it by
-the orthogonal dual tensor ``R = (I + ε skew(ρ)) Q``. All functions take any real number type: SymPy, mpmath, floats.
+the orthogonal dual tensor ``R = (I + ε skew(ρ)) Q``. A line through the point p with unit direction a is the unit dual
+vector ``a + ε p × a`` (direction, moment about the origin). All functions take any real number type.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector
+import sympy
+
+from ..algebra import Coefficient, Dual, Quaternion, Tensor, Vector, functions
 from ..algebra.functions import atan2, cos, cot, sin
-from .sign_tests import is_zero, orientation
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +69,8 @@ def pose_from_tensor(R: Tensor) -> Pose:
 def natural_invariants(R: Tensor) -> Screw:
     r"""Return the dual angle, 0 ≤ α ≤ π, and the unit dual axis of an orthogonal dual tensor, CP23 (18).
 
-    With ``w = vect Q = sin α u`` and ``tr Q = 1 + 2 cos α``, ``α = atan2(|w|, (tr Q − 1)/2)``. CP23 writes |w| as
-    ``½ sqrt((1 + tr Q)(3 − tr Q))``, which is equal. The axis u depends on the trace:
+    With ``w = vect Q = sin α u`` and ``tr Q = 1 + 2 cos α``, ``α = atan2(|w|, (tr Q − 1)/2)``. The axis u depends on
+    the trace:
 
     * −1 < tr Q < 3: ``u = w/|w|``;
     * tr Q = −1 (Q is symmetric, α = π): u from ``Q + I = 2 u⊗u``. Both signs are right; the first non-zero
@@ -81,16 +84,7 @@ def natural_invariants(R: Tensor) -> Screw:
         d = \rho \cdot u, \qquad
         u^\circ = \tfrac12 \rho \times u + \tfrac12 \cot\tfrac\alpha2\,u \times (\rho \times u)
 
-    Parameters
-    ----------
-    R : Tensor
-        Dual tensor; orthogonality is not checked. Zero tests of w and ρ are exact: roots in SymPy numbers are
-        rationalised and expanded first.
-
-    Raises
-    ------
-    ValueError
-        For the identity, which has no axis.
+    Orthogonality is not checked. Zero tests of w and ρ are exact (`is_zero`). The identity has no axis: ValueError.
     """
     pose = pose_from_tensor(R)
     Q, rho = pose.rotation, pose.displacement
@@ -140,3 +134,40 @@ def _axis_past_quarter_turn(Q: Tensor, w: Vector, cosine: Coefficient) -> Vector
     column = Vector(outer[0, k], outer[1, k], outer[2, k])
     u: Vector = column / (column.magnitude() * orientation(column.dot(w), *column))
     return u
+
+
+def line_through(point: Vector, direction: Vector) -> Vector:
+    """Return the line through a point along a unit direction, ``a + ε p × a``."""
+    return Vector.dual(direction, point.cross(direction))
+
+
+def foot(line: Vector) -> Vector:
+    """Return the point of the line that is nearest to the origin, ``a × a*``."""
+    return line.re.cross(line.du)
+
+
+def distance(a: Vector, b: Vector, library: Any = functions) -> Coefficient:
+    """Return the shortest distance between two lines that are not parallel, ``|(q − p)·(a × b)| / |a × b|``."""
+    normal = a.re.cross(b.re)
+    return abs((foot(b) - foot(a)).dot(normal)) / library.sqrt(normal.dot(normal))
+
+
+def distance_of_parallels(a: Vector, b: Vector, library: Any = functions) -> Coefficient:
+    """Return the distance between two parallel lines of either orientation, ``|(q − p) × a|``."""
+    across = (foot(b) - foot(a)).cross(a.re)
+    return library.sqrt(across.dot(across))
+
+
+def is_zero(value: Coefficient) -> bool:
+    """Return whether a number is exactly zero; roots in SymPy numbers are rationalised and expanded first."""
+    if isinstance(value, sympy.Expr):
+        value = sympy.expand(sympy.radsimp(value))
+    return bool(value == 0)
+
+
+def orientation(*values: Coefficient) -> int:
+    """Return the sign, 1 or −1, of the first non-zero value; 1 if there is none."""
+    for value in values:
+        if not is_zero(value):
+            return 1 if value > 0 else -1
+    return 1

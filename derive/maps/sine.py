@@ -19,13 +19,10 @@ import sympy
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .branches import Derivatives
-from .dependent import DependentScalars
-from .evaluation import horner
 from .families import alpha
-from .order_charts import OrderChart, double_angle
-from .polynomials import RING, RING_X, ring_pair
-from .scalar import scalar
+from .order_charts import Derivatives, OrderChart, double_angle
+from .polynomials import RING, RING_X, Pair, horner, ring_pair
+from .scalars import DependentScalars, scalar
 
 
 @lru_cache(maxsize=64)
@@ -154,9 +151,9 @@ class Sine(OrderChart):
     def phi_derivatives(self, sine: Coefficient, cosine: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         return sine, cosine, -sine
 
-    def cosine(self, x: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
         """Return cos θ and 1; beyond the edge the cosine is an unused stand-in."""
         return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
-    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         return 1, 1

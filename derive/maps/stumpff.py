@@ -25,7 +25,7 @@ from math import factorial
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .any_phi.real_constants import SMALL
-from .scalar import scalar
+from .scalars import scalar
 
 LIMIT = 6
 """Largest ξ for the series; the angle there is 2.4."""
@@ -79,10 +79,7 @@ class WholeAngle:
         self.half = half
         self.m = m
 
-    @cached_property
-    def c3(self) -> Coefficient:
-        return self.m.div(self.half.c3 + self.half.c1 * self.half.c2, 4)
-
+    c3 = cached_property(lambda at: at.m.div(at.half.c3 + at.half.c1 * at.half.c2, 4))
     c4 = scalar(lambda at: at.m.div(at.half.c3 * (1 + at.half.c1), 8))
     c5 = scalar(lambda at: at.m.div(at.half.c5 + at.half.c4 + at.half.c2 * at.half.c3, 16))
     c6 = scalar(lambda at: at.m.div(2 * at.half.c5 + at.half.c3 * at.half.c3, 32))

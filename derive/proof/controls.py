@@ -147,7 +147,8 @@ def controls_of(chart: Chart) -> Iterator[Control]:
             at = chart.scalars(x, m)
             return _Wrong(at, name, getattr(at, name) + x)
 
-        decided = tuple(ScalarProofs(_Wrong(chart, "scalars", scalars)).proofs())
+        wrong: Any = _Wrong(chart, "scalars", scalars)
+        decided = tuple(ScalarProofs(wrong).proofs())
         for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
     start = sympy.Rational(3, 4)  # tangent of an angle with rational cosine
@@ -155,7 +156,8 @@ def controls_of(chart: Chart) -> Iterator[Control]:
     if chart.cayley:  # the tangent of a sum obeys the same differential equation
         altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
     for alteration, other in altered.items():
-        *_, failing = ScalarProofs(_Wrong(chart, "phi", other)).proofs()
+        wrong = _Wrong(chart, "phi", other)
+        *_, failing = ScalarProofs(wrong).proofs()
         yield Control(failing.name, alteration, failing)
 
 

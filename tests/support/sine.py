@@ -1,4 +1,4 @@
-"""Chart outside the toolkit, v = sin(α/6) u, with all members of the Protocol of charts."""
+"""Chart outside the toolkit, v = sin(α/6) u, with all members of `Chart`, but without its code."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import sympy
 
 from derive.algebra import Coefficient, Quaternion
 from derive.algebra.arithmetic import Arithmetic
-from derive.maps import IsotropicMap, QuaternionMap, branches, x
+from derive.maps import IsotropicMap, QuaternionMap, order_charts, x
 from derive.maps.families import alpha
 
 HALF = sympy.Rational(1, 2)
@@ -164,7 +164,7 @@ class Sine:
 
     def _formula(self, kind: Any, name: str, *coefficients: sympy.Expr) -> Any:
         texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": name}
-        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6", "at": None}
+        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6"}
         return kind(name=name, order=1, coefficients=coefficients, **texts, **rest)
 
     @cached_property
@@ -231,7 +231,7 @@ class Sine:
     def unfolded(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         return 6 * m.atan2(r, self.scalars(x, m).c)
 
-    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> branches.Derivatives:
+    def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> order_charts.Derivatives:
         (cosine, sine), rr = turn, m.name("rr", r * r)
         c = m.name("c", m.sqrt(m.where(m.less(1, rr), rr, 1 - rr)))
         further = m.name("further", c * cosine - r * sine)
@@ -240,10 +240,10 @@ class Sine:
         return rk, slope, m.name("bend", (slope * r - rk) / (c * c))
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Sequence[Coefficient]]:
-        return branches.beyond(x, table, m)
+        return order_charts.beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:
-        return branches.turn(3, branch)
+        return order_charts.turn(3, branch)
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
         return ((mpmath.mpf(1) / 4, *self.turn(-1)),)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...algebra import Quaternion, Vector
-from ...maps.exponential_chart import Exponential, PrincipalScalars
+from ...maps.exponential import Exponential, PrincipalScalars
 from ..programs.value import Number
 from .calculus import matrix6
 from .forward import tensor_at, translation

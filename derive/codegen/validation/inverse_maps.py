@@ -11,8 +11,7 @@ import mpmath
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
-from ...maps.pose import Pose, Screw, polar, tensor_from_pose
-from ...maps.sign_tests import orientation
+from ...maps.pose import Pose, Screw, orientation, polar, tensor_from_pose
 from ..rows import Function
 from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, dual, flat

@@ -12,8 +12,15 @@ import mpmath
 
 from ...algebra import Dual, Tensor, Vector
 from ...maps.chart import Chart
-from ...maps.pose import Pose, Screw, pose_from_tensor, quaternion_from_screw, tensor_from_pose, tensor_from_screw
-from ...maps.sign_tests import orientation
+from ...maps.pose import (
+    Pose,
+    Screw,
+    orientation,
+    pose_from_tensor,
+    quaternion_from_screw,
+    tensor_from_pose,
+    tensor_from_screw,
+)
 from ..rows import Function, Table
 from ..signatures import POSES
 from .decimals import DIGITS

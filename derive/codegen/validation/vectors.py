@@ -19,8 +19,7 @@ from ...maps.any_phi.edges import angle_of
 from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha, by_square
-from ...maps.pose import Screw, natural_invariants, polar, quaternion_from_screw
-from ...maps.sign_tests import is_zero, orientation
+from ...maps.pose import Screw, is_zero, natural_invariants, orientation, polar, quaternion_from_screw
 
 Flat = tuple[Any, ...]
 """Components of an array, in C order."""

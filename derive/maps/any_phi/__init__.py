@@ -13,12 +13,9 @@ The modules, in the order of their use:
 
 ====================  ==============================================================================================
 grammar               Check the text against a list of allowed syntax. Nothing is evaluated, SymPy is not loaded.
-expressions           Build the SymPy expression, and decide that it is odd by its structure.
-recognition           Decide exactly whether φ is a named chart or a multiple of it, and use that chart then.
-edges                 Find the edge of the chart: the first pole of φ or zero of φ′, or 4π.
-intervals             Bound |φ| from below on a circle by interval arithmetic, and prove that φ is analytic inside.
-near_zero             Interpolate a(x) with a bound of the error, which follows from that circle.
-closed_inverse        Find φ⁻¹ in closed form, where there is one.
+expressions           Build the SymPy expression, decide that it is odd, and whether it is a multiple of a named chart.
+edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ below it.
+near_zero             Interpolate a(x) with a bound of the error, proved by interval arithmetic on a circle.
 first_guess           Choose the start of Newton's method, and count the steps that it needs.
 lowering              Write φ and its derivatives as arithmetic of ``+ − × /``, roots, tangents, exponentials.
 real_constants        Write real constants as sums of small integers, which every number type holds.

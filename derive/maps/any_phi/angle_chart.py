@@ -14,16 +14,16 @@ import sympy
 
 from ...algebra import Coefficient, Quaternion
 from ...algebra.arithmetic import Arithmetic
-from .. import branches
-from ..branches import Derivatives
+from .. import order_charts
 from ..families import alpha
-from ..gains import half_cosine, half_sine
-from ..parameterized import QuaternionChart
+from ..order_charts import Derivatives, half_cosine, half_sine
+from ..polynomials import Pair
+from ..scalars import QuaternionChart
 from .lowering import number
 from .real_constants import times
 
-SINGULAR_ANGLE_MAX = 4 * sympy.pi
-"""Largest singular angle that is listed for a chart without an edge."""
+TURNS_MAX = 2
+"""Number of whole turns that are listed for a chart without an edge."""
 
 
 class AngleChart(QuaternionChart):
@@ -39,10 +39,9 @@ class AngleChart(QuaternionChart):
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """Return the whole turns, then the edge, if any."""
-        if self.edge.is_infinite:
-            return tuple(2 * sympy.pi * k for k in range(1, int(SINGULAR_ANGLE_MAX / (2 * sympy.pi)) + 1))
-        turns = int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
-        return (*(2 * sympy.pi * k for k in range(1, turns + 1)), self.edge)
+        turns = TURNS_MAX if self.edge.is_infinite else int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
+        whole = tuple(2 * sympy.pi * k for k in range(1, turns + 1))
+        return whole if self.edge.is_infinite else (*whole, self.edge)
 
     @abstractmethod
     def own_angle(self, at: Any, r: Coefficient) -> Coefficient:
@@ -52,7 +51,7 @@ class AngleChart(QuaternionChart):
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′ and φ″ at an angle, NaN beyond the edge; `mark` is a suffix for names."""
 
-    def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
+    def coefficient(self, angle: Coefficient, m: Arithmetic) -> Pair:
         r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
@@ -75,13 +74,11 @@ class AngleChart(QuaternionChart):
         at = self.scalars(m.name("rr", r * r), m)
         angle = m.name("own", self.own_angle(at, r))
         after = self.phi_derivatives(m.name("alphak", angle + further), m, "k")
-        return branches.by_length(self.phi_derivatives(angle, m), after, m)
+        return order_charts.by_length(self.phi_derivatives(angle, m), after, m)
 
-    def beyond(
-        self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic
-    ) -> tuple[Any, Sequence[Coefficient]]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
         """Return whether α exceeds half a turn, and the turn back to the principal angle."""
-        selected, (one, _) = branches.beyond(x, table, m)
+        selected, (one, _) = order_charts.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
         sign = m.name("side", m.where(m.less(s, 0), -1, 1))
@@ -95,5 +92,4 @@ class AngleChart(QuaternionChart):
         """Return one row, x at half a turn with a turn of 0: `beyond` computes the turn back."""
         if self.edge <= sympy.pi:
             return ()
-        limit = mpmath.mpf(self.phi.subs(alpha, sympy.pi).evalf(mpmath.mp.dps + 5)) ** 2
-        return ((limit, *self.turn(0)),)
+        return ((order_charts.square(self.phi, sympy.pi), *self.turn(0)),)

@@ -1,4 +1,13 @@
-"""Edge of φ, and the inverse φ⁻¹ below the edge as a number."""
+r"""Edge of φ, and the inverse φ⁻¹ below the edge: as a number, or in closed form.
+
+There is a closed form for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
+
+.. math:: \varphi^2 = \frac{\alpha^2 (n_1 + n_2 \alpha^2)}{d_0 + d_1 \alpha^2 + d_2 \alpha^4} \qquad
+    \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
+    a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
+
+This root is 0 at r = 0, and loses no digits there.
+"""
 
 from __future__ import annotations
 
@@ -33,10 +42,7 @@ class Edge:
 def edge_of(phi: sympy.Expr) -> Edge:
     """Return the edge: the first zero of φ′ or pole of φ, or else the cut at 4π.
 
-    Raises
-    ------
-    PhiError
-        If φ does not increase from 0, or is not real.
+    A φ that does not increase from 0 or is not real raises `PhiError`.
     """
     slope = phi.diff(alpha)
     with mpmath.workdps(DIGITS):
@@ -60,13 +66,7 @@ def edge_of(phi: sympy.Expr) -> Edge:
 
 
 def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
-    """Return φ, or a derivative of φ, at an angle.
-
-    Raises
-    ------
-    PhiError
-        If the value is not real.
-    """
+    """Return φ, or a derivative of φ, at an angle; `PhiError` if the value is not real."""
     value = evaluate(expression, alpha, at)
     if isinstance(value, mpmath.mpc | complex):
         if value.imag != 0:
@@ -150,3 +150,40 @@ def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any
         if step <= 8 * eps * better:
             break
     return guess
+
+
+def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:
+    """Return φ⁻¹ with `families.alpha` in place of the length; None if no form is found.
+
+    The form holds from 0 to the edge of φ, where the root and every function of a composition increase.
+    """
+    return _unwound(phi) or _root(phi)
+
+
+def _unwound(phi: sympy.Expr) -> sympy.Expr | None:
+    """Return the inverse of a composition of functions and constant factors."""
+    rest, found = phi, alpha
+    while rest != alpha:
+        factor, rest = rest.as_independent(alpha, as_Add=False)
+        found = found / factor
+        if rest != alpha:
+            if rest.func != sympy.sin and not hasattr(rest, "inverse"):  # SymPy's sine has no inverse
+                return None
+            inverse = sympy.asin if rest.func == sympy.sin else rest.inverse()
+            rest, found = rest.args[0], inverse(found)
+    return found
+
+
+def _root(phi: sympy.Expr) -> sympy.Expr | None:
+    """Return the inverse of an algebraic φ, from α² as the root of a quadratic."""
+    y = sympy.Dummy("y", positive=True)
+    above, below = sympy.fraction(sympy.together((phi**2).subs(alpha, sympy.sqrt(y))))
+    if not (above.is_polynomial(y) and below.is_polynomial(y)):
+        return None
+    N, D = sympy.Poly(above, y), sympy.Poly(below, y)
+    if max(N.degree(), D.degree()) > 2:
+        return None
+    (_, n1, n2), (d0, d1, d2) = ([of.coeff_monomial(y**k) for k in range(3)] for of in (N, D))
+    a, b = n2 - d2 * alpha**2, n1 - d1 * alpha**2
+    inside = sympy.factor(sympy.expand(b**2 + 4 * a * d0 * alpha**2))
+    return alpha * sympy.sqrt(2 * d0 / (b + sympy.sqrt(inside)))

@@ -11,7 +11,7 @@ import mpmath
 import sympy
 
 from ...algebra import Coefficient, functions, real_part
-from ..sign_tests import is_zero
+from ..pose import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
 """Functions that a library may provide besides sqrt."""
@@ -28,18 +28,9 @@ Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficien
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
-    Parameters
-    ----------
-    library
-        Provider of ``sin``, ``cos``, ``sqrt`` for the numbers. Quotients give tan and cot; ``exp`` and ``log`` give
-        powers of positive numbers whose exponents have denominators above 2.
-
-    Raises
-    ------
-    ZeroDivisionError
-        If a part is divided by zero, whatever the number type.
-    ValueError
-        If a part is not elementary, or contains another symbol.
+    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for powers with exponents whose
+    denominators are above 2. Division by zero raises ZeroDivisionError for every number type. A part that is not
+    elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []
     for step in _steps(expression, symbol):
@@ -95,7 +86,7 @@ class _Reader:
     def _power(self, e: sympy.Expr) -> Step:
         base, exponent = e.as_base_exp()
         if not exponent.is_Rational:
-            raise self._refused(e)
+            raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         at, p, q = self.place(base), int(exponent.p), int(exponent.q)
         if q > 2:  # for positive numbers
             return lambda known, value, library: library.exp(library.log(known[at]) * (value * 0 + p) / q)
@@ -108,16 +99,13 @@ class _Reader:
 
     def _function(self, e: sympy.Expr) -> Step:
         if e.func.__name__ not in FUNCTIONS and e.func not in QUOTIENTS:
-            raise self._refused(e)
+            raise ValueError(f"not an elementary expression in {self._symbol}: {e}")
         argument = e.args[0]
         if quotient := QUOTIENTS.get(e.func):
             above, below = (self.place(f(argument, evaluate=False)) for f in quotient)
             return lambda known, value, library: over(known[above], known[below])
         name, at = e.func.__name__, self.place(argument)
         return lambda known, value, library: getattr(library, name)(known[at])
-
-    def _refused(self, e: sympy.Expr) -> ValueError:
-        return ValueError(f"not an elementary expression in {self._symbol}: {e}")
 
 
 def over(a: Coefficient, b: Coefficient) -> Coefficient:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any
 
 import mpmath
 import sympy
@@ -14,8 +14,7 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
 from ..families import alpha
-from .closed_inverse import closed_inverse
-from .edges import DIGITS, Edge, angle_of, real_value
+from .edges import DIGITS, Edge, angle_of, closed_inverse, real_value
 from .grammar import PhiError
 from .lowering import Lowering
 from .near_zero import chebyshev_points, interpolated
@@ -25,6 +24,8 @@ GUESS_DEGREE = 12
 """Degree of a fitted polynomial."""
 GUARDED_STEPS = (4, 8, 16, 32)
 """Numbers of guarded steps, tried in this order."""
+ASINH = sympy.Lambda(alpha, sympy.log(alpha + sympy.sqrt(1 + alpha**2)))
+ATANH = sympy.Lambda(alpha, sympy.log((1 + alpha) / (1 - alpha)) / 2)
 TOLERANCE = mpmath.mpf(10) ** -30
 STEPS_MAX = 7
 
@@ -44,9 +45,9 @@ class Guess(ABC):
     edge: Any
     steps: int
 
-    @abstractmethod
     def at(self, x: Any) -> Any:
         """Return the guess at ``x = r²``, an mpmath number."""
+        return self.lowered(x, mpmath.sqrt(x), PLAIN)
 
     @abstractmethod
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
@@ -73,71 +74,44 @@ class Closed(Guess):
         return Lowering(r, m).at(self.inverse)
 
 
-class Variable(Protocol):
-    """Variable z of a fit: the angle, or its distance to the edge, is close to a polynomial in z."""
-
-    @property
-    def from_edge(self) -> bool:
-        """Return whether the angle is ``edge − z G(z)`` instead of ``G(z)``."""
-
-    def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return z at x and ``r = √x``."""
-
-    def back(self, z: Any) -> Any:
-        """Return x from z."""
-
-
 @dataclass(frozen=True)
-class Fold:
-    """Variable ``z = √(1 − x/X)``, in which the angle is analytic at a fold."""
+class Variable:
+    """Variable z of a fit: the angle, or its distance to the edge, is close to a polynomial in z.
 
-    size: Any
-    from_edge = True
+    ``of`` returns z at x and ``r = √x``, ``back`` returns x from z. If ``from_edge``, the angle is ``edge − z G(z)``
+    instead of ``G(z)``.
+    """
 
-    def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        share = _share(x, self.size, m)
+    name: str
+    of: Callable[[Coefficient, Coefficient, Arithmetic], Coefficient]
+    back: Callable[[Any], Any]
+    from_edge: bool = False
+
+
+LENGTH = Variable("Length", lambda x, r, m: r, lambda z: z * z)
+"""Variable ``z = r``, for charts without an edge."""
+
+LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.expm1(z) ** 2)
+"""Variable ``z = log(1 + r)``, for a fast-growing φ."""
+
+
+def fold(size: Any) -> Variable:
+    """Return the variable ``z = √(1 − x/X)``, in which the angle is analytic at a fold."""
+
+    def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        share = _share(x, size, m)
         return m.sqrt(m.where(m.less(share, 1), 1 - share, share))
 
-    def back(self, z: Any) -> Any:
-        return self.size * (1 - z * z)
+    return Variable("Fold", of, lambda z: size * (1 - z * z), True)
 
 
-@dataclass(frozen=True)
-class Pole:
-    """Variable ``z = 1/√(1 + x/S)``, in which the angle is analytic at a pole."""
+def pole(size: Any) -> Variable:
+    """Return the variable ``z = 1/√(1 + x/S)``, in which the angle is analytic at a pole."""
 
-    size: Any
-    from_edge = True
+    def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.div(1, m.sqrt(1 + _share(x, size, m)))
 
-    def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return m.div(1, m.sqrt(1 + _share(x, self.size, m)))
-
-    def back(self, z: Any) -> Any:
-        return self.size * (1 / (z * z) - 1)
-
-
-class Length:
-    """Variable ``z = r``, for charts without an edge."""
-
-    from_edge = False
-
-    def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return r
-
-    def back(self, z: Any) -> Any:
-        return z * z
-
-
-class Logarithm:
-    """Variable ``z = log(1 + r)``, for a fast-growing φ."""
-
-    from_edge = False
-
-    def of(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return m.log1p(r)
-
-    def back(self, z: Any) -> Any:
-        return mpmath.expm1(z) ** 2
+    return Variable("Pole", of, lambda z: size * (1 / (z * z) - 1), True)
 
 
 @dataclass(frozen=True)
@@ -146,9 +120,6 @@ class Fitted(Guess):
 
     variable: Variable
     polynomial: Polynomial
-
-    def at(self, x: Any) -> Any:
-        return self.lowered(x, mpmath.sqrt(x), PLAIN)
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         z = m.name("z", self.variable.of(x, r, m))
@@ -163,9 +134,6 @@ class Guarded(Guess):
     phi: sympy.Expr
     start: Fitted
     count: int
-
-    def at(self, x: Any) -> Any:
-        return self.lowered(x, mpmath.sqrt(x), PLAIN)
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         end = plus(r - r, self.edge, m, "end")
@@ -183,13 +151,7 @@ class Guarded(Guess):
 
 
 def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
-    """Return the first guess for x beyond a limit.
-
-    Raises
-    ------
-    PhiError
-        If no guess leads to the root at every angle.
-    """
+    """Return the first guess for x beyond a limit; `PhiError` if no guess leads to the root at every angle."""
     with mpmath.workdps(DIGITS):
         end, start = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
         first = angle_of(phi, edge.angle, mpmath.sqrt(start)) * mpmath.mpf("0.98")
@@ -206,25 +168,21 @@ def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Gues
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle better than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
-        yield Closed(end, 1, inverse.replace(sympy.asinh, _asinh).replace(sympy.atanh, _atanh), size)
-    variables: Sequence[Variable] = (Length(), Logarithm())
+        yield Closed(end, 1, inverse.replace(sympy.asinh, ASINH).replace(sympy.atanh, ATANH), size)
+    variables = [LENGTH, LOGARITHM]
     if edge.kind != "cut":
-        variables = (Fold(size),) if edge.kind == "fold" else (Pole(_square(phi, end / 2)),)
+        variables = [fold(size) if edge.kind == "fold" else pole(_square(phi, end / 2))]
     fitted = [_fitted(phi, edge, variable, first, end) for variable in variables]
     yield from fitted
     yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED_STEPS)
 
 
-def _asinh(r: sympy.Expr) -> sympy.Expr:
-    return sympy.log(r + sympy.sqrt(1 + r**2))
-
-
-def _atanh(r: sympy.Expr) -> sympy.Expr:
-    return sympy.log((1 + r) / (1 - r)) / 2
-
-
 def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: Any) -> Fitted:
-    ends = [_value(variable, _square(phi, first)), 0 if variable.from_edge else _value(variable, _square(phi, end))]
+    def value(angle: Any) -> Any:
+        r = real_value(phi, angle, phi)
+        return variable.of(r**2, mpmath.sqrt(r**2), PLAIN)
+
+    ends = [value(first), 0 if variable.from_edge else value(end)]
     low, high = sorted(map(mpmath.mpf, ends))
     nodes = chebyshev_points(low, high, GUESS_DEGREE + 1)
     angles = [angle_of(phi, edge.angle, mpmath.sqrt(variable.back(z))) for z in nodes]
@@ -234,10 +192,6 @@ def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: An
     centre = mpmath.mpf(middle.numerator) / middle.denominator
     coefficients = interpolated([(z - centre) / mpmath.mpf(2) ** scale for z in nodes], values)
     return Fitted(end, 1, variable, polynomial(coefficients, scale, 1, middle))
-
-
-def _value(variable: Variable, x: Any) -> Any:
-    return variable.of(x, mpmath.sqrt(x), PLAIN)
 
 
 def _square(phi: sympy.Expr, angle: Any) -> Any:

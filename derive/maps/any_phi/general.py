@@ -19,11 +19,10 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
-from ..branches import Derivatives
-from ..dependent import DependentScalars
 from ..families import alpha
-from ..order_charts import double_angle
-from ..scalar import scalar
+from ..order_charts import Derivatives, double_angle
+from ..polynomials import Pair
+from ..scalars import DependentScalars, scalar
 from .angle_chart import AngleChart
 from .edges import DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
@@ -38,6 +37,7 @@ class GeneralScalars(DependentScalars):
     def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
         self.chart = chart
+        self._found: dict[int, Coefficient] = {}
         limit = chart.near.limit
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
 
@@ -57,10 +57,6 @@ class GeneralScalars(DependentScalars):
             self._found[count] = of.at(self._x, self.m, f"a{count}")
         return self._found[count]
 
-    @cached_property
-    def _found(self) -> dict[int, Coefficient]:
-        return {}
-
     _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 
     @cached_property
@@ -68,9 +64,7 @@ class GeneralScalars(DependentScalars):
         zeta = self.m.name("zeta", self.m.div(self._x * self._aa, 4))
         return stumpff.HalfAngle(zeta, self.m)
 
-    @cached_property
-    def _whole(self) -> stumpff.WholeAngle:
-        return stumpff.WholeAngle(self._half, self.m)
+    _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
 
     _c3 = scalar(lambda at: at._whole.c3, "c3")
     _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
@@ -115,14 +109,12 @@ class GeneralScalars(DependentScalars):
         return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
     @cached_property
-    def _trigonometry(self) -> tuple[Coefficient, Coefficient]:
+    def _trigonometry(self) -> Pair:
         """Values of ``cos(α/2)`` and ``sin(α/2)/|v|``."""
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
-    @cached_property
-    def _slopes(self) -> Lowering:
-        return Lowering(self.far_angle, self.m)
+    _slopes = cached_property(lambda at: Lowering(at.far_angle, at.m))
 
     def _derivative(self, count: int) -> Coefficient:
         return self._slopes.derivative(self.chart.phi, count)
@@ -151,9 +143,7 @@ class GeneralScalars(DependentScalars):
     hy = scalar(lambda at: at._select(at._hy_near, (at.ratey - 3 * at.h + at.rate * at.g) / at._square))
     hyy = scalar(lambda at: at._select(at._hyy_near, at._hyy_change / at._square))
 
-    @property
-    def _hyy_change(self) -> Coefficient:
-        return self.rateyy - 5 * self.hy + self.ratey * self.g + self.rate * self.gy
+    _hyy_change = property(lambda at: at.rateyy - 5 * at.hy + at.ratey * at.g + at.rate * at.gy)
 
 
 class GeneralAtAngle(GeneralScalars):

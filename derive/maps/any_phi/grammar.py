@@ -31,10 +31,7 @@ class PhiError(ValueError):
 def syntax_tree(text: str) -> ast.expr:
     """Return the syntax tree of a φ, with every node checked against the allowed syntax.
 
-    Raises
-    ------
-    PhiError
-        If a part is not allowed; the message names the part.
+    A part that is not allowed raises `PhiError` with its name.
     """
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
@@ -54,27 +51,21 @@ def _require_allowed(node: ast.expr, text: str, depth: int) -> None:
     if depth > DEPTH_MAX:
         raise PhiError(f"phi has more than {DEPTH_MAX} brackets in each other")
     parts: list[ast.expr] = []
-    if isinstance(node, ast.Constant) and not isinstance(node.value, bool | str | bytes | complex):
-        decimal(node, text)
-    elif isinstance(node, ast.Name) and node.id in NAMES:
-        pass
-    elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
-        parts = [node.operand]
-    elif isinstance(node, ast.BinOp) and isinstance(node.op, OPERATORS):
-        parts = [node.left, node.right]
-    elif _is_call(node) and isinstance(node, ast.Call):
-        parts = node.args
-    else:
-        raise _refused(node, text)
+    match node:
+        case ast.Constant() if not isinstance(node.value, bool | str | bytes | complex):
+            decimal(node, text)
+        case ast.Name() if node.id in NAMES:
+            pass
+        case ast.UnaryOp(op=ast.USub() | ast.UAdd()):
+            parts = [node.operand]
+        case ast.BinOp() if isinstance(node.op, OPERATORS):
+            parts = [node.left, node.right]
+        case ast.Call(func=ast.Name(id=name), args=[_], keywords=[]) if name in FUNCTIONS:
+            parts = node.args
+        case _:
+            raise _refused(node, text)
     for part in parts:
         _require_allowed(part, text, depth + 1)
-
-
-def _is_call(node: ast.expr) -> bool:
-    """Return whether a node calls an allowed function of one argument."""
-    if not isinstance(node, ast.Call) or len(node.args) != 1 or node.keywords:
-        return False
-    return isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS
 
 
 def decimal(node: ast.Constant, text: str) -> tuple[int, int]:

@@ -18,10 +18,11 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
+from ..polynomials import Pair
+from .edges import DIGITS
 from .grammar import PhiError
 from .real_constants import is_small, plus, times
 
-DIGITS = 60
 SQUARE = sympy.Symbol("square", positive=True)
 LEVELS = 5
 """Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""
@@ -43,15 +44,9 @@ def number(expression: sympy.Expr) -> Any:
         return mpmath.mpf(expression.evalf(DIGITS))
 
 
-KNOWN = (
-    sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.atan,
-    sympy.sinh, sympy.cosh, sympy.tanh, sympy.exp, sympy.log,
-)  # fmt: skip
-
-
 def require_known(phi: sympy.Expr) -> None:
     """Refuse a φ with functions that kernels do not compute."""
-    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in KNOWN})
+    other = sorted({f.func.__name__ for f in phi.atoms(sympy.Function) if f.has(alpha) and f.func not in FUNCTIONS})
     if other:
         raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
 
@@ -61,10 +56,7 @@ class Lowering:
 
     def __init__(self, angle: Coefficient, m: Arithmetic) -> None:
         self.m: Any = _Unnamed(m)
-        self._known: dict[sympy.Expr, Coefficient] = {alpha: angle}
-        self._pairs: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
-        self._hyperbolics: dict[sympy.Expr, tuple[Coefficient, Coefficient]] = {}
-        self._derivatives: dict[tuple[sympy.Expr, int], Coefficient] = {}
+        self._known: dict[Any, Coefficient] = {alpha: angle}
 
     def at(self, expression: sympy.Expr) -> Coefficient:
         """Return the value of an expression."""
@@ -80,17 +72,17 @@ class Lowering:
         """Return a derivative of φ, or φ itself for count 0.
 
         For a quotient ``φ = N/D``, Leibniz's rule for ``φ D = N`` gives the derivative from shared parts.
-    """
+        """
         above, below = sympy.fraction(sympy.together(phi)) if phi.is_rational_function(alpha) else (phi, sympy.S.One)
         if not below.has(alpha):
             return self.at(phi.diff(alpha, count))
-        if (phi, count) not in self._derivatives:
+        if (phi, count) not in self._known:
             value = self.at(_nested(above.diff(alpha, count)))
             for k in range(count):
                 change = self.at(_nested(below.diff(alpha, count - k)))
                 value = value - comb(count, k) * (self.derivative(phi, k) * change)
-            self._derivatives[phi, count] = self.m.div(value, self.at(_nested(below)))
-        return self._derivatives[phi, count]
+            self._known[phi, count] = self.m.div(value, self.at(_nested(below)))
+        return self._known[phi, count]
 
     def _computed(self, e: sympy.Expr) -> Coefficient:
         if alpha not in e.free_symbols:
@@ -101,7 +93,7 @@ class Lowering:
             return self._product(e)
         if e.is_Pow:
             return self._power(e)
-        return self._functions[e.func](e.args[0])
+        return FUNCTIONS[e.func](self, e.args[0])
 
     def _constant(self, value: Any) -> Coefficient:
         """Return a constant, such as π, in the type of the angle."""
@@ -142,23 +134,6 @@ class Lowering:
             value = value * root if bit == "1" else value
         return value if exponent > 0 else self.m.div(1, value)
 
-    @property
-    def _functions(self) -> Mapping[Any, Callable[[sympy.Expr], Coefficient]]:
-        m = self.m
-        return {
-            sympy.sin: lambda e: self._pair(e)[0],
-            sympy.cos: lambda e: self._pair(e)[1],
-            sympy.tan: lambda e: m.tan(self.at(e)),
-            sympy.asin: lambda e: 2 * self._short_arc(self.at(e) / (1 + self.at(sympy.sqrt(1 - e**2)))),
-            sympy.acos: lambda e: 2 * self._atan(self.at(sympy.sqrt((1 - e) / (1 + e)))),
-            sympy.atan: lambda e: self._atan(self.at(e)),
-            sympy.sinh: lambda e: self._hyperbolic(e)[0],
-            sympy.cosh: lambda e: self._hyperbolic(e)[1],
-            sympy.tanh: self._tanh,
-            sympy.exp: self._exp,
-            sympy.log: self._log,
-        }
-
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
 
@@ -187,13 +162,14 @@ class Lowering:
         tangent = m.tan(start)
         return start - (tangent - u) / (1 + tangent * u)
 
-    def _pair(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+    def _circular(self, argument: sympy.Expr) -> Pair:
         """Return sine and cosine from the tangent of a quarter of the angle, whose pole is far away."""
-        if argument not in self._pairs:
-            m = self.m
-            sine, cosine = double_angle(m.tan(m.div(self.at(argument), 4)), m)
-            self._pairs[argument] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
-        return self._pairs[argument]
+        key = "circular", argument
+        if key not in self._known:
+            sine, cosine = double_angle(self.m.tan(self.m.div(self.at(argument), 4)), self.m)
+            self._known[key] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
+        pair: Pair = self._known[key]
+        return pair
 
     def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
         """Return |a| and whether a is negative; unlike `abs`, a selection has a derivative at 0."""
@@ -207,15 +183,17 @@ class Lowering:
         power = 1 + m.expm1(size)
         return m.where(below, 1, power) / m.where(below, power, 1)
 
-    def _hyperbolic(self, argument: sympy.Expr) -> tuple[Coefficient, Coefficient]:
+    def _hyperbolic(self, argument: sympy.Expr) -> Pair:
         """Return hyperbolic sine and cosine from ``E = e^|a| − 1``: ``(E + E/(1 + E))/2`` and ``1 + E²/(2 + 2E)``."""
-        if argument not in self._hyperbolics:
+        key = "hyperbolic", argument
+        if key not in self._known:
             m, (size, below) = self.m, self._side(argument)
             more = m.expm1(size)
             less = more / (1 + more)
             sine = m.div(more + less, 2)
-            self._hyperbolics[argument] = m.where(below, -sine, sine), 1 + m.div(more * less, 2)
-        return self._hyperbolics[argument]
+            self._known[key] = m.where(below, -sine, sine), 1 + m.div(more * less, 2)
+        pair: Pair = self._known[key]
+        return pair
 
     def _tanh(self, argument: sympy.Expr) -> Coefficient:
         """Return the hyperbolic tangent ``−E/(2 + E)`` from ``E = e^(−2|a|) − 1``, which does not overflow."""
@@ -228,6 +206,22 @@ class Lowering:
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
         small = m.less(2 * a, 1)
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
+
+
+FUNCTIONS: Mapping[Any, Callable[[Lowering, sympy.Expr], Coefficient]] = {
+    sympy.sin: lambda at, e: at._circular(e)[0],
+    sympy.cos: lambda at, e: at._circular(e)[1],
+    sympy.tan: lambda at, e: at.m.tan(at.at(e)),
+    sympy.asin: lambda at, e: 2 * at._short_arc(at.at(e) / (1 + at.at(sympy.sqrt(1 - e**2)))),
+    sympy.acos: lambda at, e: 2 * at._atan(at.at(sympy.sqrt((1 - e) / (1 + e)))),
+    sympy.atan: lambda at, e: at._atan(at.at(e)),
+    sympy.sinh: lambda at, e: at._hyperbolic(e)[0],
+    sympy.cosh: lambda at, e: at._hyperbolic(e)[1],
+    sympy.tanh: Lowering._tanh,
+    sympy.exp: Lowering._exp,
+    sympy.log: Lowering._log,
+}
+"""Functions that kernels compute, of an expression."""
 
 
 def _nested(polynomial: sympy.Expr) -> sympy.Expr:

@@ -1,7 +1,7 @@
 r"""Ratio ``a(x) = α/|v|`` near v = 0, as a polynomial with a proved bound of its error.
 
-Let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0`` on the circle |α| = R, as proved by `intervals`. By the minimum principle,
-α = 0 is the only zero of φ inside. By Rouché's theorem, exactly one pair ±α inside has ``φ² = x``, for every |x| < m.
+Let ``|φ| ≥ √m`` and ``Re φ/(φ′(0) α) > 0`` on the circle |α| = R, as proved by interval arithmetic. By the minimum
+principle, α = 0 is the only zero of φ inside. By Rouché's theorem, one pair ±α inside has ``φ² = x``, for |x| < m.
 Hence a is analytic for |x| < m, and |a| is at most ``R/√m``.
 
 The polynomial interpolates a at N + 1 Chebyshev points of [0, X]. Its error is at most ``4 R/√m ρ^(−N)/(ρ − 1)``. Here
@@ -11,9 +11,11 @@ a(0) and X.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache, reduce
+from operator import add, mul
 from typing import Any
 
 import mpmath
@@ -23,7 +25,6 @@ from ..families import alpha
 from .edges import DIGITS, Edge, angle_of
 from .elementary import evaluate
 from .grammar import PhiError
-from .intervals import is_analytic, smallest
 from .real_constants import Polynomial, polynomial
 
 NEAR_ANGLE = mpmath.mpf("1.3")
@@ -36,6 +37,8 @@ LIMIT_RANGE = mpmath.mpf(2) ** -22, mpmath.mpf(2) ** 18
 """Least and largest limit of x, so that limits are fractions of small integers."""
 DEGREES = range(8, 40)
 DERIVATIVES = 3
+ARCS = 128
+NOT_INTERVALS = "interval arithmetic does not know it"
 
 
 @dataclass(frozen=True)
@@ -51,13 +54,7 @@ class Ratio:
 
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
-    """Return polynomials that interpolate ``α/|v|`` near 0.
-
-    Raises
-    ------
-    PhiError
-        If no circle proves that a is analytic.
-    """
+    """Return polynomials that interpolate ``α/|v|`` near 0; `PhiError` if no circle proves that a is analytic."""
     for share in NEAR_DIVISORS:
         try:
             return _ratio(phi, edge, NEAR_ANGLE / share)
@@ -120,12 +117,8 @@ def chebyshev_points(low: Any, high: Any, count: int) -> list[Any]:
 
 def interpolated(nodes: Sequence[Any], values: Sequence[Any]) -> list[Any]:
     """Return the coefficients of the polynomial with given values at nodes."""
-    count = len(nodes)
-    matrix = mpmath.matrix(count, count)
-    for i, t in enumerate(nodes):
-        for k in range(count):
-            matrix[i, k] = t**k
-    return list(mpmath.lu_solve(matrix, mpmath.matrix(values)))
+    powers = mpmath.matrix([[t**k for k in range(len(nodes))] for t in nodes])
+    return list(mpmath.lu_solve(powers, mpmath.matrix(values)))
 
 
 def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
@@ -135,3 +128,122 @@ def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
         if least**2 > 2 * X and is_analytic(phi, radius):
             return radius / least, least**2
     raise PhiError(f"nothing proves that the inverse of phi = {phi} is analytic near 0")
+
+
+# --- interval arithmetic ---------------------------------------------------------------------------------------------
+
+
+def smallest(phi: sympy.Expr, radius: Any) -> Any:
+    """Return a lower bound of |φ| on a quarter of a circle.
+
+    The result is None if ``Re φ/(φ′(0) α) > 0`` is not proved there.
+    """
+    with mpmath.workdps(DIGITS):
+        slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
+    least = mpmath.inf
+    try:
+        for box in _arcs(radius):
+            value = _on_intervals(phi)(box)
+            if not (value / box / slope).real > 0:
+                return None
+            least = min(least, mpmath.mpf(abs(value).a))
+    except (ZeroDivisionError, ValueError, TypeError):
+        return None
+    return least if least > 0 and mpmath.isfinite(least) else None
+
+
+def is_analytic(phi: sympy.Expr, radius: Any) -> bool:
+    """Return whether φ is proved to be analytic in a quarter of a disc."""
+    try:
+        for box in _cells(radius):
+            _on_intervals(phi)(box)
+    except (ZeroDivisionError, ValueError, TypeError):
+        return False
+    return True
+
+
+def _arcs(radius: Any) -> Iterator[Any]:
+    iv = mpmath.iv
+    for k in range(ARCS):
+        angle = iv.mpf([k, k + 1]) * iv.pi / (2 * ARCS)
+        yield iv.mpc(iv.mpf(radius) * iv.cos(angle), iv.mpf(radius) * iv.sin(angle))
+
+
+def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
+    """Return squares that cover a quarter of the disc."""
+    iv = mpmath.iv
+    side = iv.mpf(radius) / parts
+    for i in range(parts):
+        for j in range(parts):
+            if i * i + j * j < parts * parts:
+                yield iv.mpc(side * iv.mpf([i, i + 1]), side * iv.mpf([j, j + 1]))
+
+
+@lru_cache(maxsize=256)
+def _on_intervals(e: sympy.Expr) -> Callable[[Any], Any]:
+    """Return an expression as a function of complex intervals.
+
+    The function raises ValueError where an interval may contain a pole or a branch cut.
+    """
+    if e == alpha:
+        return lambda z: z
+    if not e.free_symbols:
+        constant = _constant(e)
+        return lambda z: constant
+    parts = [_on_intervals(a) for a in e.args if not (e.is_Pow and a == e.exp)]
+    first, exponent = parts[0], e.exp if e.is_Pow else None
+    if e.is_Add or e.is_Mul:
+        combine = add if e.is_Add else mul
+        return lambda z: reduce(combine, (part(z) for part in parts))
+    if exponent is not None and exponent.is_Integer:
+        return lambda z: _power(first(z), int(exponent))
+    if exponent is not None and exponent.is_Rational:
+        p, q = int(exponent.p), int(exponent.q)
+        return lambda z: mpmath.iv.exp(_log(first(z)) * p / q)
+    function = _functions()[e.func]
+    return lambda z: function(_complex(first(z)))
+
+
+def _constant(e: sympy.Expr) -> Any:
+    with mpmath.workdps(DIGITS):
+        value = mpmath.mpf(e.evalf(DIGITS))
+    off = abs(value) * mpmath.mpf(2) ** -45
+    return mpmath.iv.mpf([value - off, value + off])
+
+
+def _power(base: Any, exponent: int) -> Any:
+    power = reduce(mul, [base] * abs(exponent))
+    return power if exponent > 0 else 1 / _nonzero(power)
+
+
+def _functions() -> dict[Any, Callable[[Any], Any]]:
+    iv = mpmath.iv
+    i = iv.mpc(0, 1)
+    return {
+        sympy.sin: iv.sin, sympy.cos: iv.cos, sympy.exp: iv.exp, sympy.log: _log,
+        sympy.tan: lambda a: iv.sin(a) / _nonzero(iv.cos(a)),
+        sympy.sinh: lambda a: (iv.exp(a) - iv.exp(-a)) / 2,
+        sympy.cosh: lambda a: (iv.exp(a) + iv.exp(-a)) / 2,
+        sympy.tanh: lambda a: (iv.exp(a) - iv.exp(-a)) / _nonzero(iv.exp(a) + iv.exp(-a)),
+        sympy.asin: lambda a: -i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
+        sympy.acos: lambda a: iv.pi / 2 + i * _log(i * a + iv.exp(_log(1 - a * a) / 2)),
+        sympy.atan: lambda a: i / 2 * (_log(1 - i * a) - _log(1 + i * a)),
+    }  # fmt: skip
+
+
+def _nonzero(value: Any) -> Any:
+    """Return the value; raise if the interval contains 0."""
+    if not abs(value).a > 0:
+        raise ValueError(NOT_INTERVALS)
+    return value
+
+
+def _log(value: Any) -> Any:
+    """Return the principal logarithm; raise unless the real part is positive."""
+    if not _complex(value).real.a > 0:
+        raise ValueError(NOT_INTERVALS)
+    return mpmath.iv.log(_complex(value))
+
+
+def _complex(value: Any) -> Any:
+    return value if hasattr(value, "_mpci_") else mpmath.iv.mpc(value)

@@ -66,15 +66,6 @@ class Polynomial:
         """Bound of the error of splitting the coefficients, for |t| ≤ 1."""
         return len(self.levels[0]) * mpmath.mpf(2) ** (-self.shift - BITS * (len(self.levels) - 1) - 1)
 
-    def value(self, x: Any) -> Any:
-        """Return the value at an mpmath number."""
-        centre = mpmath.mpf(self.centre.numerator) / self.centre.denominator
-        t, total = (mpmath.mpf(x) - centre) / mpmath.mpf(2) ** self.scale, mpmath.mpf(0)
-        for place, level in reversed(list(enumerate(self.levels))):
-            below = self.shift if place == 0 else BITS
-            total = (mpmath.polyval(list(reversed(level)), t) + total) / mpmath.mpf(2) ** below
-        return total
-
 
 def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)

@@ -16,6 +16,7 @@ from typing import TypeAlias
 import mpmath
 import numpy as np
 import sympy
+from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
 from ..families import alpha
@@ -118,10 +119,9 @@ def _sine(c: float, at: Angles) -> tuple[Angles, Angles]:
 
 def _of_polynomial(coefficients: Sequence[float], angle: float) -> float:
     def sized(at: Angles) -> tuple[Angles, Angles]:
-        square, size, slope = at * at, np.zeros_like(at), np.zeros_like(at)
-        for k, c in reversed([*enumerate([1.0, *coefficients])]):
-            size, slope = size * square + c, slope * square + (2 * k + 1) * c
-        return size * at, slope
+        all_coefficients = np.array([1.0, *coefficients])
+        slopes = all_coefficients * np.arange(1, 2 * len(all_coefficients), 2)
+        return at * np.asarray(polyval(at * at, all_coefficients)), np.asarray(polyval(at * at, slopes))
 
     return _worst(sized, angle)
 

@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.maps import lines, rodrigues
+from derive.maps import pose, rodrigues
 
 from ..language import values
 from ..language.definitions import component_of, screw_tensor
@@ -96,11 +96,11 @@ def projected(env: Env, x: Vector, axis: Vector) -> Vector:
 
 
 def distance(env: Env, a: Vector, b: Vector) -> Any:
-    """Return the shortest distance of two lines."""
+    """Return the shortest distance of two pose."""
     normal = a.re.cross(b.re)
     if env.field.same(normal.dot(normal), 0):
-        return lines.distance_of_parallels(a, b, env.field)
-    return lines.distance(a, b, env.field)
+        return pose.distance_of_parallels(a, b, env.field)
+    return pose.distance(a, b, env.field)
 
 
 def angle_between(env: Env, a: Vector, b: Vector) -> Any:

@@ -8,6 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from derive.algebra.arithmetic import PLAIN
 from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
@@ -43,4 +44,4 @@ def test_all_levels_are_split_at_any_working_precision() -> None:
     split = polynomial([third])
     assert split.levels[2] != (0,)
     with mpmath.workdps(60):
-        assert abs(split.value(0) - third) < 2.0 ** -(BITS * LEVELS)
+        assert abs(split.at(mpmath.mpf(0), PLAIN, "") - third) < 2.0 ** -(BITS * LEVELS)

@@ -15,7 +15,7 @@ from derive.codegen.lowering.scalars import SQUARES, scalar_program
 from derive.codegen.programs.program import Program
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix
-from derive.maps.exponential_chart import Exponential
+from derive.maps.exponential import Exponential
 from tests.support.sharp import Sharp
 
 EPS = 2.0**-52

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mpmath
 import pytest
 
-from derive.maps.exponential_chart import ExponentialScalars, PrincipalScalars
+from derive.maps.exponential import ExponentialScalars, PrincipalScalars
 from tests.support.sharp import Sharp
 
 EPS = 2.0**-52

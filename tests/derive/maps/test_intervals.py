@@ -8,7 +8,7 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps.any_phi import intervals
+from derive.maps.any_phi import near_zero
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.families import alpha
 
@@ -34,8 +34,8 @@ def at(phi: sympy.Expr, z: mpmath.mpc) -> mpmath.mpc:
 def test_bound_on_a_circle_is_close_and_below_all_points(text: str):
     """Allow 20 %: arcs are 1/80 long and relative slopes |φ′/φ| at most 4, so bounds are off by about 10 %."""
     phi = parsed(text)
-    least = intervals.smallest(phi, RADIUS)
-    assert intervals.is_analytic(phi, RADIUS)
+    least = near_zero.smallest(phi, RADIUS)
+    assert near_zero.is_analytic(phi, RADIUS)
     found = min(abs(at(phi, z)) for z in points(1, 60))
     assert 0.8 * found < least <= found * (1 + mpmath.mpf(2) ** -40)
 
@@ -48,11 +48,11 @@ def test_bound_on_a_circle_is_close_and_below_all_points(text: str):
 )  # fmt: skip
 def test_phi_not_analytic_or_not_increasing_has_no_bound(text: str):
     phi = parsed(text)
-    assert intervals.smallest(phi, RADIUS) is None or not intervals.is_analytic(phi, RADIUS)
+    assert near_zero.smallest(phi, RADIUS) is None or not near_zero.is_analytic(phi, RADIUS)
 
 
 def test_cells_cover_a_quarter_of_the_disc_and_arcs_of_the_circle():
-    arcs, cells = list(intervals._arcs(RADIUS)), list(intervals._cells(RADIUS))
+    arcs, cells = list(near_zero._arcs(RADIUS)), list(near_zero._cells(RADIUS))
     for z in points(2):
         assert any(z.real in arc.real and z.imag in arc.imag for arc in arcs)
         for share in (0, "0.01", "0.5", "0.9", "0.999", 1):

@@ -11,9 +11,9 @@ import sympy
 
 from derive.algebra import Dual
 from derive.algebra.arithmetic import PLAIN
-from derive.maps import polynomials
-from derive.maps.evaluation import HORNER_LIMIT, chain, horner
-from derive.maps.polynomials import FIELD, RING, RING_X, rational, x
+from derive.maps import Cayley, polynomials
+from derive.maps.cayley_scalars import HORNER_LIMIT, chain
+from derive.maps.polynomials import FIELD, RING, RING_X, horner, rational, x
 
 ORDERS = [*range(1, 17), 31, 64]
 
@@ -31,14 +31,14 @@ def test_printed_polynomials() -> None:
         5: (1 - 10 * x + 5 * x**2, 5 - 10 * x + x**2),
     }
     for n, (p, q) in printed.items():
-        assert sympy.expand(polynomials.p(n) - p) == 0
-        assert sympy.expand(polynomials.q(n) - q) == 0
+        assert sympy.expand(Cayley(n).p - p) == 0
+        assert sympy.expand(Cayley(n).q - q) == 0
 
 
 @pytest.mark.parametrize("n", ORDERS)
 def test_binomial_sums(n: int) -> None:
     for name in "pqcd":
-        assert getattr(polynomials, name)(n) == getattr(polynomials, f"{name}_binomial")(n)
+        assert getattr(Cayley(n), name) == getattr(polynomials, f"{name}_binomial")(n)
 
 
 @pytest.mark.parametrize("n", ORDERS)
@@ -71,17 +71,17 @@ def test_addition_and_doubling() -> None:
 @pytest.mark.parametrize("n", ORDERS)
 def test_derivatives_and_brackets(n: int) -> None:
     p, q, dp, dq = polynomials.pair_with_derivative(n, RING_X)
-    assert (ring(polynomials.p(n).diff(x)), ring(polynomials.q(n).diff(x))) == (dp, dq)
+    assert (ring(Cayley(n).p.diff(x)), ring(Cayley(n).q.diff(x))) == (dp, dq)
     c, d = polynomials.brackets(n, RING_X)
     assert (c, d) == polynomials.ring_brackets(n)
     assert RING_X * c == n * (1 + RING_X) ** (n - 1) - p * q
     assert RING_X * d == (1 + RING_X) * q - n * p
-    assert polynomials.c(n).subs(x, 0) == sympy.Rational(2 * n * (n**2 - 1), 3)
+    assert Cayley(n).c.subs(x, 0) == sympy.Rational(2 * n * (n**2 - 1), 3)
 
 
 def test_brackets_keep_all_digits_on_shadows() -> None:
     n, at = 64, mpmath.tan(mpmath.mpf("1.2")) ** 2
-    exact = [polynomials.c(n).subs(x, sympy.Float(at, 60)), polynomials.d(n).subs(x, sympy.Float(at, 60))]
+    exact = [Cayley(n).c.subs(x, sympy.Float(at, 60)), Cayley(n).d.subs(x, sympy.Float(at, 60))]
     floats = polynomials.brackets(n, float(at))
     c, d = polynomials.brackets(n, at)
     assert abs(floats[0] / float(c) - 1) < 1e-12
@@ -103,10 +103,10 @@ def test_singular_angles_and_poles(n: int) -> None:
     angles = polynomials.singular_angles(n)
     assert angles == (*(2 * sympy.pi * k for k in range(1, (n + 1) // 2)), n * sympy.pi)
     roots = polynomials.poles(n)
-    assert len(roots) == len(angles) - 1 == sympy.Poly(polynomials.q(n), x).degree()
+    assert len(roots) == len(angles) - 1 == sympy.Poly(Cayley(n).q, x).degree()
     for root, angle in zip(roots, angles, strict=False):
         assert root == sympy.tan(angle / (2 * n))
-        assert abs(sympy.N(polynomials.q(n).subs(x, root**2), 40)) < 1e-25
+        assert abs(sympy.N(Cayley(n).q.subs(x, root**2), 40)) < 1e-25
 
 
 def test_rational_keeps_powers_of_one_plus_x_and_positive_denominators() -> None:
@@ -120,7 +120,7 @@ def test_rational_keeps_powers_of_one_plus_x_and_positive_denominators() -> None
 @pytest.mark.parametrize("n", [0, -1, -7])
 def test_orders_below_one_are_refused(n: int) -> None:
     with pytest.raises(ValueError, match=rf"the order n must be an integer >= 1, got {n}"):
-        polynomials.p(n)
+        polynomials.pair(n, 1)
 
 
 @pytest.mark.parametrize("n", [True, 2.0, "3", None, 1.5, Fraction(3)])

@@ -1,4 +1,4 @@
-"""Poses, orthogonal dual tensors and screws: the isomorphism, and the natural invariants in all three trace cases."""
+"""Poses, dual tensors, screws and lines: the isomorphism, and the natural invariants in all cases of the trace."""
 
 from __future__ import annotations
 
@@ -10,10 +10,14 @@ import sympy
 
 from derive.algebra import Dual, Tensor, Vector
 from derive.maps import closed_forms
-from derive.maps.composition import tensor_from_quaternion
+from derive.maps.first_principles import tensor_by_sandwich
 from derive.maps.pose import (
     Pose,
     Screw,
+    distance,
+    distance_of_parallels,
+    foot,
+    line_through,
     natural_invariants,
     pose_from_tensor,
     quaternion_from_screw,
@@ -22,6 +26,7 @@ from derive.maps.pose import (
 )
 
 S = sympy.Rational
+X, Y = Vector(mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)), Vector(mpmath.mpf(0), mpmath.mpf(1), mpmath.mpf(0))
 
 
 @pytest.fixture
@@ -65,7 +70,7 @@ def test_natural_invariants_of_any_pose(draw_pose, gap) -> None:
         assert 0 < found.angle.re < mpmath.pi
         assert gap(found.axis.dot(found.axis), Dual(1)) < 1e-45
         assert gap(tensor_from_screw(found), R) < 1e-45
-        assert gap(tensor_from_quaternion(quaternion_from_screw(found)), R) < 1e-45
+        assert gap(tensor_by_sandwich(quaternion_from_screw(found)), R) < 1e-45
 
 
 def test_a_known_screw_is_found_exactly() -> None:
@@ -104,3 +109,27 @@ def test_trace_three() -> None:
     assert found == Screw(Dual(0, 3), Vector.dual((S(2, 3), S(-1, 3), S(2, 3)), (0, 0, 0)))
     with pytest.raises(ValueError, match="the identity has no axis"):
         natural_invariants(tensor_from_pose(Pose(identity, rho * 0)))
+
+
+def test_foot_is_the_nearest_point_of_the_line(gap) -> None:
+    line = line_through(Vector(5, 2, -3), X)
+    assert gap(foot(line), Vector(0, 2, -3)) == 0
+    assert line.re.dot(line.du) == 0
+
+
+def test_distance_of_skew_lines_is_along_their_common_normal() -> None:
+    a, b = line_through(Vector(7, 0, 2), X), line_through(Vector(0, -4, 5), Y)
+    assert distance(a, b) == distance(b, a) == 3
+
+
+def test_distance_of_parallels_of_either_orientation() -> None:
+    a, b = line_through(Vector(1, 0, 0), X), line_through(Vector(9, 3, 4), X)
+    assert distance_of_parallels(a, b) == 5
+    assert distance_of_parallels(a, -b) == 5
+
+
+def test_distance_does_not_depend_on_the_angle_of_lines() -> None:
+    slanted = Vector(mpmath.mpf(3) / 5, mpmath.mpf(4) / 5, mpmath.mpf(0))
+    a, b = line_through(Vector(7, 0, 2), X), line_through(Vector(0, -4, 5), slanted)
+    assert abs(distance(a, b) - 3) < 1e-40
+    assert distance(b, a) == distance(a, b)

@@ -1,4 +1,4 @@
-"""Cayley formula and Rodrigues vector of K10 against each other and against the screw."""
+"""Cayley formula and Rodrigues vector of K10, composition at n = 1 and 2, and the tensor of a quaternion."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from derive.algebra import Dual, Tensor, Vector
+from derive.algebra import Dual, Tensor, Vector, ZeroDivisorError
 from derive.maps import closed_forms, rodrigues
+from derive.maps.first_principles import tensor_by_sandwich
 from derive.maps.pose import Screw, tensor_from_screw
 
 
@@ -48,3 +49,41 @@ def test_half_turns_have_no_matrix() -> None:
         rodrigues.cayley_matrix(half_turn)
     with pytest.raises(ZeroDivisionError):
         rodrigues.rodrigues_vector(half_turn)
+
+
+def tensor(n: int, v: Vector) -> Tensor:
+    return closed_forms.tensor(n, v.dot(v)).tensor(v)
+
+
+def test_homomorphism_from_quaternions(draw, gap) -> None:
+    q, r = (closed_forms.quaternion_from_vector(3, draw()) for _ in range(2))
+    R = tensor_by_sandwich
+    assert gap(R(q * r), R(q) @ R(r)) < 1e-44
+    assert R(-q) == R(q)
+    assert gap(R(q).transpose, R(q.conjugate())) < 1e-48
+    assert gap(R(q) @ R(q).transpose, Tensor.identity()) < 1e-44
+    v = draw()
+    assert gap(R(q) @ v, q.sandwich(v)) < 1e-44
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 5, 8])
+def test_homomorphism_agrees_with_the_closed_tensor(n: int, draw, gap) -> None:
+    v = draw(1.5)
+    assert gap(tensor_by_sandwich(closed_forms.quaternion_from_vector(n, v)), tensor(n, v)) < 1e-42
+
+
+def test_compositions_are_exact_on_fractions(draw_exact) -> None:
+    for _ in range(5):
+        v2, v1 = draw_exact(), draw_exact()
+        assert tensor(1, rodrigues.compose_first_order(v2, v1)) == tensor(1, v2) @ tensor(1, v1)
+        assert tensor(2, rodrigues.compose_second_order(v2, v1)) == tensor(2, v2) @ tensor(2, v1)
+        s = rodrigues.compose_second_order(v2, v1)
+        q = closed_forms.quaternion_from_vector
+        assert q(2, s) == q(2, v2) * q(2, v1)
+
+
+def test_singular_compositions_raise() -> None:
+    e = Vector.dual([Fraction(1), Fraction(0), Fraction(0)], [Fraction(0)] * 3)
+    for closed_form in (rodrigues.compose_first_order, rodrigues.compose_second_order):
+        with pytest.raises(ZeroDivisorError, match="zero divisor"):
+            closed_form(e, e)

@@ -7,8 +7,7 @@ from typing import Any
 from derive.algebra import Quaternion, Tensor, Vector, real_part
 from derive.maps import first_principles
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.maps.lines import line_through
-from derive.maps.pose import Pose, pose_from_tensor
+from derive.maps.pose import Pose, line_through, pose_from_tensor
 
 from ...language import values
 from ...language.definitions import plain, screw_quaternion, screw_tensor

@@ -10,8 +10,7 @@ from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector
 from derive.maps import first_principles
-from derive.maps.lines import line_through
-from derive.maps.pose import pose_from_tensor
+from derive.maps.pose import line_through, pose_from_tensor
 
 from ...language import values
 from ...language.evaluation import Env

@@ -3,8 +3,7 @@
 import mpmath
 
 from derive.algebra import Vector, real_part
-from derive.maps.lines import foot
-from derive.maps.pose import Pose, pose_from_tensor
+from derive.maps.pose import Pose, foot, pose_from_tensor
 
 from ...numbers.draw import rotation
 from ..definitions import motions

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from derive.maps.families import breusing, lambert, normal_rodrigues, orthographic, sine
+from derive.maps.families import breusing, normal_rodrigues, sine
 
 from ..definitions import cayley_maps, orders
 from . import *
@@ -56,8 +56,8 @@ FIRST = (
 )
 
 forward_2, forward_4, forward_n = (positive(Re(cos(alpha / m))) for m in (2, 4, 2 * n))
-ORTHOGRAPHIC = family(cayley_maps.member(orthographic()), one)
-LAMBERT = family(cayley_maps.member(lambert()), two)
+ORTHOGRAPHIC = family(cayley_maps.member(sine(1)), one)
+LAMBERT = family(cayley_maps.member(sine(2)), two)
 SECOND = (
     equation("orthographic-vector", "orthographic projection and its factor", 325,
              both(equal(v, sin(alpha / 2) * u), equal(a(v), root(1 - x))),

@@ -5,7 +5,7 @@ from typing import Any
 
 from derive.algebra import Dual, Tensor, Vector
 from derive.maps import first_principles
-from derive.maps.lines import line_through
+from derive.maps.pose import line_through
 
 from ..definitions import velocities
 from . import *

@@ -1,7 +1,7 @@
 """Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
 
 from derive.algebra import Vector
-from derive.maps import lines
+from derive.maps import pose as poses
 
 from .. import definitions
 from . import *
@@ -75,7 +75,7 @@ LINES = (
 STUDY = (
     equation("study", "points of the dual unit sphere are oriented lines", 23,
              both(equal(length(direction), 1), equal(cross(foot, direction), moment)),
-             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, plain(lines.foot), l_a)),
+             where=(let(direction, real_of, l_a), let(moment, dual_of, l_a), let(foot, plain(poses.foot), l_a)),
              remark="The line through p with direction a. Every line is two points, one for each orientation."),
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),
