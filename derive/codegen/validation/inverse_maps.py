@@ -15,11 +15,32 @@ from ...maps.pose import Pose, Screw, polar, tensor_from_pose
 from ...maps.sign_tests import orientation
 from ..rows import Function
 from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
-from .vectors import Flat, Vectors, dual, flat
+from .vectors import Flat, Vectors, dual, flat, screw_of_quaternion
+
+ZERO: Flat = (mpmath.mpf(0),) * 6
+
+IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
-def _from_quaternion(chart: Vectors, branch: int, q: Flat) -> Flat:
-    return flat(chart.of_quaternion(Quaternion.dual(q[:4], q[4:]), branch))
+def reached(chart: Vectors, angle: Dual) -> Dual:
+    """Return the angle reduced by whole turns until it is below the edge."""
+    while angle.re > chart.edge:
+        angle = angle - 2 * mpmath.pi
+    return angle
+
+
+def _vector(screw: Screw) -> Vector:
+    return screw.axis * screw.angle
+
+
+def _numbers(screw: Screw) -> Flat:
+    return (screw.angle.re, screw.angle.du, *flat(screw.axis))
+
+
+def _own_screw(chart: Vectors, v: Flat) -> Screw:
+    """Return the axis of v with the angle of its branch."""
+    length, u = polar(dual(v))
+    return Screw(chart.angle(length), u)
 
 
 def _from_tensor(chart: Vectors, branch: int, tensor: Flat) -> Flat:
@@ -33,55 +54,32 @@ def _from_pose(chart: Vectors, branch: int, pose: Flat) -> Flat:
     return flat(chart.of_tensor(tensor_from_pose(Pose(rotation, displacement)), branch))
 
 
-def _from_screw(chart: Vectors, branch: int, angle: Flat, line: Flat) -> Flat:
-    return flat(chart.at(Screw(Dual(*angle), dual(line)), branch))
-
-
-def _to_screw(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(dual(v))
-    return (screw.angle.re, screw.angle.du, *flat(screw.axis))
-
-
-def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, _ = polar(dual(v))
-    angle = chart.angle(length)
-    return angle.re, angle.du
-
-
-def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, u = polar(dual(v))
-    return flat(u * chart.angle(length))
-
-
 def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
     angle, u = polar(dual(w))
     return flat(u * chart.size(reached(chart, angle)))
-
-
-def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle reduced by whole turns until it is below the edge."""
-    while angle.re > chart.edge:
-        angle = angle - 2 * mpmath.pi
-    return angle
 
 
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
     return flat(chart.shadow(dual(v), branch))
 
 
-def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(dual(v))
-    return flat(chart.at(screw))
-
-
 def _compose(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     return flat(chart.of_quaternion(chart.quaternion(dual(v2)) * chart.quaternion(dual(v1))))
 
 
+def _motion(chart: Vectors, v2: Flat, v1: Flat, body: bool) -> Screw:
+    """Return the screw of the motion from v1 to v2, in the body or space frame."""
+    later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
+    return screw_of_quaternion(sooner * later if body else later * sooner)
+
+
 def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
-    if v2 == v1:
-        return (mpmath.mpf(0),) * 6
-    return flat(chart.of_quaternion(chart.quaternion(dual(v1)).conjugate() * chart.quaternion(dual(v2))))
+    return flat(chart.at(_motion(chart, v2, v1, body=True))) if v2 != v1 else ZERO
+
+
+def _local(body: bool) -> Callable[..., Flat]:
+    """Return a function for δ = α u of the motion from v1 to v2, in the body or space frame."""
+    return lambda chart, branch, v2, v1: flat(_vector(_motion(chart, v2, v1, body))) if v2 != v1 else ZERO
 
 
 def _retract(body: bool) -> Callable[..., Flat]:
@@ -112,11 +110,7 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     """Return the vector of exp(t δ) R(v1) on the branch reached continuously from the branch of v1."""
     if v1 == v2:
         return v1
-    first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
-    way = second * first.conjugate()
-    way = way * orientation(way.scalar.re)
-    length, axis = polar(way.vector)
-    delta = axis * (2 * atan2(length, way.scalar))
+    first, delta = chart.quaternion(dual(v1)), _vector(_motion(chart, v2, v1, body=False))
     (extent, own), moved = polar(dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
     before = chart.angle(extent.re)
     size, u = polar(moved.vector)
@@ -129,21 +123,6 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     angle = 2 * atan2(size, moved.scalar * side) if turn == 2 else 2 * atan2(size * side, moved.scalar)
     turns = mpmath.nint((gone - angle.re) / (turn * mpmath.pi))
     return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
-
-
-def _local(body: bool) -> Callable[..., Flat]:
-    """Return a function for δ = α u of the motion from v1 to v2, in the body or space frame."""
-
-    def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
-        if v2 == v1:
-            return (mpmath.mpf(0),) * 6
-        later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
-        q = sooner * later if body else later * sooner
-        q = q * orientation(q.scalar.re)
-        length, u = polar(q.vector)
-        return flat(u * (2 * atan2(length, q.scalar)))
-
-    return logarithm
 
 
 def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
@@ -167,22 +146,20 @@ def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
 
 
 def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
-    if not branch:  # exactly I
-        return matrix6([Vector(*row) for row in Tensor.identity().rows])
-    return _jacobians(_shadow)(chart, branch, v)
+    return _jacobians(_shadow)(chart, branch, v) if branch else IDENTITY
 
 
 MAPS: Mapping[str, Callable[..., Flat]] = {
-    "from_quaternion": _from_quaternion,
+    "from_quaternion": lambda at, k, q: flat(at.of_quaternion(Quaternion.dual(q[:4], q[4:]), k)),
     "from_tensor": _from_tensor,
     "from_pose": _from_pose,
-    "from_screw": _from_screw,
-    "to_screw": _to_screw,
-    "angle": _angle,
-    "to_exponential": _to_exponential,
+    "from_screw": lambda at, k, angle, line: flat(at.at(Screw(Dual(*angle), dual(line)), k)),
+    "to_screw": lambda at, k, v: _numbers(at.screw(dual(v))[0]),
+    "angle": lambda at, k, v: _numbers(_own_screw(at, v))[:2],
+    "to_exponential": lambda at, k, v: flat(_vector(_own_screw(at, v))),
     "from_exponential": _from_exponential,
     "shadow": _shadow,
-    "principal": _principal,
+    "principal": lambda at, k, v: flat(at.at(at.screw(dual(v))[0])),
     "compose": _compose,
     "between": _between,
     "retract": _retract(body=False),
