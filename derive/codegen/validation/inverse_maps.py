@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
@@ -77,27 +77,23 @@ def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     return flat(chart.at(_motion(chart, v2, v1, body=True))) if v2 != v1 else ZERO
 
 
-def _local(body: bool) -> Callable[..., Flat]:
-    """Return a function for δ = α u of the motion from v1 to v2, in the body or space frame."""
-    return lambda chart, branch, v2, v1: flat(_vector(_motion(chart, v2, v1, body))) if v2 != v1 else ZERO
+def _local(body: bool, chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+    """Return δ = α u of the motion from v1 to v2, in the body or space frame."""
+    return flat(_vector(_motion(chart, v2, v1, body))) if v2 != v1 else ZERO
 
 
-def _retract(body: bool) -> Callable[..., Flat]:
-    """Return a function for the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
+def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
+    """Return the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
 
     The branch is chosen so that the angle is nearest to the projection of α u onto the new axis.
     """
-
-    def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
-        q = here * small if body else small * here
-        (length, u), (own, axis) = polar(q.vector), polar(dual(v))
-        angle = 2 * atan2(length, q.scalar)
-        along = chart.angle(own.re) * axis.re.dot(u.re)
-        turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
-        return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
-
-    return retracted
+    small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
+    q = here * small if body else small * here
+    (length, u), (own, axis) = polar(q.vector), polar(dual(v))
+    angle = 2 * atan2(length, q.scalar)
+    along = chart.angle(own.re) * axis.re.dot(u.re)
+    turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
+    return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
 
 
 @lru_cache(maxsize=16)  # most difference quotients leave δ unchanged
@@ -125,28 +121,24 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
 
 
-def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
+def _jacobians(function: Callable[..., Flat], chart: Vectors, branch: int, *arguments: Flat) -> Flat:
     """Return the Jacobians of a function by each dual vector, as difference quotients in twice the precision."""
-
-    def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
-        with mpmath.workprec(2 * mpmath.mp.prec):
-            step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
-            start = function(chart, branch, *arguments)
-            found: list[Any] = []
-            for place, argument in enumerate(arguments):
-                columns = []
-                for j in range(3):
-                    moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
-                    there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
-                    columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
-                found += matrix6(columns)
-        return tuple(+entry for entry in found)
-
-    return quotients
+    with mpmath.workprec(2 * mpmath.mp.prec):
+        step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
+        start = function(chart, branch, *arguments)
+        found: list[Any] = []
+        for place, argument in enumerate(arguments):
+            columns = []
+            for j in range(3):
+                moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
+                there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
+                columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
+            found += matrix6(columns)
+    return tuple(+entry for entry in found)
 
 
 def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
-    return _jacobians(_shadow)(chart, branch, v) if branch else IDENTITY
+    return _jacobians(_shadow, chart, branch, v) if branch else IDENTITY
 
 
 MAPS: Mapping[str, Callable[..., Flat]] = {
@@ -162,16 +154,16 @@ MAPS: Mapping[str, Callable[..., Flat]] = {
     "principal": lambda at, k, v: flat(at.at(at.screw(dual(v))[0])),
     "compose": _compose,
     "between": _between,
-    "retract": _retract(body=False),
-    "body_retract": _retract(body=True),
+    "retract": partial(_retract, False),
+    "body_retract": partial(_retract, True),
     "interpolate": _interpolate,
-    "local": _local(body=False),
-    "body_local": _local(body=True),
-    "compose_jacobians": _jacobians(_compose),
-    "between_jacobians": _jacobians(_between),
+    "local": partial(_local, False),
+    "body_local": partial(_local, True),
+    "compose_jacobians": partial(_jacobians, _compose),
+    "between_jacobians": partial(_jacobians, _between),
     "shadow_jacobian": _shadow_jacobian,
-    "retract_jacobians": _jacobians(_retract(body=False)),
-    "body_retract_jacobians": _jacobians(_retract(body=True)),
+    "retract_jacobians": partial(_jacobians, partial(_retract, False)),
+    "body_retract_jacobians": partial(_jacobians, partial(_retract, True)),
 }
 """Expected values by kernel function, as functions of a chart, a branch and arguments."""
 
