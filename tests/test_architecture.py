@@ -22,7 +22,7 @@ IN_CODEGEN = (
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
 
-TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/unit.py")
+TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/__init__.py")
 """Only call that executes text: Python translated from the syntax tree of a printed C header."""
 
 

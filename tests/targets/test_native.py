@@ -22,7 +22,7 @@ import pytest
 import dualcay
 from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, replay_package
+from derive.codegen.validation import NUMPY, replay
 from derive.maps import Cayley, family
 from tests.support.kernels import load
 from tests.support.native import PLAIN, build, found, require_one_in_all_layouts
@@ -98,7 +98,7 @@ def test_the_replay_agrees_in_every_way_a_function_is_called(package, chart):
     for table in (POSES, ROTATIONS):
         module = importlib.import_module(".".join(filter(None, (package, table.name, chart.name))))
         assert module.CHART.native
-        assert replay_package(package, chart, machinery, [NUMPY], [table], geometry=True) > 100
+        assert replay(package, chart, machinery, [NUMPY], [table], geometry=True) > 100
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -18,7 +18,7 @@ from numba import jit, njit
 from derive.codegen.lowered import geometry
 from derive.codegen.signatures import KERNELS
 from derive.codegen.targets import numba
-from derive.codegen.validation import NUMPY, Library, Machinery, replay_package
+from derive.codegen.validation import NUMPY, Library, Machinery, replay
 from derive.maps import Cayley
 from tests.support import sampling
 from tests.support.accuracy import FUNCTIONS, Trial
@@ -48,7 +48,7 @@ def test_gates_of_the_oracle_hold(compiled, name):
 def test_the_replay_runs_on_compiled_loops(package):
     """Replay in double precision only, for which other tests compile these loops anyway."""
     doubles = Library("numpy", np.asarray, NUMPY.dtypes[:1])
-    assert replay_package(package("numba"), Cayley(ORDER), Machinery(), [doubles], geometry=False) > 100
+    assert replay(package("numba"), Cayley(ORDER), Machinery(), [doubles], geometry=False) > 100
 
 
 @pytest.mark.parametrize("name", KINDS.values())

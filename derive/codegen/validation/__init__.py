@@ -18,17 +18,8 @@ replay        call a package on floats, one by one and in arrays
 ============= ==========================================================================================
 """
 
-from .errors import ValidationFailed
-from .replay import NUMPY, Library, Machinery, replay, replay_package
+from .batches import ValidationFailed
+from .replay import NUMPY, Library, Machinery, replay
 from .run import own_functions, validate
 
-__all__ = [
-    "NUMPY",
-    "Library",
-    "Machinery",
-    "ValidationFailed",
-    "own_functions",
-    "replay",
-    "replay_package",
-    "validate",
-]
+__all__ = ["NUMPY", "Library", "Machinery", "ValidationFailed", "own_functions", "replay", "validate"]

@@ -14,8 +14,11 @@ from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
 from . import decimals, formulas, samples
-from .errors import ValidationFailed
 from .formulas import Expectation
+
+
+class ValidationFailed(Exception):
+    """Error of an emitted kernel that differs from its formula or breaks its interface."""
 
 
 @dataclass(frozen=True, slots=True)

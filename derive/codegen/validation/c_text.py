@@ -16,10 +16,9 @@ from ...maps.chart import Chart
 from ..rows import Function, Table, inside
 from ..signatures import POSES
 from . import decimals
-from .batches import Batch, compare, same
+from .batches import Batch, ValidationFailed, compare, same
 from .c_interpreter import UNSET, CError, Pointer, Unit, load
 from .decimals import Decimal
-from .errors import ValidationFailed
 from .run import chosen
 from .vectors import Flat
 

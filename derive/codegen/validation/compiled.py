@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 from ...maps.chart import Chart
-from .errors import ValidationFailed
+from .batches import ValidationFailed
 
 TYPES = ("double", "float")
 COMPILERS = ("cc", "gcc", "clang")

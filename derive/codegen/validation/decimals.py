@@ -39,13 +39,9 @@ def _operation(compute: Callable[..., decimal.Decimal], swapped: bool = False) -
 
 
 def _partner(other: object) -> decimal.Decimal:
-    if isinstance(other, Decimal):
-        return other.value
-    if isinstance(other, int):
-        return _integer(other)
-    if isinstance(other, Fraction):
-        return _of(other)
-    raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
+    if not isinstance(other, Decimal | int | Fraction):
+        raise TypeError(f"a kernel mixed a 50-digit number with {type(other).__name__} {other!r}")
+    return other.value if isinstance(other, Decimal) else _of(other)
 
 
 _new = object.__new__
@@ -112,7 +108,7 @@ def _of(value: Any) -> decimal.Decimal:
     if isinstance(value, decimal.Decimal):
         return value
     if isinstance(value, int):
-        return NUMBERS.create_decimal(value)
+        return _integer(value)
     if isinstance(value, Fraction):
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
     if not isinstance(value, mpmath.mpf):

@@ -134,44 +134,31 @@ Value = Callable[..., Flat]
 Operator = Callable[..., Isotropic]
 
 
-def _applied(operator: Operator, hand: int) -> Value:
-    """Return a function that applies an operator at v to its second argument."""
-    return lambda at, v, w: flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
+def _applied(operator: Operator, hand: int, at: Formulas, v: Flat, w: Flat) -> Flat:
+    """Apply an operator at v to w."""
+    return flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
 
 
-def _applied_jacobian(operator: Operator, hand: int) -> Value:
-    """Return the derivative by v of an operator at v applied to a fixed second argument."""
-
-    def expected(at: Formulas, v: Flat, w: Flat) -> Flat:
-        fixed = moving(dual(w), 0 * dual(w))
-        return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
-
-    return expected
+def _applied_jacobian(operator: Operator, hand: int, at: Formulas, v: Flat, w: Flat) -> Flat:
+    """Return the derivative by v of an operator at v applied to the fixed vector w."""
+    fixed = moving(dual(w), 0 * dual(w))
+    return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
 
 
-def _tangent_dot(hand: int) -> Value:
-    def expected(at: Formulas, v: Flat, v_dot: Flat) -> Flat:
-        there = moving(dual(v), dual(v_dot))
-        return flat(at.tangent(there, hand).tensor(there).du)
-
-    return expected
+def _tangent_dot(hand: int, at: Formulas, v: Flat, v_dot: Flat) -> Flat:
+    there = moving(dual(v), dual(v_dot))
+    return flat(at.tangent(there, hand).tensor(there).du)
 
 
-def _twist_dot(hand: int) -> Value:
-    def expected(at: Formulas, v: Flat, v_dot: Flat, v_ddot: Flat) -> Flat:
-        there = moving(dual(v), dual(v_dot))
-        return flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
-
-    return expected
+def _twist_dot(hand: int, at: Formulas, v: Flat, v_dot: Flat, v_ddot: Flat) -> Flat:
+    there = moving(dual(v), dual(v_dot))
+    return flat(at.tangent(there, hand).apply(there, moving(dual(v_dot), dual(v_ddot))).du)
 
 
-def _rate_dot(hand: int) -> Value:
-    def expected(at: Formulas, v: Flat, omega: Flat, omega_dot: Flat) -> Flat:
-        here, twist = dual(v), dual(omega)
-        there = moving(here, at.tangent_inv(here, hand).apply(here, twist))
-        return flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
-
-    return expected
+def _rate_dot(hand: int, at: Formulas, v: Flat, omega: Flat, omega_dot: Flat) -> Flat:
+    here, twist = dual(v), dual(omega)
+    there = moving(here, at.tangent_inv(here, hand).apply(here, twist))
+    return flat(at.tangent_inv(there, hand).apply(there, moving(twist, dual(omega_dot))).du)
 
 
 def _point_jacobians(at: Formulas, v: Flat, r: Flat) -> Flat:
@@ -209,15 +196,15 @@ BY_TENSORS: Mapping[str, Value] = {
     "transform_line_jacobians": _line_jacobians,
     "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
     "inverse": lambda at, v: tuple(-c for c in v),
-    "cotangent": _applied(Formulas.tangent, -1),
-    "body_cotangent": _applied(Formulas.tangent, 1),
-    "cotangent_jacobian": _applied_jacobian(Formulas.tangent, -1),
-    "body_cotangent_jacobian": _applied_jacobian(Formulas.tangent, 1),
+    "cotangent": partial(_applied, Formulas.tangent, -1),
+    "body_cotangent": partial(_applied, Formulas.tangent, 1),
+    "cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, -1),
+    "body_cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, 1),
 }
 
-BY_HAND: Mapping[str, Callable[[int], Value]] = {
-    "tangent": lambda hand: lambda at, v: flat(at.tangent(dual(v), hand).tensor(dual(v))),
-    "tangent_inv": lambda hand: lambda at, v: flat(at.tangent_inv(dual(v), hand).tensor(dual(v))),
+BY_HAND: Mapping[str, Value] = {
+    "tangent": lambda hand, at, v: flat(at.tangent(dual(v), hand).tensor(dual(v))),
+    "tangent_inv": lambda hand, at, v: flat(at.tangent_inv(dual(v), hand).tensor(dual(v))),
     "twist": partial(_applied, Formulas.tangent),
     "rate": partial(_applied, Formulas.tangent_inv),
     "tangent_dot": _tangent_dot,
@@ -233,7 +220,7 @@ FRAMES = {"": 1, "body_": -1}
 ALGEBRAIC: Mapping[str, Value] = {
     **BY_QUATERNION,
     **BY_TENSORS,
-    **{f"{frame}{name}": made(hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
+    **{f"{frame}{name}": partial(made, hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
 }
 """Expected values by kernel function, as functions of a chart's formulas and flat arguments."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import mpmath
@@ -14,11 +14,32 @@ from ...maps.exponential import quaternion_exponential
 from ...maps.pose import Pose, Screw, orientation, polar, tensor_from_pose
 from ..rows import Function
 from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
-from .vectors import Flat, Vectors, dual, flat
+from .vectors import Flat, Vectors, dual, flat, screw_of_quaternion
+
+ZERO: Flat = (mpmath.mpf(0),) * 6
+
+IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
-def _from_quaternion(chart: Vectors, branch: int, q: Flat) -> Flat:
-    return flat(chart.of_quaternion(Quaternion.dual(q[:4], q[4:]), branch))
+def reached(chart: Vectors, angle: Dual) -> Dual:
+    """Return the angle reduced by whole turns until it is below the edge."""
+    while angle.re > chart.edge:
+        angle = angle - 2 * mpmath.pi
+    return angle
+
+
+def _vector(screw: Screw) -> Vector:
+    return screw.axis * screw.angle
+
+
+def _numbers(screw: Screw) -> Flat:
+    return (screw.angle.re, screw.angle.du, *flat(screw.axis))
+
+
+def _own_screw(chart: Vectors, v: Flat) -> Screw:
+    """Return the axis of v with the angle of its branch."""
+    length, u = polar(dual(v))
+    return Screw(chart.angle(length), u)
 
 
 def _from_tensor(chart: Vectors, branch: int, tensor: Flat) -> Flat:
@@ -32,73 +53,46 @@ def _from_pose(chart: Vectors, branch: int, pose: Flat) -> Flat:
     return flat(chart.of_tensor(tensor_from_pose(Pose(rotation, displacement)), branch))
 
 
-def _from_screw(chart: Vectors, branch: int, angle: Flat, line: Flat) -> Flat:
-    return flat(chart.at(Screw(Dual(*angle), dual(line)), branch))
-
-
-def _to_screw(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(dual(v))
-    return (screw.angle.re, screw.angle.du, *flat(screw.axis))
-
-
-def _angle(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, _ = polar(dual(v))
-    angle = chart.angle(length)
-    return angle.re, angle.du
-
-
-def _to_exponential(chart: Vectors, branch: int, v: Flat) -> Flat:
-    length, u = polar(dual(v))
-    return flat(u * chart.angle(length))
-
-
 def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
     angle, u = polar(dual(w))
     return flat(u * chart.size(reached(chart, angle)))
-
-
-def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle reduced by whole turns until it is below the edge."""
-    while angle.re > chart.edge:
-        angle = angle - 2 * mpmath.pi
-    return angle
 
 
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:
     return flat(chart.shadow(dual(v), branch))
 
 
-def _principal(chart: Vectors, branch: int, v: Flat) -> Flat:
-    screw, _ = chart.screw(dual(v))
-    return flat(chart.at(screw))
-
-
 def _compose(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
     return flat(chart.of_quaternion(chart.quaternion(dual(v2)) * chart.quaternion(dual(v1))))
 
 
+def _motion(chart: Vectors, v2: Flat, v1: Flat, body: bool) -> Screw:
+    """Return the screw of the motion from v1 to v2, in the body or space frame."""
+    later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
+    return screw_of_quaternion(sooner * later if body else later * sooner)
+
+
 def _between(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
-    if v2 == v1:
-        return (mpmath.mpf(0),) * 6
-    return flat(chart.of_quaternion(chart.quaternion(dual(v1)).conjugate() * chart.quaternion(dual(v2))))
+    return flat(chart.at(_motion(chart, v2, v1, body=True))) if v2 != v1 else ZERO
 
 
-def _retract(body: bool) -> Callable[..., Flat]:
-    """Return a function for the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
+def _local(body: bool, chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
+    """Return δ = α u of the motion from v1 to v2, in the body or space frame."""
+    return flat(_vector(_motion(chart, v2, v1, body))) if v2 != v1 else ZERO
+
+
+def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
+    """Return the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
 
     The branch is chosen so that the angle is nearest to the projection of α u onto the new axis.
     """
-
-    def retracted(chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-        small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
-        q = here * small if body else small * here
-        (length, u), (own, axis) = polar(q.vector), polar(dual(v))
-        angle = 2 * atan2(length, q.scalar)
-        along = chart.angle(own.re) * axis.re.dot(u.re)
-        turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
-        return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
-
-    return retracted
+    small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
+    q = here * small if body else small * here
+    (length, u), (own, axis) = polar(q.vector), polar(dual(v))
+    angle = 2 * atan2(length, q.scalar)
+    along = chart.angle(own.re) * axis.re.dot(u.re)
+    turns = mpmath.nint((along - angle.re) / (2 * mpmath.pi))
+    return flat(chart.at(Screw(angle + 2 * mpmath.pi * turns, u)))
 
 
 @lru_cache(maxsize=16)  # most difference quotients leave δ unchanged
@@ -111,11 +105,7 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     """Return the vector of exp(t δ) R(v1) on the branch reached continuously from the branch of v1."""
     if v1 == v2:
         return v1
-    first, second = chart.quaternion(dual(v1)), chart.quaternion(dual(v2))
-    way = second * first.conjugate()
-    way = way * orientation(way.scalar.re)
-    length, axis = polar(way.vector)
-    delta = axis * (2 * atan2(length, way.scalar))
+    first, delta = chart.quaternion(dual(v1)), _vector(_motion(chart, v2, v1, body=False))
     (extent, own), moved = polar(dual(v1)), quaternion_exponential(delta * t[0] / 2) * first
     before = chart.angle(extent.re)
     size, u = polar(moved.vector)
@@ -130,70 +120,49 @@ def _interpolate(chart: Vectors, branch: int, v1: Flat, v2: Flat, t: Flat) -> Fl
     return flat(chart.at(Screw(angle + turn * turns * mpmath.pi, u * side)))
 
 
-def _local(body: bool) -> Callable[..., Flat]:
-    """Return a function for δ = α u of the motion from v1 to v2, in the body or space frame."""
-
-    def logarithm(chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
-        if v2 == v1:
-            return (mpmath.mpf(0),) * 6
-        later, sooner = chart.quaternion(dual(v2)), chart.quaternion(dual(v1)).conjugate()
-        q = sooner * later if body else later * sooner
-        q = q * orientation(q.scalar.re)
-        length, u = polar(q.vector)
-        return flat(u * (2 * atan2(length, q.scalar)))
-
-    return logarithm
-
-
-def _jacobians(function: Callable[..., Flat]) -> Callable[..., Flat]:
+def _jacobians(function: Callable[..., Flat], chart: Vectors, branch: int, *arguments: Flat) -> Flat:
     """Return the Jacobians of a function by each dual vector, as difference quotients in twice the precision."""
-
-    def quotients(chart: Vectors, branch: int, *arguments: Flat) -> Flat:
-        with mpmath.workprec(2 * mpmath.mp.prec):
-            step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
-            start = function(chart, branch, *arguments)
-            found: list[Any] = []
-            for place, argument in enumerate(arguments):
-                columns = []
-                for j in range(3):
-                    moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
-                    there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
-                    columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
-                found += matrix6(columns)
-        return tuple(+entry for entry in found)
-
-    return quotients
+    with mpmath.workprec(2 * mpmath.mp.prec):
+        step = mpmath.mpf(2) ** (-mpmath.mp.prec // 2)
+        start = function(chart, branch, *arguments)
+        found: list[Any] = []
+        for place, argument in enumerate(arguments):
+            columns = []
+            for j in range(3):
+                moved = (*argument[:j], argument[j] + step, *argument[j + 1 :])
+                there = function(chart, branch, *arguments[:place], moved, *arguments[place + 1 :])
+                columns.append(dual(tuple((b - a) / step for a, b in zip(start, there, strict=True))))
+            found += matrix6(columns)
+    return tuple(+entry for entry in found)
 
 
 def _shadow_jacobian(chart: Vectors, branch: int, v: Flat) -> Flat:
-    if not branch:  # exactly I
-        return matrix6([Vector(*row) for row in Tensor.identity().rows])
-    return _jacobians(_shadow)(chart, branch, v)
+    return _jacobians(_shadow, chart, branch, v) if branch else IDENTITY
 
 
 MAPS: Mapping[str, Callable[..., Flat]] = {
-    "from_quaternion": _from_quaternion,
+    "from_quaternion": lambda at, k, q: flat(at.of_quaternion(Quaternion.dual(q[:4], q[4:]), k)),
     "from_tensor": _from_tensor,
     "from_pose": _from_pose,
-    "from_screw": _from_screw,
-    "to_screw": _to_screw,
-    "angle": _angle,
-    "to_exponential": _to_exponential,
+    "from_screw": lambda at, k, angle, line: flat(at.at(Screw(Dual(*angle), dual(line)), k)),
+    "to_screw": lambda at, k, v: _numbers(at.screw(dual(v))[0]),
+    "angle": lambda at, k, v: _numbers(_own_screw(at, v))[:2],
+    "to_exponential": lambda at, k, v: flat(_vector(_own_screw(at, v))),
     "from_exponential": _from_exponential,
     "shadow": _shadow,
-    "principal": _principal,
+    "principal": lambda at, k, v: flat(at.at(at.screw(dual(v))[0])),
     "compose": _compose,
     "between": _between,
-    "retract": _retract(body=False),
-    "body_retract": _retract(body=True),
+    "retract": partial(_retract, False),
+    "body_retract": partial(_retract, True),
     "interpolate": _interpolate,
-    "local": _local(body=False),
-    "body_local": _local(body=True),
-    "compose_jacobians": _jacobians(_compose),
-    "between_jacobians": _jacobians(_between),
+    "local": partial(_local, False),
+    "body_local": partial(_local, True),
+    "compose_jacobians": partial(_jacobians, _compose),
+    "between_jacobians": partial(_jacobians, _between),
     "shadow_jacobian": _shadow_jacobian,
-    "retract_jacobians": _jacobians(_retract(body=False)),
-    "body_retract_jacobians": _jacobians(_retract(body=True)),
+    "retract_jacobians": partial(_jacobians, partial(_retract, False)),
+    "body_retract_jacobians": partial(_jacobians, partial(_retract, True)),
 }
 """Expected values by kernel function, as functions of a chart, a branch and arguments."""
 

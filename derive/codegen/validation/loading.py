@@ -16,7 +16,7 @@ from typing import Any
 
 from ...maps.chart import Chart
 from ..rows import Table
-from .errors import ValidationFailed
+from .batches import ValidationFailed
 
 NATIVE = "DUALCAY_NATIVE"
 """Environment variable that switches off installed compiled functions, so that the Python kernels themselves run."""

@@ -7,16 +7,17 @@ once for a package. Kernels of any Python target are replayed, in the arrays of 
 
 from __future__ import annotations
 
-import importlib
 import itertools
 import warnings
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from pkgutil import resolve_name
 from types import ModuleType
 from typing import Any, TypeAlias
+from unittest import mock
 
 import mpmath
 import numpy as np
@@ -25,8 +26,8 @@ from numpy.typing import NDArray
 from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
+from .batches import ValidationFailed
 from .decimals import DIGITS
-from .errors import ValidationFailed
 from .float_cases import Case, cases
 from .loading import loaded, module_of
 from .run import own_functions
@@ -80,7 +81,7 @@ class Machinery:
 
 
 def replay(
-    folder: Path,
+    source: Path | str,
     chart: Chart,
     machinery: Machinery,
     libraries: Sequence[Library] = (NUMPY,),
@@ -90,57 +91,27 @@ def replay(
 ) -> int:
     """Call the functions of a package on floats; return the number of calls that agree with the formulas of a chart.
 
-    With ``geometry`` all functions are called, and one of each kind also in all array layouts. Otherwise only the
-    functions in `own_functions` are called. `ValidationFailed` names the first wrong component.
+    ``source`` is a folder or the name of a package that can be imported. With ``geometry`` all functions are called,
+    and one of each kind also in all array layouts. Otherwise only the functions in `own_functions` are called.
+    `ValidationFailed` names the first wrong component.
     """
     if not libraries:
         return 0
-    with loaded(folder) as package:
-        return replay_package(package, chart, machinery, libraries, tables, geometry=geometry)
-
-
-def replay_package(
-    package: str,
-    chart: Chart,
-    machinery: Machinery,
-    libraries: Sequence[Library],
-    tables: Sequence[Table] = (POSES,),
-    *,
-    geometry: bool,
-) -> int:
-    """Replay a package that can be imported by its name; see `replay`."""
-    count = 0
-    with warnings.catch_warnings(), np.errstate(all="warn"):
+    with (
+        loaded(source) if isinstance(source, Path) else nullcontext(source) as package,
+        mock.patch(f"{package}.{machinery.block}", BLOCK) if machinery.block else nullcontext(),
+        warnings.catch_warnings(),
+        np.errstate(all="warn"),
+    ):
         warnings.simplefilter("error" if machinery.silent else "ignore", RuntimeWarning)
+        few = int(resolve_name(f"{package}.{machinery.few}")) if machinery.few else FEW
+        count = 0
         for table, library in itertools.product(tables, libraries):
-            module = module_of(package, chart, table)
-            with _small_blocks(package, machinery) as few:
-                caller = Caller(module, library, machinery.out, few)
-                # run-time parts treat all libraries alike: one library covers their layouts
-                caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
-                count += caller.count
-    return count
-
-
-@contextmanager
-def _small_blocks(package: str, machinery: Machinery) -> Iterator[int]:
-    """Reduce the block size to `BLOCK` for a while; yield the size of the largest batch that runs pose by pose."""
-
-    def found(place: str) -> tuple[ModuleType, str]:
-        name, _, attribute = place.rpartition(".")
-        return importlib.import_module(f"{package}.{name}"), attribute
-
-    few = int(getattr(*found(machinery.few))) if machinery.few else FEW
-    if not machinery.block:
-        yield few
-        return
-    module, attribute = found(machinery.block)
-    size = getattr(module, attribute)
-    setattr(module, attribute, BLOCK)
-    try:
-        yield few
-    finally:
-        setattr(module, attribute, size)
+            caller = Caller(module_of(package, chart, table), library, machinery.out, few)
+            # run-time parts treat all libraries alike: one library covers their layouts
+            caller.replay(_groups(chart, table, geometry), chart, geometry and library is libraries[0])
+            count += caller.count
+        return count
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,8 @@ from ...maps.chart import Chart
 from ..lowered import geometry, lower_chart
 from ..rows import Table
 from ..signatures import POSES
-from .batches import Batch, batches, compare
+from .batches import Batch, ValidationFailed, batches, compare
 from .decimals import DIGITS
-from .errors import ValidationFailed
 from .loading import loaded, module_of
 
 MAKERS = ("identity", "random")

@@ -19,7 +19,7 @@ from ...maps.any_phi.edges import angle_of
 from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
 from ...maps.families import alpha, by_square
-from ...maps.pose import Screw, is_zero, natural_invariants, orientation, polar, quaternion_from_screw
+from ...maps.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
 
 Flat = tuple[Any, ...]
 """Components of an array, in C order."""
@@ -165,9 +165,7 @@ class Vectors:
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
         """Return v on a branch from ±q with non-negative scalar part; if the scalar part is 0, from q as given."""
-        q = q * (1 if is_zero(real_part(q.scalar)) else orientation(real_part(q.scalar)))
-        length, u = polar(q.vector)
-        return self.at(Screw(2 * atan2(length, q.scalar), u), branch)
+        return self.at(screw_of_quaternion(q), branch)
 
     def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
         """Return v of an orthogonal dual tensor on a branch."""
@@ -220,6 +218,13 @@ def vectors_of(chart: Chart) -> Vectors:
 
 
 _vectors = lru_cache(maxsize=4)(Vectors)
+
+
+def screw_of_quaternion(q: Quaternion) -> Screw:
+    """Return the screw of ±q with non-negative scalar part; if the scalar part is 0, of q as given."""
+    q = q * orientation(real_part(q.scalar))
+    length, u = polar(q.vector)
+    return Screw(2 * atan2(length, q.scalar), u)
 
 
 def is_whole(number: Any) -> bool:
