@@ -8,7 +8,6 @@ result                 verdicts and status of an entry
 paper                  paper with its sections and the inventory of its text
 condurache_popa_2023   entries of CP23, one module for each section
 karakilic_2010         entries of K10
-poles                  points at which a denominator vanishes
 sharp                  sharpness of a condition, tested by the denominators
 counterexample         numerical values of a false statement at a point
 explore                truth of a statement at seeded points, special points and poles

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from itertools import product
 from math import lcm
+from typing import Any
 
 from derive.algebra.element import NotExactError
 
@@ -16,7 +19,7 @@ from .language.evaluation import Env
 from .language.notation import over
 from .language.terms import Apply, Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.every_order import EveryOrder
-from .numbers.generic import Generic, GenericOrder
+from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Counterexample, Result, Status, Verdict
 from .sharp import is_sharp
@@ -154,29 +157,24 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
         If the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
-    order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
-    branch = next((symbol for symbol in free if symbol.quantity is BRANCH), None)
+    order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))
     # vectors with a magnitude first: the magnitude of the first vector is rational
     lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
-    signs = [symbol for symbol in free if symbol.quantity is SIGN]
-    generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
+    generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
-        try:
-            if _checked(entry, statement, GenericOrder(generic, order, entry.moving)):
+        with suppress(NotExactError):
+            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order)):
                 return EveryOrder.name
-        except NotExactError:
-            pass
     dual, checked = takes_apart(statement, *entry.definitions), False
     try:
         for n in orders if order is not None else (0,):
-            for k in range((entry.branches or n) if branch is not None else 1):
-                for sign in (1, -1) if signs else (1,):
-                    steps = 4 * n or _steps(statement)
-                    values = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
-                    values.fix(order, n)
-                    values.fix_branch(branch, k)
-                    values.values.update(dict.fromkeys(signs, sign))
-                    checked |= _checked(entry, statement, values)
+            for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
+                steps = 4 * n or _steps(statement)
+                point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
+                if branch is not None:
+                    point.fix_branch(branch, k)
+                point.values |= {a: value for a, value in ((order, n), (sign, plus_minus)) if a is not None}
+                checked |= _checked(entry, statement, point)
     except NotExactError:
         return None
     if not checked:
@@ -190,25 +188,18 @@ def _steps(statement: Term) -> int:
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
-def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
+def _checked(entry: Equation, statement: Term, point: Generic) -> bool:
     """Return False if generic values lie outside the domain; else check the statement there and return True."""
-    if not _within(entry, values):
-        return False
-    if not _env(entry, values).value(statement):
-        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
-    return True
 
+    def value(part: Term) -> Any:
+        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving).value(part)
 
-def _env(entry: Equation, values: Generic) -> Env:
-    return Env(values.field, dict(values.values), entry.definitions, values.dual, values.moving)
-
-
-def _within(entry: Equation, values: Generic) -> bool:
-    """Return whether generic values (at one order and branch) satisfy the claimed domain and the condition."""
-    domain = [part for part in (entry.claimed, entry.condition) if part is not None]
     try:
-        return all(_env(entry, values).value(part) for part in domain)
+        inside = all(value(part) for part in (entry.claimed, entry.condition) if part is not None)
     except NotExactError:
-        return True
+        inside = True
     except ArithmeticError:
-        return False
+        inside = False
+    if inside and not value(statement):
+        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
+    return inside

@@ -150,10 +150,12 @@ def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
     total: Any = 0
     if high != infinity and not isinstance(env.value(high), int):
         raise NotExactError("a sum of n terms")
+    if high == infinity and not env.field.ordered:
+        raise NotExactError("an infinite sum")
     for k in range(env.value(low), 400) if high == infinity else range(env.value(low), env.value(high) + 1):
         part = env.bound(index, k).value(body)
         total = part if k == env.value(low) else values.add(total, part)
-        if high == infinity and k > 2 and env.field.negligible(values.coefficients(part)):
+        if high == infinity and k > 2 and all(map(env.field.vanishes, values.coefficients(part))):
             break
     return total
 

@@ -123,7 +123,7 @@ DIGITS = 10
 
 def example(found: Counterexample) -> tuple[str, ...]:
     """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
-    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
+    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items()]
     if len(found.sides) == 2 and all(found.sides):
         left, right = found.sides
         differing = (i for i, pair in enumerate(zip(left, right, strict=False)) if pair[0][:DIGITS] != pair[1][:DIGITS])

@@ -9,7 +9,7 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("poles", "sharp", "counterexample", "explore", "decide")
+DECIDING = ("sharp", "counterexample", "explore", "decide")
 ENTRIES = ("equation", "result", "paper")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "",

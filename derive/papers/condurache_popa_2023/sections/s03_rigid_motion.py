@@ -3,10 +3,10 @@
 import mpmath
 
 from derive.algebra import Vector, real_part
+from derive.maps.first_principles import tensor_by_sandwich as rotation
 from derive.maps.lines import foot
 from derive.maps.pose import Pose, pose_from_tensor
 
-from ...numbers.draw import rotation
 from ..definitions import motions
 from . import *
 
