@@ -17,7 +17,7 @@ from .equation import Equation, Reading, UndecidedError, faithful
 from .explore import Outcome, explore
 from .language.evaluation import Env
 from .language.notation import over
-from .language.terms import Apply, Number, Term, Trait, takes_apart, walk, with_trait
+from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.every_order import EveryOrder
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
@@ -44,38 +44,44 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     Raises
     ------
     UndecidedError
-        If the computation contradicts the entry's condition, correction or claimed domain.
+        If the entry is incomplete, or the computation contradicts its condition, correction or claimed domain.
     """
-    lost += entry.lost
-    if entry.argument and entry.because is None:
-        raise UndecidedError(f"({entry.number}): an argument leads on from an identity that is proved")
-    if (entry.claimed is None) != (entry.stated is None):
-        raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
-    for reading in entry.readings:
-        if entry.extract and not faithful(reading.statement, entry.extract, lost):
-            raise UndecidedError(f"({entry.number}): a reading does not have the characters of line {entry.line}")
+    _check(entry, lost + entry.lost)
     if entry.because is not None:
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
     verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
-    decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
+    first = verdicts[0]
+    decided = entry.corrected if entry.corrected is not None else first.statement
     sharp = entry.condition is not None and is_sharp(entry.condition, decided)
     result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if verdicts[0].true and not _is_ambiguous(entry, listed):
-        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
-    if verdicts[0].true:
+    if first.true and _is_ambiguous(entry, listed):
         return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
-    if not (entry.extract or entry.said):
-        raise UndecidedError(f"({entry.number}): an erratum shows the words of the paper")
+    if first.true:
+        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, first.method)
     if entry.corrected is None:
-        raise UndecidedError(f"({entry.number}) is false and has no correction: {verdicts[0].method}")
-    if entry.extract and faithful(entry.corrected, entry.extract, lost):
-        raise UndecidedError(f"({entry.number}): the correction is a reading of line {entry.line}")
+        raise UndecidedError(f"({entry.number}) is false and has no correction: {first.method}")
     correction = judge(entry, Reading(entry.corrected), orders)
     if not correction.true:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    return result(Status.ERRATUM, f"{verdicts[0].method}; correction {correction.method}")
+    return result(Status.ERRATUM, f"{first.method}; correction {correction.method}")
+
+
+def _check(entry: Equation, lost: str) -> None:
+    """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
+    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
+    mistakes = {
+        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
+        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
+        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
+        f"the correction is a reading of line {entry.line}":
+            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
+    }
+    for mistake, made in mistakes.items():
+        if made:
+            raise UndecidedError(f"({entry.number}): {mistake}")
 
 
 def _is_ambiguous(entry: Equation, listed: Sequence[Verdict]) -> bool:
@@ -184,7 +190,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 def _steps(statement: Term) -> int:
     """Return an integer M such that all angles in the statement are multiples of angle/M."""
-    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 

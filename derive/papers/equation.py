@@ -3,11 +3,10 @@
 An `Equation` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
 `Result` with the computed status:
 
+* readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
 * every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
 * a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
   field is suitable, the points are only evidence, and the method says so;
-* every reading must be faithful: apart from characters lost by the extraction, it equals the extracted text;
-* readings are listed by hand, the most charitable first;
 * ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
@@ -19,7 +18,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from .language.evaluation import Definition
@@ -37,15 +36,8 @@ class UndecidedError(Exception):
 class Reading:
     """Reading of a display: one way to interpret its characters.
 
-    Attributes
-    ----------
-    statement : Term
-        The formula.
-    note : str
-        Difference from the other readings ("the bracket closes before I").
-    supported_by : str
-        Quotation, with its line, of a legible passage that supports this reading. A supported false reading makes the
-        entry ambiguous.
+    `note` tells the difference from the other readings. `supported_by` quotes a legible passage, with its line, that
+    supports this reading; a supported false reading makes the entry ambiguous.
     """
 
     statement: Term
@@ -135,38 +127,26 @@ class Equation:
     def free(self, statement: Term) -> tuple[Symbol, ...]:
         """Return the free symbols of a statement, of its domain and of the definitions that they use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
-        queue = list(seen)
-        for symbol in queue:
+        found = list(dict.fromkeys(symbol for part in parts for symbol in symbols(part)))
+        for symbol in found:
             if symbol in self.definitions:
-                new = [argument for argument in self.definitions[symbol].arguments if argument not in seen]
-                seen.update(dict.fromkeys(new))
-                queue += new
-        return tuple(symbol for symbol in queue if symbol not in self.definitions and symbol.quantity.varies)
+                found += [argument for argument in self.definitions[symbol].arguments if argument not in found]
+        return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
-
-    def reading(self, statement: Term) -> Equation:
-        """Return a copy of the entry with one reading in place of the printed ones: a correction or a mutant."""
-        return replace(self, readings=(Reading(statement),), extract="")
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
     """Return an entry; `printed` is a statement or a tuple of readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    rest["where"] = tuple(rest.get("where", ()))
     return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:
-    """Return whether a reading has the same characters as the extract, in order, apart from lost ones.
+    """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
 
-    Parameters
-    ----------
-    lost : str
-        Characters lost or scattered by the paper's extraction; spaces are always ignored. A tilde may precede or
-        follow the index of its symbol.
+    A tilde may precede or follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
 

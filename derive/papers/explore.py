@@ -13,7 +13,7 @@ from derive.algebra import Dual, Structure
 
 from .equation import Equation
 from .language.evaluation import Env
-from .language.terms import Apply, Symbol, Term, symbols, text, walk
+from .language.terms import Symbol, Term, symbols, text, walk
 from .numbers.draw import Draw
 from .numbers.fields import DIGITS, Decimal60, innermost
 from .numbers.quantities import BRANCH, ORDER
@@ -127,7 +127,7 @@ def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]
 def denominators(statement: Term) -> Iterator[Term]:
     """Yield the denominators that contain symbols."""
     for node in walk(statement):
-        if isinstance(node, Apply) and node.operator.name == "over" and symbols(node.arguments[1]):
+        if node.operator.name == "over" and symbols(node.arguments[1]):
             yield node.arguments[1]
 
 

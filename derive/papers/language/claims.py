@@ -5,9 +5,10 @@ A claim without a formula is a symbol (`proposition`) whose definition computes 
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector
+from derive.algebra import Quaternion, Tensor
 from derive.maps.pose import Pose
 
 from ..numbers.fields import innermost
@@ -23,11 +24,10 @@ def proposition(name: str, latex: str) -> Symbol:
 
 
 def _defined(env: Env, statement: Term) -> bool:
-    try:
+    with suppress(ArithmeticError):
         env.value(statement)
-    except ArithmeticError:
-        return False
-    return True
+        return True
+    return False
 
 
 defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True,
@@ -48,37 +48,26 @@ unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _une
 """Claim ``unequal(Re(alpha), 2 * k * pi, k)``: Re α ≠ 2kπ for every integer k."""
 
 
-def is_orthogonal(env: Env, a: Any) -> bool:
+def _orthogonal(env: Env, a: Any) -> bool:
     """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
     return values.equal(env.field, a @ a.transpose, Tensor.identity()) and values.equal(env.field, a.det(), 1)
 
 
-def is_unit(env: Env, a: Any) -> bool:
-    """Return whether a value is a unit quaternion."""
-    return isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1)
-
-
-orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), is_orthogonal)
-unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,), is_unit)
-
-
-def homogeneous(env: Env, rotation: Tensor, displacement: Vector) -> Pose:
-    """Return the pose of a homogeneous matrix."""
-    return Pose(rotation, displacement)
-
-
+orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), _orthogonal)
+unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,),
+                         lambda env, a: isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1))
 pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "({0},{1},0,1)", ATOM, (LIST, LIST),
-              homogeneous)
+              lambda env, rotation, displacement: Pose(rotation, displacement))
 
 
 def fixes_a_point(env: Env, motion: Pose) -> bool:
     """Return whether a displacement is a pure rotation: ρ is orthogonal to the axis, the kernel of ``Q − I``."""
     Q, rho = motion.rotation, motion.displacement
-    if fixes_directions(env, motion):
-        return values.equal(env.field, rho, 0 * rho)
-    return values.equal(env.field, axis_projector(Q) @ rho, 0 * rho)
+    projector = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())  # 2 (1 − cos α) u ⊗ u
+    along = rho if fixes_directions(env, motion) else projector @ rho
+    return values.equal(env.field, along, 0 * rho)
 
 
 def fixes_directions(env: Env, motion: Pose) -> bool:
@@ -89,9 +78,3 @@ def fixes_directions(env: Env, motion: Pose) -> bool:
 def is_general(env: Env, motion: Pose) -> bool:
     """Return whether a displacement is neither a pure rotation nor a pure translation."""
     return not fixes_a_point(env, motion) and not fixes_directions(env, motion)
-
-
-def axis_projector(Q: Tensor) -> Tensor:
-    """Return ``Q + Qᵀ + (1 − tr Q) I = 2 (1 − cos α) u ⊗ u``."""
-    projector: Tensor = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())
-    return projector

@@ -6,10 +6,12 @@ A call of an operator builds a term: ``equal(R, I + 2 * q * skew(q))``. Papers a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, permutations
 from typing import TYPE_CHECKING, Any
+
+from sympy import LeviCivita
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
 from derive.algebra.element import NotExactError
@@ -72,8 +74,10 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
-    if isinstance(base, Apply) and Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
-        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
+    if Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
+        v = env.value(base.arguments[0])  # |v|² = v·v needs no root
+        square = v.dot(v) if isinstance(v, Vector) else v.norm2() if isinstance(v, Quaternion) else v * v
+        return env.power(square, e // 2)
     value = env.value(base)
     return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
 
@@ -82,7 +86,8 @@ define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True
 
 
 def _root(env: Env, a: Any) -> Any:
-    a = values.scalar(a)
+    if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
+        a = a.scalar
     return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
 
 
@@ -165,25 +170,15 @@ summation = define(
 )
 
 
-def _floor(a: Any, b: int) -> int:
+def _floor(env: Env, a: Any, b: int) -> int:
     if not isinstance(a, int):
         raise NotExactError("the floor of n over a number")
     return a // b
 
 
-floor_over = define(
-    "floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), lambda env, a, b: _floor(a, b)
-)
-
-
-def _binomial(env: Env, n: int, k: int) -> int:
-    result = 1
-    for i in range(k):
-        result = result * (n - i) // (i + 1)
-    return result
-
-
-binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _binomial)
+floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST),
+                  lambda env, n, k: math.comb(n, k))
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
@@ -200,22 +195,19 @@ Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda
 
 norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
               traits=Trait.LENGTH)
-dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
+dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT),
+             lambda env, a, b: a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else values.multiply(a, b))
 cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b))
 
 
-def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
-    """Yield each sign of a 3×3 determinant with the factors of its product."""
-    for i in range(3):
-        for sign, step in ((1, 1), (-1, 2)):
-            indices = (i, (i + step) % 3, (i + 2 * step) % 3)
-            yield sign, tuple(tuple(v)[k] for v, k in zip(vectors, indices, strict=True))
+def _triple(env: Env, *vectors: Vector) -> Any:
+    """Return the determinant of three rows by Leibniz's formula."""
+    rows = [tuple(v) for v in vectors]
+    return sum(int(LeviCivita(*p)) * math.prod(row[i] for row, i in zip(rows, p, strict=True))
+               for p in permutations(range(3)))
 
 
-triple = define(
-    "triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,),
-    lambda env, a, b, c: sum(sign * a_i * b_j * c_k for sign, (a_i, b_j, c_k) in _permutations(a, b, c)),
-)
+triple = define("triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,), _triple)
 dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
 couple = define(
     "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),

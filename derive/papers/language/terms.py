@@ -80,7 +80,8 @@ class Operator:
 
 
 OPERATORS: dict[str, Operator] = {}
-
+LEAF = Operator("", "", "", ATOM, (), lambda env: None)
+"""Operator of a term without parts, so that every term has an operator."""
 
 Build = Callable[["Term", Any], "Term"]
 
@@ -92,6 +93,14 @@ def _infix(name: str) -> tuple[Build, Build]:
 
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     """Formula or part of a formula. Python's operators build larger terms and accept integers."""
+
+    @property
+    def operator(self) -> Operator:
+        return LEAF
+
+    @property
+    def arguments(self) -> tuple[Term, ...]:
+        return ()
 
     def __call__(self, argument: Any) -> Term:
         return Apply("at", self, argument)
@@ -120,16 +129,9 @@ class Number(Term):
 
 
 class Symbol(Term):
-    """Printed symbol.
+    """Printed symbol with its LaTeX and its characters in the extracted text.
 
-    Parameters
-    ----------
-    name : str
-        Unique within a statement.
-    quantity : str
-        Quantity of the symbol: a row of the table in :mod:`derive.papers.numbers.quantities`.
-    latex, text : str
-        Its LaTeX, and its characters in the extracted text.
+    Its name is unique within a statement; its quantity is a row of the table in `derive.papers.numbers.quantities`.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
@@ -140,8 +142,7 @@ class Symbol(Term):
 
     @property
     def name(self) -> str:
-        name: str = self.args[0].name
-        return name
+        return str(self.args[0])
 
     @property
     def quantity(self) -> Quantity:
@@ -184,15 +185,13 @@ def symbols(statement: Term) -> tuple[Symbol, ...]:
 def walk(statement: Term) -> Iterator[Term]:
     """Yield the statement and all its parts in printed order."""
     yield statement
-    if isinstance(statement, Apply):
-        for argument in statement.arguments:
-            yield from walk(argument)
+    for argument in statement.arguments:
+        yield from walk(argument)
 
 
-def with_trait(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
+def with_trait(trait: Trait, *statements: Term) -> tuple[Term, ...]:
     """Return the parts of the statements whose operator has a trait."""
-    nodes = (node for statement in statements for node in walk(statement))
-    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.operator.traits)
+    return tuple(node for statement in statements for node in walk(statement) if trait in node.operator.traits)
 
 
 def takes_apart(*statements: Term) -> bool:
@@ -217,21 +216,13 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
         return str(node.value)
     if isinstance(node, Symbol):
         return str(node.args[2 if style == "latex" else 3])
-    if not isinstance(node, Apply):
-        raise TypeError(f"not a formula: {node!r}")
     row = node.operator
     parts = []
     for i, argument in enumerate(node.arguments):
         part = _typeset(argument, style, brackets)
         needed = row.slots[min(i, len(row.slots) - 1)]
-        parts.append(brackets.format(part) if _level(argument) < needed else part)
+        parts.append(brackets.format(part) if argument.operator.level < needed else part)
     template: str = getattr(row, style)
     if style == "latex" and template.startswith("{0}^") and "^" in parts[0]:
         parts[0] = f"{{{parts[0]}}}"  # avoid a double superscript
     return template.format(*parts) if "{0}" in template else template.join(parts)
-
-
-def _level(node: Term) -> int:
-    if isinstance(node, Apply):
-        return node.operator.level
-    return ATOM

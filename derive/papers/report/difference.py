@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..language.notation import define
-from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Apply, Term, latex
+from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 
 COLOUR = "#b3261e"
 CHANGED = {
@@ -22,12 +22,7 @@ def differing(printed: Term, right: Term) -> tuple[str, str]:
 def _marked(a: Term, b: Term) -> tuple[Term, Term]:
     if a == b:
         return a, b
-    applied = isinstance(a, Apply) and isinstance(b, Apply) and a.operator is b.operator
-    if applied and len(a.arguments) == len(b.arguments):
-        pairs = [_marked(s, t) for s, t in zip(a.arguments, b.arguments, strict=True)]
-        return a.operator(*(s for s, _ in pairs)), b.operator(*(t for _, t in pairs))
-    return _coloured(a), _coloured(b)
-
-
-def _coloured(a: Term) -> Term:
-    return CHANGED[a.operator.level if isinstance(a, Apply) else ATOM](a)
+    if a.arguments and a.operator is b.operator and len(a.arguments) == len(b.arguments):
+        firsts, seconds = zip(*map(_marked, a.arguments, b.arguments), strict=True)
+        return a.operator(*firsts), b.operator(*seconds)
+    return CHANGED[a.operator.level](a), CHANGED[b.operator.level](b)

@@ -129,11 +129,6 @@ def test_false_correction_is_refused() -> None:
         decided(equal((a + b) ** 2, a**2 + b**2), corrected=equal((a + b) ** 2, a**2 - b**2))
 
 
-def test_correction_in_place_of_the_printed_form_holds() -> None:
-    entry = equation("1", "title", 1, equal((a + b) ** 2, a**2 + b**2), corrected=square_of_sum)
-    assert decide("paper", entry.reading(square_of_sum), LOST).status is Status.HOLDS
-
-
 # ---- conditions ---------------------------------------------------------------------------------------------------
 
 quotient = equal(a / b * b, a)
