@@ -12,7 +12,6 @@ sharp                  sharpness of a condition, tested by the denominators
 counterexample         numerical values of a false statement at a point
 explore                truth of a statement at seeded points, special points and poles
 decide                 status of an entry
-mutation               mutants of a statement and their evaluation
 report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 

@@ -1,14 +1,4 @@
-"""Errata report in five formats.
-
-======== ======================================================================
-content  papers, counts and texts of a report, independent of format
-plain    LaTeX formulas as lines of Unicode
-text     tables for a terminal
-pages    JSON, Markdown, HTML and LaTeX
-======== ======================================================================
-
-The layouts are templates in ``templates/report``.
-"""
+"""Errata report in five formats: terminal tables, JSON, Markdown, HTML and LaTeX, with layouts in templates/report."""
 
 from __future__ import annotations
 

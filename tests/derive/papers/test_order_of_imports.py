@@ -12,7 +12,7 @@ PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
 DECIDING = ("sharp", "counterexample", "explore", "decide")
 ENTRIES = ("equation", "result", "paper")
 ROOMS = (
-    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "mutation", "report", "",
+    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
 )  # fmt: skip
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is the package itself."""
 
