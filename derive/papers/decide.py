@@ -18,7 +18,6 @@ from .explore import Outcome, explore
 from .language.evaluation import Env
 from .language.notation import over
 from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
-from .numbers.every_order import EveryOrder
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Counterexample, Result, Status, Verdict
@@ -30,16 +29,7 @@ SHORT_DECIMALS = 1
 
 
 def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
-    """Compute the status of an entry.
-
-    Parameters
-    ----------
-    paper : str
-        Slug of its paper.
-    lost : str
-        Characters lost by the paper's text extraction; see `derive.papers.equation.faithful`.
-    orders : sequence of int
-        Orders n at which statements about n are evaluated.
+    """Compute the status of an entry of a paper, given by its slug and the characters lost by its text extraction.
 
     Raises
     ------
@@ -170,7 +160,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
     if order is not None and branch is None:
         with suppress(NotExactError):
             if _checked(entry, statement, Generic(generic, False, entry.moving, order=order)):
-                return EveryOrder.name
+                return "exact, all n"
     dual, checked = takes_apart(statement, *entry.definitions), False
     try:
         for n in orders if order is not None else (0,):

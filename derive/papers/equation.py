@@ -47,77 +47,30 @@ class Reading:
 
 @dataclass(frozen=True)
 class Equation:
-    """Entry for a printed equation or claim; create one with `equation`.
+    """Entry for a printed equation or claim; create one with `equation`."""
 
-    Attributes
-    ----------
-    number : str
-        The paper's number, or a slug.
-    title : str
-    line : int
-        Line of the extracted text that contains the equation.
-    extract : str
-        Characters of the text on that line; empty for a claim in words.
-    readings : tuple of Reading
-        Readings listed by hand, the most charitable first.
-    where : tuple of Definition
-        Definitions of symbols; all other symbols are free and take values of their quantity.
-    claimed : Term, optional
-        Domain stated by the paper; points outside it are not tested.
-    stated : tuple of int and str, optional
-        Line and words that state the claimed domain; required with `claimed`.
-    condition : Term, optional
-        Condition under which the equation was found to hold.
-    corrected : Term, optional
-        Correction of an erratum.
-    because : Term, optional
-        Identity that supports a statement for which points are only evidence.
-    argument : str
-        Name of the module whose argument proves the statement from this identity.
-    also : callable, optional
-        Function from a `numbers.draw.Draw` to further points by name: values of free symbols.
-    moving : bool
-        Whether the symbols are functions of time.
-    orders : tuple of int, optional
-        Orders that the entry is about; all by default.
-    branches : int, optional
-        Number of values of a branch symbol; n by default.
-    components : bool
-        Whether single components occur; then no frame is chosen along the vectors.
-    lost : str
-        Further characters lost by the extraction in this display.
-    fixed_by : str
-        Legible passage that decides between the readings; empty if there is none.
-    said : str
-        Words of the paper, for a claim without a display.
-    remark : str
-        One sentence for the report.
-    source : str
-        Path of the module that defines the entry; filled in by `Paper.entries`.
-    """
-
-    number: str
+    number: str  # the paper's number, or a slug
     title: str
-    line: int
-    extract: str
-    readings: tuple[Reading, ...]
-    where: tuple[Definition, ...] = ()
-    claimed: Term | None = None
-    stated: tuple[int, str] | None = None
-    condition: Term | None = None
-    corrected: Term | None = None
-    because: Term | None = None
-    argument: str = ""
-    also: Points | None = field(default=None, compare=False)
-    moving: bool = False
-    orders: tuple[int, ...] | None = None
-    branches: int | None = None
-    components: bool = False
-    lost: str = ""
-    fixed_by: str = ""
-    said: str = ""
-    remark: str = ""
-    source: str = ""
+    line: int  # line of the extracted text that contains the equation
+    extract: str  # characters of the text on that line; empty for a claim in words
+    readings: tuple[Reading, ...]  # listed by hand, the most charitable first
+    where: tuple[Definition, ...] = ()  # definitions of symbols; all other symbols are free
+    claimed: Term | None = None  # domain stated by the paper; points outside it are not tested
+    stated: tuple[int, str] | None = None  # line and words that state the claimed domain
+    condition: Term | None = None  # condition under which the equation was found to hold
+    corrected: Term | None = None  # correction of an erratum
+    because: Term | None = None  # identity that supports a statement for which points are only evidence
+    argument: str = ""  # name of the module whose argument proves the statement from this identity
+    also: Points | None = field(default=None, compare=False)  # draws further values of free symbols, by name
+    moving: bool = False  # whether the symbols are functions of time
+    orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
+    branches: int | None = None  # number of values of a branch symbol; n by default
+    components: bool = False  # whether single components occur; then no frame is chosen along the vectors
+    lost: str = ""  # further characters lost by the extraction in this display
+    fixed_by: str = ""  # legible passage that decides between the readings
+    said: str = ""  # words of the paper, for a claim without a display
+    remark: str = ""  # one sentence for the report
+    source: str = ""  # path of the module that defines the entry; filled in by `Paper.entries`
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:

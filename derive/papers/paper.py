@@ -4,40 +4,30 @@ from __future__ import annotations
 
 import importlib
 from dataclasses import dataclass, replace
-from types import ModuleType
 
 from .equation import Equation
 
 
 @dataclass(frozen=True)
 class Paper:
-    """Paper whose equations are entries.
-
-    Attributes
-    ----------
-    slug, short, citation : str
-    lost : str
-        Characters lost by the extraction of its text.
-    package : str
-        Name of its package, which contains ``inventory`` and ``sections``.
-    sections : tuple of str
-        Names of the modules in ``sections``, in the paper's order; each defines ``ENTRIES``.
-    doi : str
-        Empty for a paper without a DOI.
-    """
+    """Paper whose equations are entries."""
 
     slug: str
     short: str
     citation: str
-    lost: str
-    package: str
-    sections: tuple[str, ...]
+    lost: str  # characters lost by the extraction of its text
+    package: str  # name of its package, which contains ``inventory`` and ``sections``
+    sections: tuple[str, ...]  # modules in ``sections``, in the paper's order; each defines ``ENTRIES``
     doi: str = ""
 
     def entries(self) -> tuple[Equation, ...]:
         """Return all entries in the paper's order, each with the path of its module."""
-        modules = [importlib.import_module(f"{self.package}.sections.{section}") for section in self.sections]
-        return tuple(replace(entry, source=_path(module)) for module in modules for entry in module.ENTRIES)
+        found: list[Equation] = []
+        for section in self.sections:
+            name = f"{self.package}.sections.{section}"
+            source = f"{name.replace('.', '/')}.py"
+            found += [replace(entry, source=source) for entry in importlib.import_module(name).ENTRIES]
+        return tuple(found)
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
         """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
@@ -48,7 +38,3 @@ class Paper:
         for line, numbers in module.CLAIMS.items():
             lines[line] = (*lines.get(line, ()), *numbers.split())
         return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}
-
-
-def _path(module: ModuleType) -> str:
-    return f"{module.__name__.replace('.', '/')}.py"

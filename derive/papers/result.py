@@ -23,21 +23,11 @@ class Status(StrEnum):
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Point at which a statement is false.
-
-    Attributes
-    ----------
-    point : str
-        Description of the point.
-    letters : dict of str to list of str
-        Numbers of each free symbol by its LaTeX: real parts, then dual parts.
-    sides : tuple of list of str
-        Numbers of both sides of the equation that fails; empty for a claim in words.
-    """
+    """Point at which a statement is false, as in the output of ``--format json``."""
 
     point: str
-    letters: Mapping[str, list[str]]
-    sides: tuple[list[str], ...]
+    letters: Mapping[str, list[str]]  # numbers of each free symbol by its LaTeX
+    sides: tuple[list[str], ...]  # numbers of both sides of the equation that fails; empty for a claim in words
 
 
 @dataclass(frozen=True)
@@ -61,29 +51,14 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Result:
-    """Equation with its computed status.
+    """Equation with its computed status."""
 
-    Attributes
-    ----------
-    paper : str
-        Slug of the paper.
-    equation : Equation
-        The entry.
-    status : Status
-    method : str
-        Method of decision in words.
-    verdicts : tuple of Verdict
-        One verdict for each listed reading, true ones first.
-    exact : bool
-        Whether the denominators show that the condition is sharp; otherwise it is only sufficient.
-    """
-
-    paper: str
+    paper: str  # slug
     equation: Equation
     status: Status
-    method: str
-    verdicts: tuple[Verdict, ...]
-    exact: bool = False
+    method: str  # method of decision in words
+    verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first
+    exact: bool = False  # whether the denominators show that the condition is sharp, not only sufficient
 
     @property
     def printed(self) -> str:

@@ -36,14 +36,8 @@ def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
 class Env:
     """Environment: values of symbols over a field of numbers.
 
-    Attributes
-    ----------
-    field : Field
-    values : dict
-        Values of free symbols; values of defined symbols are added on first use.
-    definitions : mapping of Symbol to Definition
-    dual, moving : bool
-        Whether coefficients are dual numbers, and whether their parts carry a time derivative.
+    `values` contains the free symbols; values of defined symbols are added on first use. Coefficients are dual numbers
+    if `dual`, and their parts carry a time derivative if `moving`.
     """
 
     field: Field
@@ -94,9 +88,8 @@ class Env:
         return Dual(real_part(a.re), real_part(a.du)) if self.dual else a.re
 
     def _meaning(self, symbol: Symbol) -> Any:
-        if symbol in self.definitions:
-            definition = self.definitions[symbol]
-            return definition.function(self, *(self.value(a) for a in definition.arguments))
+        if definition := self.definitions.get(symbol):
+            return definition.function(self, *map(self.value, definition.arguments))
         if symbol.quantity.value is not None:
             return symbol.quantity.value(self.field)
         raise KeyError(f"symbol {symbol.name!r} has no value")

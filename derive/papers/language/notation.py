@@ -19,40 +19,17 @@ from derive.maps.exponential import quaternion_exponential, tensor_exponential
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .terms import (
-    ATOM,
-    LIST,
-    OPERATORS,
-    POWER,
-    PRODUCT,
-    RELATION,
-    SUM,
-    Apply,
-    Number,
-    Operator,
-    Symbol,
-    Term,
-    Trait,
-)
+from .terms import ATOM, LIST, OPERATORS, POWER, PRODUCT, RELATION, SUM, Apply, Number, Operator, Symbol, Term, Trait
 
 if TYPE_CHECKING:
     from .evaluation import Env
 
 
-def define(
-    name: str,
-    latex: str,
-    text: str,
-    level: int,
-    slots: tuple[int, ...],
-    value: Callable[..., Any],
-    lazy: bool = False,
-    traits: Trait = Trait.NONE,
-) -> Operator:
-    """Add an operator to the table and return it; calling the operator builds a term."""
+def define(name: str, *row: Any, **rest: Any) -> Operator:
+    """Add an operator with the fields of `Operator` to the table and return it; its call builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
-    OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits)
+    OPERATORS[name] = Operator(name, *row, **rest)
     return OPERATORS[name]
 
 
@@ -105,16 +82,12 @@ def _chain(env: Env, *sides: Any) -> bool:
 
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
-nonzero = define(
-    "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
-    traits=Trait.DELICATE,
-)
+nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
+                 lambda env, a: not values.equal(env.field, env.now(a), 0), traits=Trait.DELICATE)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
                  traits=Trait.DELICATE)
-implies = define(
-    "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
-    lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
-)
+implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
+                 lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS)
 iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
              traits=Trait.DELICATE | Trait.JOINS)
 remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
@@ -165,9 +138,8 @@ def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
     return total
 
 
-summation = define(
-    "sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT), _sum, lazy=True
-)
+summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),
+                   _sum, lazy=True)
 
 
 def _floor(env: Env, a: Any, b: int) -> int:
@@ -192,7 +164,6 @@ Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda
 
 # ---- vectors, tensors, quaternions ----------------------------------------------------------------------------
 
-
 norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
               traits=Trait.LENGTH)
 dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT),
@@ -209,10 +180,8 @@ def _triple(env: Env, *vectors: Vector) -> Any:
 
 triple = define("triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,), _triple)
 dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
-couple = define(
-    "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
-    lambda env, a, b: values.add(values.quaternion(a), b),
-)
+couple = define("couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
+                lambda env, a, b: values.add(values.quaternion(a), b))
 skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
 transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose)
 det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
@@ -238,16 +207,14 @@ def _over(a: Any, b: Any) -> Any:
 
 
 def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> Operator:
-    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value,
-                  traits=traits | Trait.TRANSCENDENTAL)
+    traits |= Trait.TRANSCENDENTAL
+    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=traits)
 
 
 sin = _function("sin", lambda env, a: env.field.sin(a))
 cos = _function("cos", lambda env, a: env.field.cos(a))
-tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)),
-                traits=Trait.OVER_COSINE)
-cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)),
-                traits=Trait.OVER_SINE)
+tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), Trait.OVER_COSINE)
+cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), Trait.OVER_SINE)
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
@@ -268,16 +235,10 @@ def _exponential(env: Env, a: Any) -> Any:
 
 exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
 at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, a: f(a))
-
-
-reaches = define(
-    "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
-    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
-)
-branches = define(
-    "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
-    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
-)
+reaches = define("reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
+                 lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE)
+branches = define("branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
+                  lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE)
 """Claims about a `values.Map`; "onto" means ``reaches(f, q)`` for every q."""
 
 

@@ -1,14 +1,8 @@
 """Printed formulas as trees that are typeset, evaluated and mutated.
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
-build terms, so an entry reads like the formula. A term yields
-
-* ``latex(term)``, the formula in LaTeX,
-* ``text(term)``, its characters in printed order, for comparison with the extracted text,
-* its value, in :mod:`derive.papers.language.evaluation`.
-
-Operators are rows of the table in :mod:`derive.papers.language.notation`. Quantities of symbols are rows of the table
-in :mod:`derive.papers.numbers.quantities`.
+build terms, so an entry reads like the formula. Operators are rows of the table in
+:mod:`derive.papers.language.notation`, quantities of symbols in :mod:`derive.papers.numbers.quantities`.
 """
 
 from __future__ import annotations
@@ -30,48 +24,26 @@ class Trait(Flag):
     """Properties of an operator in addition to its value."""
 
     NONE = 0
-    DELICATE = auto()
-    """Operator whose value can change at special values of symbols."""
-    APART = auto()
-    """Operator that takes the real or the dual part."""
-    RATE = auto()
-    """Derivative in time."""
-    TRANSCENDENTAL = auto()
-    """Transcendental function: not composed of powers, roots and quotients."""
-    LENGTH = auto()
-    """Magnitude: the root of a square; its square needs no root."""
-    JOINS = auto()
-    """Operator that joins statements, each of which is asserted."""
-    OVER_COSINE = auto()
-    """Operator that divides by the cosine of its argument."""
-    OVER_SINE = auto()
-    """Operator that divides by the sine of its argument."""
+    DELICATE = auto()  # its value can change at special values of symbols
+    APART = auto()  # takes the real or the dual part
+    RATE = auto()  # derivative in time
+    TRANSCENDENTAL = auto()  # not composed of powers, roots and quotients
+    LENGTH = auto()  # magnitude: the root of a square; its square needs no root
+    JOINS = auto()  # joins statements, each of which is asserted
+    OVER_COSINE = auto()  # divides by the cosine of its argument
+    OVER_SINE = auto()  # divides by the sine of its argument
 
 
 @dataclass(frozen=True)
 class Operator:
-    """Row of the notation table; a call with arguments makes a term.
-
-    Attributes
-    ----------
-    name : str
-    latex, text : str
-        Templates with ``{0}``, ``{1}`` …; for a list of any length, only the separator.
-    level : int
-        Binding strength of the result.
-    slots : tuple of int
-        Minimum level at which each argument needs no brackets; the last slot serves all further arguments.
-    value : callable
-        Function ``value(env, *arguments)``; the arguments are values, or terms if `lazy`.
-    traits : Trait
-    """
+    """Row of the notation table; a call with arguments makes a term."""
 
     name: str
-    latex: str
-    text: str
-    level: int
-    slots: tuple[int, ...]
-    value: Callable[..., Any]
+    latex: str  # template with ``{0}``, ``{1}`` …; for a list of any length, only the separator
+    text: str  # similar template for the extracted characters
+    level: int  # binding strength of the result
+    slots: tuple[int, ...]  # least level of each argument without brackets; the last slot serves all further arguments
+    value: Callable[..., Any]  # function ``value(env, *arguments)`` of values, or of terms if `lazy`
     lazy: bool = False
     traits: Trait = Trait.NONE
 
@@ -124,7 +96,6 @@ class Number(Term):
 
     @property
     def value(self) -> int:
-        """The integer."""
         return int(self.args[0])
 
 
@@ -196,9 +167,8 @@ def with_trait(trait: Trait, *statements: Term) -> tuple[Term, ...]:
 
 def takes_apart(*statements: Term) -> bool:
     """Return whether statements separate real and dual parts by ε, Re, Du, a real symbol or a claim in words."""
-    return bool(with_trait(Trait.APART, *statements)) or any(
-        symbol.quantity.apart for statement in statements for symbol in symbols(statement)
-    )
+    apart = any(symbol.quantity.apart for statement in statements for symbol in symbols(statement))
+    return apart or bool(with_trait(Trait.APART, *statements))
 
 
 def latex(statement: Term) -> str:

@@ -16,16 +16,9 @@ from .fields import Decimal60
 
 
 class Draw:
-    """Source of seeded 60-digit numbers.
+    """Source of 60-digit numbers with `digits` random decimals, all determined by the seed.
 
-    Parameters
-    ----------
-    seed : str
-        Seed that determines all numbers.
-    moving : bool
-        Whether coefficients carry time derivatives, as in `derive.papers.language.evaluation.Env`.
-    digits : int
-        Number of decimals of the drawn numbers.
+    Coefficients carry time derivatives if `moving`, as in `derive.papers.language.evaluation.Env`.
     """
 
     def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:

@@ -29,8 +29,6 @@ class EveryOrder(Exact):
     `scale`; their powers are further independent symbols.
     """
 
-    name = "exact, all n"
-
     def __init__(self, names: Sequence[str] = ()) -> None:
         super().__init__([*names, "n", "r", "scale", "s", "t"], {"theta": 1, "psi": 2})
         self.n, self.r, self.scale = self.symbol("n"), self.symbol("r"), self.symbol("scale")

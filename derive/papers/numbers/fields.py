@@ -45,16 +45,9 @@ class Field:
 
     Subclasses define ``_sin``, ``_cos``, ``_exp``, ``_log``, ``_sqrt`` and ``_atan2`` on plain numbers.
 
-    Attributes
-    ----------
-    name : str
-        Name in descriptions of methods.
-    ordered : bool
-        Whether every number has a sign, so that numbers can be compared.
     """
 
-    name: str
-    ordered = False
+    ordered = False  # whether every number has a sign, so that numbers can be compared
 
     sin = _lifted("sin", lambda field, a: field.cos(a))
     cos = _lifted("cos", lambda field, a: -field.sin(a))
@@ -142,8 +135,8 @@ class Field:
 class Decimal60(Field):
     """Real numbers with 60 digits, for use inside ``mpmath.workdps(DIGITS)``."""
 
-    name = "60 digits"
     ordered = True
+    _exp = staticmethod(mpmath.exp)
 
     def same(self, a: Any, b: Any) -> bool:
         return bool(abs(a - b) <= TOLERANCE * (1 + abs(a) + abs(b)))
@@ -161,9 +154,6 @@ class Decimal60(Field):
 
     def _cos(self, a: Any) -> Any:
         return chopped(mpmath.cos(a))
-
-    def _exp(self, a: Any) -> Any:
-        return mpmath.exp(a)
 
     def _log(self, a: Any) -> Any:
         if a <= 0:
@@ -188,8 +178,6 @@ class Decimal60(Field):
 
 class Exact(Field):
     """Rational functions over Q of independent symbols, with roots of squares and half-angle tangents."""
-
-    name = "exact"
 
     def __init__(self, names: Sequence[str] = (), angles: Mapping[str, int] | None = None) -> None:
         self.functions = AngleField(names, angles)

@@ -26,20 +26,11 @@ STEPS = 4  # sine and cosine of multiples of α/4 are exact
 
 
 class Generic:
-    """Generic values of some symbols.
+    """Generic values of some free symbols.
 
-    Parameters
-    ----------
-    free : iterable of Symbol
-        Symbols that receive values.
-    dual, moving : bool
-        Whether coefficients are dual and whether they carry rates, as in `derive.papers.language.evaluation.Env`.
-    steps : int
-        Divisor of angles: multiples of ``angle/steps`` have exact sine and cosine.
-    framed : bool
-        Whether a frame may be chosen along the vectors.
-    order : Symbol, optional
-        Symbolic order n; then the other symbols contain at most one vector and one angle.
+    Coefficients are dual and carry rates by `dual` and `moving`, as in `derive.papers.language.evaluation.Env`.
+    Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen along the vectors if `framed`. With the
+    symbol `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """
 
     def __init__(

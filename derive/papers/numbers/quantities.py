@@ -28,49 +28,25 @@ Make = Callable[[Draw], Any]
 class Role(Enum):
     """Role of a quantity in the choice of exact coordinates."""
 
-    ANGLE = auto()
-    """Angle whose fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ."""
-    TURN = auto()
-    """Displacement, given by an angle and an axis."""
-    VECTOR = auto()
-    """Vector along which a frame may be chosen; the first vector's magnitude is the tangent of an angle."""
-    TENSOR = auto()
-    """Tensor with generic entries, for which no frame is chosen."""
+    ANGLE = auto()  # its fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ
+    TURN = auto()  # displacement, given by an angle and an axis
+    VECTOR = auto()  # a frame may be chosen along it; the first vector's magnitude is the tangent of an angle
+    TENSOR = auto()  # has generic entries; no frame is chosen
 
 
 @dataclass(frozen=True, eq=False)
 class Quantity:
-    """Row of the table.
-
-    Attributes
-    ----------
-    name : str
-    draw : callable, optional
-        Function that draws a 60-digit value that is not special; without it, symbols need a definition.
-    special : dict of str to callable
-        Functions that draw values at which formulas tend to fail, by name.
-    size : int
-        Number of independent numbers in a value.
-    exact : callable, optional
-        Function ``exact(generic, name)`` that returns a symbol's generic value in an exact field.
-    role : Role, optional
-    value : callable, optional
-        Function from a field to the value of a constant.
-    apart : bool
-        Whether the quantity separates real and dual parts; then exact coefficients are dual too.
-    varies : bool
-        Whether a symbol without a definition is free.
-    """
+    """Row of the table."""
 
     name: str
-    draw: Make | None = None
-    special: Mapping[str, Make] = field(default_factory=dict)
-    size: int = 0
-    exact: Callable[[Generic, str], Any] | None = None
+    draw: Make | None = None  # draws a 60-digit value that is not special; without it, symbols need a definition
+    special: Mapping[str, Make] = field(default_factory=dict)  # draw values at which formulas tend to fail
+    size: int = 0  # number of independent numbers in a value
+    exact: Callable[[Generic, str], Any] | None = None  # returns the generic value of a symbol, given its name
     role: Role | None = None
-    value: Callable[[Field], Any] | None = None
-    apart: bool = False
-    varies: bool = True
+    value: Callable[[Field], Any] | None = None  # returns the value of a constant in a field
+    apart: bool = False  # whether it separates real and dual parts; then exact coefficients are dual too
+    varies: bool = True  # whether a symbol without a definition is free
 
     def generic(self, draw: Draw) -> Any:
         """Return a 60-digit value that is not special."""

@@ -92,8 +92,8 @@ _SPECIAL = {
     **{chr(sign): f"$_{chr(index)}$" for index, sign in _SUBSCRIPTS.items()},
     **{chr(sign): f"$^{chr(power)}$" for power, sign in _SUPERSCRIPTS.items() if chr(power) != "*"},
     **{c: rf"\{c}" for c in "#$%&_{}"}, "\\": r"\textbackslash{}", "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}", "…": r"\dots{}", "−": "$-$", "°": r"$^\circ$", "√": r"$\surd$", "˙": r"$\dot{}$", "½": r"$\frac12$",
-    "′": "$'$", "“": "``", "”": "''", "–": "--", "∂": r"$\partial$", "İ": r"\.I",
+    "^": r"\textasciicircum{}", "…": r"\dots{}", "−": "$-$", "°": r"$^\circ$", "√": r"$\surd$", "˙": r"$\dot{}$",
+    "½": r"$\frac12$", "′": "$'$", "“": "``", "”": "''", "–": "--", "∂": r"$\partial$", "İ": r"\.I",
 }
 _MARKS = {mark: command for command, mark in _ACCENTS.items() if mark}
 _LAST_LETTER = "\u017f"  # last letter of LaTeX's T1 fonts
