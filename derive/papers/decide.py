@@ -12,9 +12,8 @@ from typing import Any
 
 from derive.algebra.element import NotExactError
 
-from .counterexample import counterexample
 from .equation import Equation, Reading, UndecidedError, faithful
-from .explore import Outcome, explore
+from .explore import Outcome, counterexample, explore
 from .language.evaluation import Env
 from .language.notation import over
 from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
@@ -128,7 +127,7 @@ def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Ou
     """Return a counterexample, with short decimals if the statement also fails at such a point."""
     short = explore(entry, statement, orders, SHORT_DECIMALS)
     shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
-    return counterexample(shown.point, shown.env, entry, statement)
+    return counterexample(shown, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:

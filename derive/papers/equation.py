@@ -16,9 +16,10 @@ An entry that fits none of these raises `UndecidedError`.
 
 from __future__ import annotations
 
+import importlib
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .language.evaluation import Definition
@@ -107,3 +108,35 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
         return re.sub(r"~(\d+)", r"\1~", line.translate(drop))
 
     return characters(text(reading)) == characters(extract)
+
+
+@dataclass(frozen=True)
+class Paper:
+    """Paper whose equations are entries."""
+
+    slug: str
+    short: str
+    citation: str
+    lost: str  # characters lost by the extraction of its text
+    package: str  # name of its package, which contains ``inventory`` and ``sections``
+    sections: tuple[str, ...]  # modules in ``sections``, in the paper's order; each defines ``ENTRIES``
+    doi: str = ""
+
+    def entries(self) -> tuple[Equation, ...]:
+        """Return all entries in the paper's order, each with the path of its module."""
+        found: list[Equation] = []
+        for section in self.sections:
+            name = f"{self.package}.sections.{section}"
+            source = f"{name.replace('.', '/')}.py"
+            found += [replace(entry, source=source) for entry in importlib.import_module(name).ENTRIES]
+        return tuple(found)
+
+    def inventory(self) -> dict[int, tuple[str, ...] | str]:
+        """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
+        module = importlib.import_module(f"{self.package}.inventory")
+        lines: dict[int, tuple[str, ...] | str] = {}
+        for entry in self.entries():
+            lines[entry.line] = (*lines.get(entry.line, ()), entry.number)
+        for line, numbers in module.CLAIMS.items():
+            lines[line] = (*lines.get(line, ()), *numbers.split())
+        return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}

@@ -1,4 +1,7 @@
-"""Truth of a statement at seeded points: generic, real, with one or two special symbols, and at poles."""
+"""Truth of a statement at seeded points: generic, real, with one or two special symbols, and at poles.
+
+A point where the statement is false gives a counterexample.
+"""
 
 from __future__ import annotations
 
@@ -10,15 +13,21 @@ from typing import Any
 import mpmath
 
 from derive.algebra import Dual, Structure
+from derive.maps.pose import Pose
 
 from .equation import Equation
+from .language import notation
 from .language.evaluation import Env
-from .language.terms import Symbol, Term, symbols, text, walk
+from .language.terms import Symbol, Term, Trait, latex, symbols, text, walk
+from .language.values import Either, coefficients, equal
 from .numbers.draw import Draw
 from .numbers.fields import DIGITS, Decimal60, innermost
 from .numbers.quantities import BRANCH, ORDER
+from .result import Counterexample
 
 GENERIC_POINTS = 2
+SHOWN_DIGITS = 30
+"""Digits shown for a value of a counterexample."""
 SCALES = tuple(mpmath.mpf(k) / 8 for k in range(1, 41))
 """Scale factors for a symbol; sign changes of a denominator are searched between neighbouring factors."""
 SCALED = ("dual vector", "dual number", "argument")
@@ -145,3 +154,34 @@ def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
     except (ArithmeticError, TypeError, ValueError):
         pass
     return None
+
+
+def counterexample(outcome: Outcome, entry: Equation, statement: Term) -> Counterexample:
+    """Return the values of a statement's free symbols at a point, and the sides that differ there."""
+    with mpmath.workdps(DIGITS):
+        numbers = {latex(symbol): shown(outcome.env.value(symbol)) for symbol in entry.free(statement)}
+        letters = {name: parts for name, parts in numbers.items() if parts}
+        return Counterexample(outcome.point, letters, _sides(outcome.env, statement))
+
+
+def _sides(env: Env, statement: Term) -> tuple[list[str], ...]:
+    """Return the first two neighbouring sides of an equation that are unequal."""
+    if Trait.JOINS in statement.operator.traits:
+        return next((found for part in statement.arguments if (found := _sides(env, part))), ())
+    if statement.operator is notation.equal:
+        for pair in pairwise(statement.arguments):
+            try:
+                a, b = (env.now(env.value(side)) for side in pair)
+            except ArithmeticError:
+                return ()
+            if not equal(env.field, a, b):
+                return shown(a), shown(b)
+    return ()
+
+
+def shown(value: Any) -> list[str]:
+    """Return all parts of a value as decimal numbers; none if the value does not consist of numbers."""
+    first = value.first if isinstance(value, Either) else value
+    if isinstance(first, bool) or not isinstance(first, Structure | Pose | Dual | mpmath.mpf | int):
+        return []
+    return [mpmath.nstr(mpmath.mpf(part), SHOWN_DIGITS) for part in coefficients(first)]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from derive.proof import Proof
 
-from ..paper import Paper
+from ..equation import Paper
 from ..result import Counterexample, Result, Status
 from .plain import plain
 

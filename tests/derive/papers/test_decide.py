@@ -13,7 +13,7 @@ from derive.papers.condurache_popa_2023.operators import positive
 from derive.papers.condurache_popa_2023.symbols import LOST, alpha, u, v
 from derive.papers.decide import decide
 from derive.papers.equation import Equation, faithful
-from derive.papers.language.claims import defined, unequal
+from derive.papers.language.definitions import defined, unequal
 from derive.papers.language.notation import (
     Re,
     both,

@@ -9,8 +9,8 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("sharp", "counterexample", "explore", "decide")
-ENTRIES = ("equation", "result", "paper")
+DECIDING = ("sharp", "explore", "decide")
+ENTRIES = ("equation", "result")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
 )  # fmt: skip
