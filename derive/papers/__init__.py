@@ -76,15 +76,5 @@ def verify(
     return results
 
 
-__all__ = [
-    "PAPERS",
-    "Equation",
-    "Paper",
-    "Reading",
-    "Result",
-    "Status",
-    "UndecidedError",
-    "Verdict",
-    "equation",
-    "verify",
-]
+__all__ = ["PAPERS", "Equation", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
+           "verify"]

@@ -19,12 +19,12 @@ from .language.notation import over
 from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
-from .result import Counterexample, Result, Status, Verdict
+from .result import Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT_DECIMALS = 1
-"""Decimals of the numbers drawn for a counterexample."""
+"""Decimals of the numbers drawn for a counterexample, if the statement also fails at such a point."""
 
 
 def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
@@ -41,11 +41,12 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
     verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
-    first = verdicts[0]
+    first, truths = verdicts[0], {verdict.true for verdict in listed}
+    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
     decided = entry.corrected if entry.corrected is not None else first.statement
     sharp = entry.condition is not None and is_sharp(entry.condition, decided)
     result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if first.true and _is_ambiguous(entry, listed):
+    if first.true and (supported or (not entry.extract and len(truths) > 1)):  # the text does not decide
         return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
     if first.true:
         return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, first.method)
@@ -73,13 +74,6 @@ def _check(entry: Equation, lost: str) -> None:
             raise UndecidedError(f"({entry.number}): {mistake}")
 
 
-def _is_ambiguous(entry: Equation, listed: Sequence[Verdict]) -> bool:
-    """Return whether the text supports a false reading, or a claim in words has a true and a false reading."""
-    truths = {verdict.true for verdict in listed}
-    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
-    return supported or (not entry.extract and len(truths) > 1)
-
-
 def _support(entry: Equation, identity: Term) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
@@ -97,7 +91,9 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
     inside = [outcome for outcome in outcomes if outcome.inside]
     failed = next((outcome for outcome in inside if outcome.truth is not True), None)
     if failed is not None:
-        return verdict(False, f"refuted at {failed.place}", _example(entry, reading.statement, orders, failed))
+        short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
+        shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
+        return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
     outside = [outcome for outcome in outcomes if not outcome.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
@@ -109,11 +105,8 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
     """Return a point outside the condition where the statement is true and two symbols are special, if any.
 
-    Raises
-    ------
-    UndecidedError
-        If the statement is true outside its condition with fewer than two special symbols: the condition is too
-        strict. Also if the statement has a value outside a condition that its denominators show to be sharp.
+    Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
+    raise if the statement has a value outside a condition that its denominators show to be sharp.
     """
     for outcome in outside:
         if outcome.truth is True and not outcome.pair:
@@ -121,13 +114,6 @@ def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Out
         if outcome.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
             raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {outcome.place}")
     return next((outcome for outcome in outside if outcome.truth is True), None)
-
-
-def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
-    """Return a counterexample, with short decimals if the statement also fails at such a point."""
-    short = explore(entry, statement, orders, SHORT_DECIMALS)
-    shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
-    return counterexample(shown, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
@@ -144,12 +130,9 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
 
 
 def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
-    """Prove a statement exactly. Return the method, or None if no exact field has all its operations.
+    """Prove a statement exactly; return the method, or None if no exact field has all its operations.
 
-    Raises
-    ------
-    UndecidedError
-        If the statement is false at generic values although it is true at all seeded points.
+    Raise if the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
     order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))

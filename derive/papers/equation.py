@@ -103,11 +103,8 @@ def faithful(reading: Term, extract: str, lost: str) -> bool:
     A tilde may precede or follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
-
-    def characters(line: str) -> str:
-        return re.sub(r"~(\d+)", r"\1~", line.translate(drop))
-
-    return characters(text(reading)) == characters(extract)
+    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in (text(reading), extract))
+    return left == right
 
 
 @dataclass(frozen=True)

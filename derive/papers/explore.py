@@ -61,7 +61,7 @@ def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int
     """Yield the truth of a statement at each point inside the entry's claimed domain."""
     with mpmath.workdps(DIGITS):
         for label, values, pair in points(entry, statement, orders, digits):
-            env = _environment(entry, values)
+            env = Env(Decimal60(), values, entry.definitions, moving=entry.moving)
             if entry.claimed is None or _truth(env, entry.claimed):
                 inside = entry.condition is None or bool(_truth(env, entry.condition))
                 yield Outcome(label, inside, _truth(env, statement), env, pair)
@@ -97,16 +97,13 @@ def _points(entry: Equation, statement: Term, fixed: Values, draw: Draw, real: D
     start, values = generic(), generic(real)
     if any(isinstance(value, Dual | Structure) for value in values.values()):
         yield "all symbols real", {symbol: _real(value) for symbol, value in values.items()}, False
-    for label, moved in poles(statement, _environment(entry, {**fixed, **start})):
+    at_start = Env(Decimal60(), {**fixed, **start}, entry.definitions, moving=entry.moving)
+    for label, moved in poles(statement, at_start):
         yield label, {**start, **moved}, False
     for (first, label, make), (second, other, other_make) in combinations(special, 2):
         if first != second:
             values = {**generic(), first: make(draw), second: other_make(draw)}
             yield f"{first.name}: {label}, {second.name}: {other}", values, True
-
-
-def _environment(entry: Equation, values: Values) -> Env:
-    return Env(Decimal60(), values, entry.definitions, moving=entry.moving)
 
 
 def _real(value: Any) -> Any:

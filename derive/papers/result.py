@@ -119,10 +119,7 @@ class Result:
             "method": self.method,
             "anchor": self.anchor,
             "section": self.section,
-            "line": entry.line,
-            "source": entry.source,
-            "said": entry.said,
-            "remark": entry.remark,
+            **{name: getattr(entry, name) for name in ("line", "source", "said", "remark")},
         }
 
     def cells(self) -> dict[str, str]:

@@ -6,7 +6,6 @@ A claim without a formula is a symbol (`proposition`) whose definition computes 
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
@@ -60,10 +59,11 @@ def proposition(name: str, latex: str) -> Symbol:
 
 
 def _defined(env: Env, statement: Term) -> bool:
-    with suppress(ArithmeticError):
+    try:
         env.value(statement)
-        return True
-    return False
+    except ArithmeticError:
+        return False
+    return True
 
 
 defined = define("defined", r"{0} \text{{ has a value}}", "{0}", RELATION, (SUM,), _defined, lazy=True,

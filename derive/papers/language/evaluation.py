@@ -65,10 +65,6 @@ class Env:
             raise TypeError(f"only a symbol can be bound, not {index!r}")
         return dataclasses.replace(self, values={**self.values, index: value})
 
-    def power(self, base: Any, exponent: Any) -> Any:
-        """Return a power computed by the field."""
-        return self.field.power(base, exponent)
-
     def rate(self, a: Any) -> Any:
         """Return the time derivative of a value."""
         if isinstance(a, Structure):

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise, permutations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from sympy import LeviCivita
 
@@ -19,10 +19,8 @@ from derive.maps.exponential import quaternion_exponential, tensor_exponential
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
+from .evaluation import Env
 from .terms import ATOM, LIST, OPERATORS, POWER, PRODUCT, RELATION, SUM, Apply, Number, Operator, Symbol, Term, Trait
-
-if TYPE_CHECKING:
-    from .evaluation import Env
 
 
 def define(name: str, *row: Any, **rest: Any) -> Operator:
@@ -54,9 +52,9 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
     if Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
         v = env.value(base.arguments[0])  # |v|² = v·v needs no root
         square = v.dot(v) if isinstance(v, Vector) else v.norm2() if isinstance(v, Quaternion) else v * v
-        return env.power(square, e // 2)
+        return env.field.power(square, e // 2)
     value = env.value(base)
-    return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
+    return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)
 
 
 define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
@@ -65,7 +63,7 @@ define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True
 def _root(env: Env, a: Any) -> Any:
     if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
         a = a.scalar
-    return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
+    return env.field.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
 
 
 root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root)
@@ -200,12 +198,6 @@ pi = Symbol("pi", "π", r"\pi", "π")
 # ---- functions ------------------------------------------------------------------------------------------------
 
 
-def _over(a: Any, b: Any) -> Any:
-    if innermost(b) == 0:
-        raise UndefinedError("a pole")
-    return a / b
-
-
 def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> Operator:
     traits |= Trait.TRANSCENDENTAL
     return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=traits)
@@ -213,14 +205,14 @@ def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) 
 
 sin = _function("sin", lambda env, a: env.field.sin(a))
 cos = _function("cos", lambda env, a: env.field.cos(a))
-tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)), Trait.OVER_COSINE)
-cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)), Trait.OVER_SINE)
+tan = _function("tan", lambda env, a: _quotient(env, env.field.sin(a), env.field.cos(a)), Trait.OVER_COSINE)
+cot = _function("cot", lambda env, a: _quotient(env, env.field.cos(a), env.field.sin(a)), Trait.OVER_SINE)
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
 def _squared(f: Operator) -> Operator:
     return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
-                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits)
+                  lambda env, a: env.field.power(f.value(env, a), 2), traits=f.traits)
 
 
 sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)

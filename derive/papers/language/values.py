@@ -80,10 +80,8 @@ def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
     return lifted
 
 
-@_of_either
-def add(a: Any, b: Any) -> Any:
-    """Return the sum; a number plus a vector is a quaternion."""
-    return mixed.add(a, b)
+add = _of_either(mixed.add)
+"""Sum; a number plus a vector is a quaternion."""
 
 
 def negative(a: Any) -> Any:

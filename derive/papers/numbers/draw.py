@@ -46,9 +46,8 @@ class Draw:
     def number(self, re: Any, du: Any | None = None) -> Any:
         """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
         du = self.signed() if du is None else du
-        if self.moving:
-            return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
-        return Dual(mpmath.mpf(re), mpmath.mpf(du))
+        rate = self.signed if self.moving else int
+        return Dual(self.plain(re, rate()), self.plain(du, rate()))
 
     def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
         """Return a dual vector; parts that are not given are random."""

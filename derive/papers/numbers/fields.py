@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
+from operator import matmul, mul
 from typing import Any
 
 import mpmath
@@ -48,6 +49,7 @@ class Field:
     """
 
     ordered = False  # whether every number has a sign, so that numbers can be compared
+    pair = staticmethod(pair)  # polynomials ``p_n`` and ``q_n`` at x
 
     sin = _lifted("sin", lambda field, a: field.cos(a))
     cos = _lifted("cos", lambda field, a: -field.sin(a))
@@ -87,7 +89,7 @@ class Field:
         return self.sqrt(square)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """Return a power: integer for any value, rational for a quaternion, half-integer for a number."""
+        """Return a power: integer for any value, rational for a quaternion or a number."""
         if isinstance(exponent, Fraction) and exponent.denominator == 1:
             exponent = int(exponent)
         if isinstance(exponent, int):
@@ -100,6 +102,8 @@ class Field:
             return self._principal_power(base, exponent)
         if isinstance(exponent, Fraction) and exponent.denominator == 2 and not isinstance(base, Structure):
             return integer_power(self.sqrt(base), exponent.numerator)
+        if isinstance(exponent, Fraction) and not isinstance(base, Structure):
+            return self.exp(self.log(base) * exponent.numerator / exponent.denominator)
         raise NotExactError(f"{base!r} to the power {exponent!r}")
 
     def _principal_power(self, q: Quaternion, r: Fraction) -> Quaternion:
@@ -113,10 +117,6 @@ class Field:
         length = self.magnitude(w)
         angle = self.atan2(length, q.scalar) * r.numerator / r.denominator
         return Quaternion(size * self.cos(angle), size * self.sin(angle) / length * w)
-
-    def pair(self, n: Any, x: Any) -> tuple[Any, Any]:
-        """Return the polynomials ``p_n`` and ``q_n`` at x."""
-        return pair(n, x)
 
     def same(self, a: Any, b: Any) -> bool:
         """Return whether two plain numbers are equal."""
@@ -143,11 +143,6 @@ class Decimal60(Field):
 
     def vanishes(self, a: Any) -> bool:
         return bool(abs(a) < _NOTHING)
-
-    def power(self, base: Any, exponent: Any) -> Any:
-        if isinstance(exponent, Fraction) and exponent.denominator > 2 and not isinstance(base, Quaternion):
-            return self.exp(self.log(base) * exponent.numerator / exponent.denominator)
-        return super().power(base, exponent)
 
     def _sin(self, a: Any) -> Any:
         return chopped(mpmath.sin(a))
@@ -214,11 +209,7 @@ def integer_power(base: Any, exponent: int) -> Any:
         return integer_power(inverse, -exponent)
     if exponent == 0:
         return Tensor.identity() if isinstance(base, Tensor) else 1
-    return reduce(_product, [base] * exponent)
-
-
-def _product(a: Any, b: Any) -> Any:
-    return a @ b if hasattr(a, "__matmul__") else a * b
+    return reduce(matmul if isinstance(base, Tensor) else mul, [base] * exponent)
 
 
 def one_over(a: Any) -> Any:

@@ -40,10 +40,14 @@ class Generic:
         self.symbols = tuple(free)
         self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
         self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
-        self.every = None if order is None else EveryOrder(self._names())
+        self.every: EveryOrder | None = None if order is None else EveryOrder(self._names())
         self.field = self.every or Exact(self._names(), self._angles(steps))
         self._vectors = 0  # number of vectors along which the frame is already chosen
-        self.values = {symbol: self._value(symbol) for symbol in self.symbols}
+        self.values: dict[Any, Any] = {}
+        for symbol in self.symbols:
+            if symbol.quantity.exact is None:
+                raise NotExactError(f"no generic {symbol.quantity.name}")
+            self.values[symbol] = symbol.quantity.exact(self, symbol.name)
         if self.every:
             self.values[order] = self.every.n
 
@@ -74,14 +78,6 @@ class Generic:
     def angle(self, name: str) -> Any:
         """Return an angle with exact sine and cosine; it is 2nθ for a symbolic order."""
         return self.number(name, at=2 * self.every.n * self.every.theta if self.every else self.field.symbol(name))
-
-    def scale(self, name: str) -> Any:
-        """Return a number that has powers with exponent n."""
-        return self.number(name, at=self.every and self.every.scale)
-
-    def argument(self, name: str) -> Any:
-        """Return the argument X of p_n and q_n."""
-        return self.number(name, at=self.every and self.every.X)
 
     def vector(self, name: str) -> Vector:
         """Return a vector; the frame is chosen along it while axes are still free."""
@@ -115,11 +111,6 @@ class Generic:
         return square
 
     # ---- helpers --------------------------------------------------------------------------------------------------
-
-    def _value(self, symbol: Any) -> Any:
-        if symbol.quantity.exact is None:
-            raise NotExactError(f"no generic {symbol.quantity.name}")
-        return symbol.quantity.exact(self, symbol.name)
 
     def _angles(self, steps: int) -> dict[str, int]:
         angles = {symbol.name: steps for symbol in self.symbols if symbol.quantity.role in (Role.ANGLE, Role.TURN)}

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from .content import Report
-from .pages import as_html, as_json, as_latex, as_markdown
+from .pages import as_json, page
 from .text import as_text
 
 FORMATS: dict[str, Callable[[Report], str]] = {
     "text": as_text,
     "json": as_json,
-    "markdown": as_markdown,
-    "html": as_html,
-    "latex": as_latex,
+    "markdown": partial(page, "md"),
+    "html": partial(page, "html"),
+    "latex": partial(page, "tex"),
 }
 
 __all__ = ["FORMATS", "Report", "as_text"]

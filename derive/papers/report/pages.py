@@ -36,23 +36,8 @@ def as_json(report: Report) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
-def as_markdown(report: Report) -> str:
-    """Return a Markdown page with formulas in ``math`` spans."""
-    return _page("md", report)
-
-
-def as_html(report: Report) -> str:
-    """Return a self-contained HTML page with MathML formulas and a filter that needs no network."""
-    return _page("html", report)
-
-
-def as_latex(report: Report) -> str:
-    """Return a LaTeX sheet of the errata for pdflatex."""
-    return _page("tex", report)
-
-
-def _page(form: str, report: Report) -> str:
-    """Fill the template of a format with the data and functions that it names."""
+def page(form: str, report: Report) -> str:
+    """Return the report as Markdown ("md"), HTML or LaTeX ("tex"): the template gets the functions that it names."""
     template = f"report/errata.{form}.j2"
     functions = (label, notes, extent, place, readings, why, command, example, mathml, escape)
     data = {"report": report, "statuses": MEANING, "differing": differing_sides}

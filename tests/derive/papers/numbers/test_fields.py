@@ -140,7 +140,7 @@ def test_zero_divisors_have_no_negative_power(base, exponent) -> None:
      (lambda f: f.exp(1), "the function exp"), (lambda f: f.log(1), "the function log"),
      (lambda f: f.atan(1), "arc tangent"), (lambda f: f.atan2(1, 1), "arc tangent"),
      (lambda f: f.sqrt(1), "the function sqrt"), (lambda f: f.pi, "π"),
-     (lambda f: f.power(2, Fraction(1, 3)), "2 to the power"), (lambda f: f.power(2, "n"), "2 to the power 'n'")],
+     (lambda f: f.power(2, Fraction(1, 3)), "the function log"), (lambda f: f.power(2, "n"), "2 to the power 'n'")],
 )  # fmt: skip
 def test_missing_functions_are_refused(call, what: str) -> None:
     with pytest.raises(NotExactError, match=f"^{what}"):
