@@ -3,17 +3,13 @@
 =====================  ========================================================================
 numbers                fields in which formulas are evaluated, and values of symbols
 language               terms, operators, values and evaluation of formulas
-equation               entry for a printed equation or claim
+equation               entries for printed equations and claims, and papers with their sections
 result                 verdicts and status of an entry
-paper                  paper with its sections and the inventory of its text
 condurache_popa_2023   entries of CP23, one module for each section
 karakilic_2010         entries of K10
-poles                  points at which a denominator vanishes
 sharp                  sharpness of a condition, tested by the denominators
-counterexample         numerical values of a false statement at a point
 explore                truth of a statement at seeded points, special points and poles
 decide                 status of an entry
-mutation               mutants of a statement and their evaluation
 report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
@@ -27,8 +23,7 @@ from collections.abc import Callable, Iterable, Sequence
 from ..output.listing import Listing
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
-from .equation import Equation, Reading, UndecidedError, equation
-from .paper import Paper
+from .equation import Equation, Paper, Reading, UndecidedError, equation
 from .result import Result, Status, Verdict
 
 PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
@@ -81,15 +76,5 @@ def verify(
     return results
 
 
-__all__ = [
-    "PAPERS",
-    "Equation",
-    "Paper",
-    "Reading",
-    "Result",
-    "Status",
-    "UndecidedError",
-    "Verdict",
-    "equation",
-    "verify",
-]
+__all__ = ["PAPERS", "Equation", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
+           "verify"]

@@ -3,83 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from itertools import product
 from math import lcm
+from typing import Any
 
 from derive.algebra.element import NotExactError
 
-from .counterexample import counterexample
 from .equation import Equation, Reading, UndecidedError, faithful
-from .explore import Outcome, explore
+from .explore import Outcome, counterexample, explore
 from .language.evaluation import Env
 from .language.notation import over
-from .language.terms import Apply, Number, Term, Trait, takes_apart, walk, with_trait
-from .numbers.every_order import EveryOrder
-from .numbers.generic import Generic, GenericOrder
+from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
+from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
-from .result import Counterexample, Result, Status, Verdict
+from .result import Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT_DECIMALS = 1
-"""Decimals of the numbers drawn for a counterexample."""
+"""Decimals of the numbers drawn for a counterexample, if the statement also fails at such a point."""
 
 
 def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
-    """Compute the status of an entry.
-
-    Parameters
-    ----------
-    paper : str
-        Slug of its paper.
-    lost : str
-        Characters lost by the paper's text extraction; see `derive.papers.equation.faithful`.
-    orders : sequence of int
-        Orders n at which statements about n are evaluated.
+    """Compute the status of an entry of a paper, given by its slug and the characters lost by its text extraction.
 
     Raises
     ------
     UndecidedError
-        If the computation contradicts the entry's condition, correction or claimed domain.
+        If the entry is incomplete, or the computation contradicts its condition, correction or claimed domain.
     """
-    lost += entry.lost
-    if entry.argument and entry.because is None:
-        raise UndecidedError(f"({entry.number}): an argument leads on from an identity that is proved")
-    if (entry.claimed is None) != (entry.stated is None):
-        raise UndecidedError(f"({entry.number}): a claimed domain and the words that state it come together")
-    for reading in entry.readings:
-        if entry.extract and not faithful(reading.statement, entry.extract, lost):
-            raise UndecidedError(f"({entry.number}): a reading does not have the characters of line {entry.line}")
+    _check(entry, lost + entry.lost)
     if entry.because is not None:
         _support(entry, entry.because)
     orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
     listed = tuple(judge(entry, reading, orders) for reading in entry.readings)
     verdicts = tuple(sorted(listed, key=lambda verdict: not verdict.true))
-    decided = entry.corrected if entry.corrected is not None else verdicts[0].statement
+    first, truths = verdicts[0], {verdict.true for verdict in listed}
+    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
+    decided = entry.corrected if entry.corrected is not None else first.statement
     sharp = entry.condition is not None and is_sharp(entry.condition, decided)
     result = partial(Result, paper, entry, verdicts=verdicts, exact=sharp)
-    if verdicts[0].true and not _is_ambiguous(entry, listed):
-        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, verdicts[0].method)
-    if verdicts[0].true:
+    if first.true and (supported or (not entry.extract and len(truths) > 1)):  # the text does not decide
         return result(Status.AMBIGUOUS, "; ".join(verdict.method for verdict in verdicts))
-    if not (entry.extract or entry.said):
-        raise UndecidedError(f"({entry.number}): an erratum shows the words of the paper")
+    if first.true:
+        return result(Status.HOLDS if entry.condition is None else Status.HOLDS_IF, first.method)
     if entry.corrected is None:
-        raise UndecidedError(f"({entry.number}) is false and has no correction: {verdicts[0].method}")
-    if entry.extract and faithful(entry.corrected, entry.extract, lost):
-        raise UndecidedError(f"({entry.number}): the correction is a reading of line {entry.line}")
+        raise UndecidedError(f"({entry.number}) is false and has no correction: {first.method}")
     correction = judge(entry, Reading(entry.corrected), orders)
     if not correction.true:
         raise UndecidedError(f"({entry.number}): the correction is false: {correction.method}")
-    return result(Status.ERRATUM, f"{verdicts[0].method}; correction {correction.method}")
+    return result(Status.ERRATUM, f"{first.method}; correction {correction.method}")
 
 
-def _is_ambiguous(entry: Equation, listed: Sequence[Verdict]) -> bool:
-    """Return whether the text supports a false reading, or a claim in words has a true and a false reading."""
-    truths = {verdict.true for verdict in listed}
-    supported = any(r.supported_by and not v.true for r, v in zip(entry.readings, listed, strict=True))
-    return supported or (not entry.extract and len(truths) > 1)
+def _check(entry: Equation, lost: str) -> None:
+    """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
+    unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
+    mistakes = {
+        "an argument leads on from an identity that is proved": entry.argument and entry.because is None,
+        "a claimed domain and the words that state it come together": (entry.claimed is None) != (entry.stated is None),
+        f"a reading does not have the characters of line {entry.line}": entry.extract and unfaithful,
+        "an erratum shows the words of the paper": entry.corrected is not None and not (entry.extract or entry.said),
+        f"the correction is a reading of line {entry.line}":
+            entry.corrected is not None and entry.extract and faithful(entry.corrected, entry.extract, lost),
+    }
+    for mistake, made in mistakes.items():
+        if made:
+            raise UndecidedError(f"({entry.number}): {mistake}")
 
 
 def _support(entry: Equation, identity: Term) -> None:
@@ -99,7 +91,9 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
     inside = [outcome for outcome in outcomes if outcome.inside]
     failed = next((outcome for outcome in inside if outcome.truth is not True), None)
     if failed is not None:
-        return verdict(False, f"refuted at {failed.place}", _example(entry, reading.statement, orders, failed))
+        short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
+        shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
+        return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
     outside = [outcome for outcome in outcomes if not outcome.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
@@ -111,11 +105,8 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
     """Return a point outside the condition where the statement is true and two symbols are special, if any.
 
-    Raises
-    ------
-    UndecidedError
-        If the statement is true outside its condition with fewer than two special symbols: the condition is too
-        strict. Also if the statement has a value outside a condition that its denominators show to be sharp.
+    Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
+    raise if the statement has a value outside a condition that its denominators show to be sharp.
     """
     for outcome in outside:
         if outcome.truth is True and not outcome.pair:
@@ -123,13 +114,6 @@ def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Out
         if outcome.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
             raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {outcome.place}")
     return next((outcome for outcome in outside if outcome.truth is True), None)
-
-
-def _example(entry: Equation, statement: Term, orders: Sequence[int], failed: Outcome) -> Counterexample:
-    """Return a counterexample, with short decimals if the statement also fails at such a point."""
-    short = explore(entry, statement, orders, SHORT_DECIMALS)
-    shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
-    return counterexample(shown.point, shown.env, entry, statement)
 
 
 def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
@@ -146,37 +130,29 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
 
 
 def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
-    """Prove a statement exactly. Return the method, or None if no exact field has all its operations.
+    """Prove a statement exactly; return the method, or None if no exact field has all its operations.
 
-    Raises
-    ------
-    UndecidedError
-        If the statement is false at generic values although it is true at all seeded points.
+    Raise if the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
-    order = next((symbol for symbol in free if symbol.quantity is ORDER), None)
-    branch = next((symbol for symbol in free if symbol.quantity is BRANCH), None)
+    order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))
     # vectors with a magnitude first: the magnitude of the first vector is rational
     lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
-    signs = [symbol for symbol in free if symbol.quantity is SIGN]
-    generic = sorted((a for a in free if a not in (order, branch, *signs)), key=lambda a: a not in lengths)
+    generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
-        try:
-            if _checked(entry, statement, GenericOrder(generic, order, entry.moving)):
-                return EveryOrder.name
-        except NotExactError:
-            pass
+        with suppress(NotExactError):
+            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order)):
+                return "exact, all n"
     dual, checked = takes_apart(statement, *entry.definitions), False
     try:
         for n in orders if order is not None else (0,):
-            for k in range((entry.branches or n) if branch is not None else 1):
-                for sign in (1, -1) if signs else (1,):
-                    steps = 4 * n or _steps(statement)
-                    values = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
-                    values.fix(order, n)
-                    values.fix_branch(branch, k)
-                    values.values.update(dict.fromkeys(signs, sign))
-                    checked |= _checked(entry, statement, values)
+            for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
+                steps = 4 * n or _steps(statement)
+                point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
+                if branch is not None:
+                    point.fix_branch(branch, k)
+                point.values |= {a: value for a, value in ((order, n), (sign, plus_minus)) if a is not None}
+                checked |= _checked(entry, statement, point)
     except NotExactError:
         return None
     if not checked:
@@ -186,29 +162,22 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 def _steps(statement: Term) -> int:
     """Return an integer M such that all angles in the statement are multiples of angle/M."""
-    divisors = [node.arguments[1] for node in walk(statement) if isinstance(node, Apply) and node.operator is over]
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
-def _checked(entry: Equation, statement: Term, values: Generic) -> bool:
+def _checked(entry: Equation, statement: Term, point: Generic) -> bool:
     """Return False if generic values lie outside the domain; else check the statement there and return True."""
-    if not _within(entry, values):
-        return False
-    if not _env(entry, values).value(statement):
-        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
-    return True
 
+    def value(part: Term) -> Any:
+        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving).value(part)
 
-def _env(entry: Equation, values: Generic) -> Env:
-    return Env(values.field, dict(values.values), entry.definitions, values.dual, values.moving)
-
-
-def _within(entry: Equation, values: Generic) -> bool:
-    """Return whether generic values (at one order and branch) satisfy the claimed domain and the condition."""
-    domain = [part for part in (entry.claimed, entry.condition) if part is not None]
     try:
-        return all(_env(entry, values).value(part) for part in domain)
+        inside = all(value(part) for part in (entry.claimed, entry.condition) if part is not None)
     except NotExactError:
-        return True
+        inside = True
     except ArithmeticError:
-        return False
+        inside = False
+    if inside and not value(statement):
+        raise UndecidedError(f"({entry.number}): true at all points but false exactly")
+    return inside

@@ -3,11 +3,10 @@
 An `Equation` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
 `Result` with the computed status:
 
+* readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
 * every reading is evaluated at seeded 60-digit points, with special values of every symbol. One failure refutes it;
 * a reading without failure is then proved at generic values of an exact field, for symbolic n if n occurs. If no exact
   field is suitable, the points are only evidence, and the method says so;
-* every reading must be faithful: apart from characters lost by the extraction, it equals the extracted text;
-* readings are listed by hand, the most charitable first;
 * ``holds``: a listed reading is true at all points. ``holds-if``: a listed reading is true under the entry's condition
   and fails somewhere outside it; both sides are tested. ``erratum``: no listed reading is true, and the correction is.
   ``ambiguous``: one reading is true, another is false, and the text does not decide between them.
@@ -17,6 +16,7 @@ An entry that fits none of these raises `UndecidedError`.
 
 from __future__ import annotations
 
+import importlib
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -37,15 +37,8 @@ class UndecidedError(Exception):
 class Reading:
     """Reading of a display: one way to interpret its characters.
 
-    Attributes
-    ----------
-    statement : Term
-        The formula.
-    note : str
-        Difference from the other readings ("the bracket closes before I").
-    supported_by : str
-        Quotation, with its line, of a legible passage that supports this reading. A supported false reading makes the
-        entry ambiguous.
+    `note` tells the difference from the other readings. `supported_by` quotes a legible passage, with its line, that
+    supports this reading; a supported false reading makes the entry ambiguous.
     """
 
     statement: Term
@@ -55,77 +48,30 @@ class Reading:
 
 @dataclass(frozen=True)
 class Equation:
-    """Entry for a printed equation or claim; create one with `equation`.
+    """Entry for a printed equation or claim; create one with `equation`."""
 
-    Attributes
-    ----------
-    number : str
-        The paper's number, or a slug.
-    title : str
-    line : int
-        Line of the extracted text that contains the equation.
-    extract : str
-        Characters of the text on that line; empty for a claim in words.
-    readings : tuple of Reading
-        Readings listed by hand, the most charitable first.
-    where : tuple of Definition
-        Definitions of symbols; all other symbols are free and take values of their quantity.
-    claimed : Term, optional
-        Domain stated by the paper; points outside it are not tested.
-    stated : tuple of int and str, optional
-        Line and words that state the claimed domain; required with `claimed`.
-    condition : Term, optional
-        Condition under which the equation was found to hold.
-    corrected : Term, optional
-        Correction of an erratum.
-    because : Term, optional
-        Identity that supports a statement for which points are only evidence.
-    argument : str
-        Name of the module whose argument proves the statement from this identity.
-    also : callable, optional
-        Function from a `numbers.draw.Draw` to further points by name: values of free symbols.
-    moving : bool
-        Whether the symbols are functions of time.
-    orders : tuple of int, optional
-        Orders that the entry is about; all by default.
-    branches : int, optional
-        Number of values of a branch symbol; n by default.
-    components : bool
-        Whether single components occur; then no frame is chosen along the vectors.
-    lost : str
-        Further characters lost by the extraction in this display.
-    fixed_by : str
-        Legible passage that decides between the readings; empty if there is none.
-    said : str
-        Words of the paper, for a claim without a display.
-    remark : str
-        One sentence for the report.
-    source : str
-        Path of the module that defines the entry; filled in by `Paper.entries`.
-    """
-
-    number: str
+    number: str  # the paper's number, or a slug
     title: str
-    line: int
-    extract: str
-    readings: tuple[Reading, ...]
-    where: tuple[Definition, ...] = ()
-    claimed: Term | None = None
-    stated: tuple[int, str] | None = None
-    condition: Term | None = None
-    corrected: Term | None = None
-    because: Term | None = None
-    argument: str = ""
-    also: Points | None = field(default=None, compare=False)
-    moving: bool = False
-    orders: tuple[int, ...] | None = None
-    branches: int | None = None
-    components: bool = False
-    lost: str = ""
-    fixed_by: str = ""
-    said: str = ""
-    remark: str = ""
-    source: str = ""
+    line: int  # line of the extracted text that contains the equation
+    extract: str  # characters of the text on that line; empty for a claim in words
+    readings: tuple[Reading, ...]  # listed by hand, the most charitable first
+    where: tuple[Definition, ...] = ()  # definitions of symbols; all other symbols are free
+    claimed: Term | None = None  # domain stated by the paper; points outside it are not tested
+    stated: tuple[int, str] | None = None  # line and words that state the claimed domain
+    condition: Term | None = None  # condition under which the equation was found to hold
+    corrected: Term | None = None  # correction of an erratum
+    because: Term | None = None  # identity that supports a statement for which points are only evidence
+    argument: str = ""  # name of the module whose argument proves the statement from this identity
+    also: Points | None = field(default=None, compare=False)  # draws further values of free symbols, by name
+    moving: bool = False  # whether the symbols are functions of time
+    orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
+    branches: int | None = None  # number of values of a branch symbol; n by default
+    components: bool = False  # whether single components occur; then no frame is chosen along the vectors
+    lost: str = ""  # further characters lost by the extraction in this display
+    fixed_by: str = ""  # legible passage that decides between the readings
+    said: str = ""  # words of the paper, for a claim without a display
+    remark: str = ""  # one sentence for the report
+    source: str = ""  # path of the module that defines the entry; filled in by `Paper.entries`
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -135,42 +81,59 @@ class Equation:
     def free(self, statement: Term) -> tuple[Symbol, ...]:
         """Return the free symbols of a statement, of its domain and of the definitions that they use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
-        seen = dict.fromkeys(symbol for part in parts for symbol in symbols(part))
-        queue = list(seen)
-        for symbol in queue:
+        found = list(dict.fromkeys(symbol for part in parts for symbol in symbols(part)))
+        for symbol in found:
             if symbol in self.definitions:
-                new = [argument for argument in self.definitions[symbol].arguments if argument not in seen]
-                seen.update(dict.fromkeys(new))
-                queue += new
-        return tuple(symbol for symbol in queue if symbol not in self.definitions and symbol.quantity.varies)
+                found += [argument for argument in self.definitions[symbol].arguments if argument not in found]
+        return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
-
-    def reading(self, statement: Term) -> Equation:
-        """Return a copy of the entry with one reading in place of the printed ones: a correction or a mutant."""
-        return replace(self, readings=(Reading(statement),), extract="")
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
     """Return an entry; `printed` is a statement or a tuple of readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    rest["where"] = tuple(rest.get("where", ()))
     return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:
-    """Return whether a reading has the same characters as the extract, in order, apart from lost ones.
+    """Return whether a reading has the same characters as the extract, in order, apart from lost ones and spaces.
 
-    Parameters
-    ----------
-    lost : str
-        Characters lost or scattered by the paper's extraction; spaces are always ignored. A tilde may precede or
-        follow the index of its symbol.
+    A tilde may precede or follow the index of its symbol.
     """
     drop = str.maketrans("", "", lost + " ")
+    left, right = (re.sub(r"~(\d+)", r"\1~", line.translate(drop)) for line in (text(reading), extract))
+    return left == right
 
-    def characters(line: str) -> str:
-        return re.sub(r"~(\d+)", r"\1~", line.translate(drop))
 
-    return characters(text(reading)) == characters(extract)
+@dataclass(frozen=True)
+class Paper:
+    """Paper whose equations are entries."""
+
+    slug: str
+    short: str
+    citation: str
+    lost: str  # characters lost by the extraction of its text
+    package: str  # name of its package, which contains ``inventory`` and ``sections``
+    sections: tuple[str, ...]  # modules in ``sections``, in the paper's order; each defines ``ENTRIES``
+    doi: str = ""
+
+    def entries(self) -> tuple[Equation, ...]:
+        """Return all entries in the paper's order, each with the path of its module."""
+        found: list[Equation] = []
+        for section in self.sections:
+            name = f"{self.package}.sections.{section}"
+            source = f"{name.replace('.', '/')}.py"
+            found += [replace(entry, source=source) for entry in importlib.import_module(name).ENTRIES]
+        return tuple(found)
+
+    def inventory(self) -> dict[int, tuple[str, ...] | str]:
+        """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
+        module = importlib.import_module(f"{self.package}.inventory")
+        lines: dict[int, tuple[str, ...] | str] = {}
+        for entry in self.entries():
+            lines[entry.line] = (*lines.get(entry.line, ()), entry.number)
+        for line, numbers in module.CLAIMS.items():
+            lines[line] = (*lines.get(line, ()), *numbers.split())
+        return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}

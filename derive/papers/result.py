@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
@@ -23,41 +23,18 @@ class Status(StrEnum):
 
 @dataclass(frozen=True)
 class Counterexample:
-    """Point at which a statement is false.
-
-    Attributes
-    ----------
-    point : str
-        Description of the point.
-    symbols : dict of str to list of str
-        Numbers of each free symbol by its LaTeX: real parts, then dual parts.
-    sides : tuple of list of str
-        Numbers of both sides of the equation that fails; empty for a claim in words.
-    """
+    """Point at which a statement is false, as in the output of ``--format json``."""
 
     point: str
-    symbols: Mapping[str, list[str]]
-    sides: tuple[list[str], ...]
-
-    def as_json(self) -> dict[str, Any]:
-        """Return the counterexample as JSON-compatible data."""
-        return {"point": self.point, "letters": dict(self.symbols), "sides": list(self.sides)}
+    letters: Mapping[str, list[str]]  # numbers of each free symbol by its LaTeX
+    sides: tuple[list[str], ...]  # numbers of both sides of the equation that fails; empty for a claim in words
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """Verdict on one reading.
+    """Verdict on one reading: whether its statement is true at every tested point inside its domain.
 
-    Attributes
-    ----------
-    statement, note
-        Formula and note of the reading.
-    true : bool
-        Whether the statement is true at every tested point inside its domain.
-    method : str
-        Method of decision in words.
-    counterexample : Counterexample, optional
-        Point at which a false reading fails.
+    A false reading has a counterexample; `method` describes in words how it was decided.
     """
 
     statement: Term
@@ -74,29 +51,14 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Result:
-    """Equation with its computed status.
+    """Equation with its computed status."""
 
-    Attributes
-    ----------
-    paper : str
-        Slug of the paper.
-    equation : Equation
-        The entry.
-    status : Status
-    method : str
-        Method of decision in words.
-    verdicts : tuple of Verdict
-        One verdict for each listed reading, true ones first.
-    exact : bool
-        Whether the denominators show that the condition is sharp; otherwise it is only sufficient.
-    """
-
-    paper: str
+    paper: str  # slug
     equation: Equation
     status: Status
-    method: str
-    verdicts: tuple[Verdict, ...]
-    exact: bool = False
+    method: str  # method of decision in words
+    verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first
+    exact: bool = False  # whether the denominators show that the condition is sharp, not only sufficient
 
     @property
     def printed(self) -> str:
@@ -106,18 +68,17 @@ class Result:
     @property
     def corrected(self) -> str | None:
         """LaTeX of the correction of an erratum."""
-        entry = self.equation
-        return latex(entry.corrected) if self.status is Status.ERRATUM and entry.corrected is not None else None
+        return _latex(self.equation.corrected) if self.status is Status.ERRATUM else None
 
     @property
     def condition(self) -> str | None:
         """LaTeX of the condition under which the equation was found to hold."""
-        return None if self.equation.condition is None else latex(self.equation.condition)
+        return _latex(self.equation.condition)
 
     @property
     def claimed(self) -> str | None:
         """LaTeX of the domain stated by the paper."""
-        return None if self.equation.claimed is None else latex(self.equation.claimed)
+        return _latex(self.equation.claimed)
 
     @property
     def counterexample(self) -> Counterexample | None:
@@ -137,42 +98,38 @@ class Result:
 
     def as_json(self) -> dict[str, Any]:
         """Return the fields printed by ``--format json``."""
-        example = self.counterexample
+        entry = self.equation
         return {
             "paper": self.paper,
-            "equation": self.equation.number,
-            "title": self.equation.title,
+            "equation": entry.number,
+            "title": entry.title,
             "status": str(self.status),
             "printed": self.printed,
             "corrected": self.corrected,
             "claimed": self.claimed,
-            "stated": None if self.equation.stated is None else self.equation.stated[1],
+            "stated": entry.stated and entry.stated[1],
             "condition": self.condition,
-            "exact": self.exact if self.equation.condition is not None else None,
+            "exact": self.exact if entry.condition is not None else None,
             "readings": [
                 {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
             ],
             "reading_count": len(self.verdicts),
             "capped": False,
-            "counterexample": None if example is None else example.as_json(),
+            "counterexample": self.counterexample and asdict(self.counterexample),
             "method": self.method,
             "anchor": self.anchor,
             "section": self.section,
-            "line": self.equation.line,
-            "source": self.equation.source,
-            "said": self.equation.said,
-            "remark": self.equation.remark,
+            **{name: getattr(entry, name) for name in ("line", "source", "said", "remark")},
         }
 
     def cells(self) -> dict[str, str]:
         """Return the cells of this result's table row."""
-        corrected = "" if self.corrected is None else f"$\\displaystyle {self.corrected}$"
         return {
             "paper": self.paper,
             "equation": self.equation.number,
             "status": str(self.status),
             "printed": f"$\\displaystyle {self.printed}$",
-            "corrected": corrected,
+            "corrected": f"$\\displaystyle {self.corrected}$" if self.corrected else "",
             "method": self.method,
         }
 
@@ -184,3 +141,7 @@ class Result:
         if self.corrected is not None:
             body += rf"\quad\longrightarrow\quad {self.corrected}"
         return f"$\\displaystyle {body}$"
+
+
+def _latex(statement: Term | None) -> str | None:
+    return None if statement is None else latex(statement)

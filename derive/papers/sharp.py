@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from .language.notation import Re, cos, det, nonzero, over, remark, sin
-from .language.terms import Apply, Number, Term, Trait
+from .language.terms import Number, Term, Trait
 
 
 def is_sharp(condition: Term, statement: Term) -> bool:
@@ -19,9 +19,9 @@ def is_sharp(condition: Term, statement: Term) -> bool:
 
 
 def _parts(condition: Term) -> Iterator[Term]:
-    if isinstance(condition, Apply) and condition.operator is remark:
+    if condition.operator is remark:
         yield from _parts(condition.arguments[0])
-    elif isinstance(condition, Apply) and Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
+    elif Trait.JOINS in condition.operator.traits and not condition.operator.lazy:
         for part in condition.arguments:
             yield from _parts(part)
     else:
@@ -30,15 +30,15 @@ def _parts(condition: Term) -> Iterator[Term]:
 
 def _subject(part: Term) -> Term | None:
     """Return the term whose real part a condition requires to be nonzero."""
-    if not (isinstance(part, Apply) and part.operator is nonzero):
+    if part.operator is not nonzero:
         return None
     (subject,) = part.arguments
-    return subject.arguments[0] if isinstance(subject, Apply) and subject.operator is Re else subject
+    return subject.arguments[0] if subject.operator is Re else subject
 
 
 def _needed(node: Term) -> Iterator[Term]:
     """Yield the terms whose real part must be nonzero for a statement to have a value."""
-    if not isinstance(node, Apply) or (node.operator.lazy and node.operator.name != "power"):
+    if node.operator.lazy and node.operator.name != "power":
         return
     if node.operator is over:
         yield from _factors(node.arguments[1])
@@ -56,13 +56,10 @@ def _needed(node: Term) -> Iterator[Term]:
 def _factors(below: Term) -> Iterator[Term]:
     """Yield a denominator and its factors, including factors inside powers and magnitudes."""
     yield below
-    if not isinstance(below, Apply):
-        return
-    if below.operator.name in ("times", "root") or Trait.LENGTH in below.operator.traits:
-        for factor in below.arguments:
+    is_power = below.operator.name == "power" and not _is_negative(below.arguments[1])
+    if is_power or below.operator.name in ("times", "root") or Trait.LENGTH in below.operator.traits:
+        for factor in below.arguments[: 1 if is_power else None]:
             yield from _factors(factor)
-    elif below.operator.name == "power" and not _is_negative(below.arguments[1]):
-        yield from _factors(below.arguments[0])
 
 
 def _is_negative(exponent: Term) -> bool:

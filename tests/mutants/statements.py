@@ -1,15 +1,35 @@
-"""Mutants of the papers' true statements, made and executed by ``derive.papers.mutation``."""
+"""Mutants of the papers' true statements: one operator, integer, claim or domain is changed. Points refute them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 
-from derive.papers import PAPERS
-from derive.papers.decide import decide
-from derive.papers.mutation import Score, trials, true_statements
+from derive.papers import PAPERS, Result
+from derive.papers.decide import ORDERS, decide
+from derive.papers.equation import Equation
+from derive.papers.explore import explore
+from derive.papers.language.notation import negated
+from derive.papers.language.terms import RELATION, Apply, Number, Symbol, Term
+from derive.papers.numbers.quantities import PROPOSITION
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
+
+UNCOMBINABLE = (TypeError, AttributeError, ValueError, KeyError, IndexError)
+"""Exceptions raised by operands that lack an operation."""
+
+REPLACED = {
+    "plus": "minus", "minus": "plus", "Re": "Du", "Du": "Re", "sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan",
+    "sin²": "cos²", "cos²": "sin²", "tan²": "sin²", "K10 Sin": "K10 Cos", "K10 Cos": "K10 Sin", "K10 Tan": "cot",
+    "K10 Tan2": "K10 Tan3", "K10 Tan3": "K10 Tan2", "K10 sum over i and j": "K10 sum over i ≤ j",
+    "K10 sum over i ≤ j": "K10 sum over i < j", "K10 sum over i < j": "K10 sum over i and j",
+}
+"""Replacement for each operator, by name."""
+SWAPPED = ("minus", "over", "power", "implies", "cross", "dyad", "atan2", "commutator", "K10 parts", "K10 column")
+"""Operators whose arguments are swapped."""
+DROPPED = (*REPLACED, "times", "negative", "root", "negated", "transpose", "conjugate", "arctan", "K10 power 1/2")
+"""Operators that are dropped; only their first argument remains."""
 
 
 def mutants() -> Iterator[Mutant]:
@@ -20,11 +40,97 @@ def mutants() -> Iterator[Mutant]:
             for statement in true_statements(decide(paper.slug, entry, paper.lost)):
                 for change, trial in trials(entry, statement):
                     operator = change.partition(" made ")[0]
-                    yield Mutant(f"{paper.short} ({entry.number})", operator, change, partial(_trial, trial))
+                    yield Mutant(f"{paper.short} ({entry.number})", operator, change, trial)
 
 
-def _trial(execute: Callable[[], Score]) -> Verdict:
-    score = execute()
-    if score.survivors:
-        return Verdict(SURVIVED)
-    return Verdict(KILLED, "execution") if score.killed else Verdict(EQUIVALENT)
+def true_statements(result: Result) -> tuple[Term, ...]:
+    """Return the true readings; without one, return the correction."""
+    true = tuple(verdict.statement for verdict in result.verdicts if verdict.true)
+    return true or (() if result.equation.corrected is None else (result.equation.corrected,))
+
+
+def trials(entry: Equation, statement: Term) -> Iterator[tuple[str, Callable[[], Verdict]]]:
+    """Yield every change of a statement or its domain, with a function that evaluates the mutant."""
+    for change, mutant in changed(statement):
+        yield change, partial(evaluated, partial(is_true, entry, mutant))
+    for change, other in domains(entry):
+        yield change, partial(evaluated, partial(is_true_exactly_inside, other, statement))
+
+
+def evaluated(survives: Callable[[], bool]) -> Verdict:
+    """Return the verdict on a mutant; a mutant whose operands lack an operation says nothing."""
+    try:
+        return Verdict(SURVIVED) if survives() else Verdict(KILLED, "execution")
+    except UNCOMBINABLE:
+        return Verdict(EQUIVALENT)
+
+
+def is_true(entry: Equation, statement: Term) -> bool:
+    """Return whether a statement is true at every point that satisfies the entry's condition."""
+    return all(outcome.truth is True for outcome in explore(entry, statement, ORDERS) if outcome.inside)
+
+
+def is_true_exactly_inside(entry: Equation, statement: Term) -> bool:
+    """Return whether a statement is true inside the condition and, unless two symbols are special, false outside."""
+    inside = outside = 0
+    for outcome in explore(entry, statement, ORDERS):
+        if outcome.inside or not outcome.pair:
+            if (outcome.truth is True) is not outcome.inside:
+                return False
+            inside += outcome.inside
+            outside += not outcome.inside
+    return bool(inside and (outside or entry.condition is None))
+
+
+def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
+    """Yield copies of the entry whose condition or claimed domain is changed or dropped."""
+    for name, title in (("condition", "condition"), ("claimed", "claimed domain")):
+        domain = getattr(entry, name)
+        if domain is not None:
+            others = {f"{title}: {change}": mutant for change, mutant in changed(domain) if mutant != negated(domain)}
+            every = {f"{title} dropped": None, f"{title}: negated": negated(domain), **others}
+            for change, mutant in every.items():
+                yield change, replace(entry, **{name: mutant})
+
+
+def changed(statement: Term) -> Iterator[tuple[str, Term]]:
+    """Yield each mutant once, after a description of its change."""
+    seen = {statement}
+    for change, mutant in _mutants(statement):
+        if mutant not in seen:
+            seen.add(mutant)
+            yield change, mutant
+
+
+def _mutants(node: Term) -> Iterator[tuple[str, Term]]:
+    if isinstance(node, Number):
+        yield f"{node.value} raised by 1", Number(node.value + 1)
+    if isinstance(node, Symbol) and node.quantity is PROPOSITION:
+        yield f"{node.name} negated", negated(node)
+    if not isinstance(node, Apply):
+        return
+    yield from _other_operators(node)
+    arguments = node.arguments
+    for i, argument in enumerate(arguments):
+        for change, mutant in _mutants(argument):
+            yield change, node.operator(*arguments[:i], mutant, *arguments[i + 1 :])
+
+
+def _other_operators(node: Apply) -> Iterator[tuple[str, Term]]:
+    """Yield the mutants in which only the outermost operator is changed."""
+    operator, arguments = node.operator, node.arguments
+    name = operator.name
+    if name in REPLACED:
+        yield f"{name} made {REPLACED[name]}", Apply(REPLACED[name], *arguments)
+    if name in SWAPPED:
+        yield f"arguments of {name} swapped", operator(*reversed(arguments))
+    if name in DROPPED and name not in ("Re", "Du") and not name.startswith("K10 sum"):
+        yield f"{name} dropped" if len(arguments) == 1 else f"second part of {name} dropped", arguments[0]
+    if name in ("plus", "times", "implies", "iff"):
+        yield f"first part of {name} dropped", arguments[1]
+    if name == "minus":
+        yield "first part of minus dropped", -arguments[1]
+    if name in ("implies", "iff"):
+        yield f"second part of {name} negated", operator(arguments[0], negated(arguments[1]))
+    if operator.level == RELATION and name not in ("equal", "negated") and len(arguments) > 0:
+        yield f"{name} negated", negated(node)

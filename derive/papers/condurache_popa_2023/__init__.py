@@ -11,7 +11,7 @@ inventory    further lines of the text, with deciding entries or the reason for 
 
 from __future__ import annotations
 
-from ..paper import Paper
+from ..equation import Paper
 from .symbols import LOST
 
 PAPER = Paper(

@@ -21,7 +21,7 @@ def _function(name: str, function: Operator, exponent: int = 1) -> Operator:
     """Return a capitalized function such as Sin, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
-                  (POWER,), lambda env, a: env.power(function.value(env, a), exponent), traits=function.traits)
+                  (POWER,), lambda env, a: env.field.power(function.value(env, a), exponent), traits=function.traits)
 
 
 Sin, Cos = _function("Sin", sin), _function("Cos", cos)

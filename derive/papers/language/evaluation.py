@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra import Dual, Structure
+from derive.algebra import Dual, Structure, real_part
 
 from ..numbers.fields import Field
-from .terms import Apply, Number, Symbol, Term
+from .terms import Number, Symbol, Term
 
 Function = Callable[..., Any]
 
@@ -36,14 +36,8 @@ def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
 class Env:
     """Environment: values of symbols over a field of numbers.
 
-    Attributes
-    ----------
-    field : Field
-    values : dict
-        Values of free symbols; values of defined symbols are added on first use.
-    definitions : mapping of Symbol to Definition
-    dual, moving : bool
-        Whether coefficients are dual numbers, and whether their parts carry a time derivative.
+    `values` contains the free symbols; values of defined symbols are added on first use. Coefficients are dual numbers
+    if `dual`, and their parts carry a time derivative if `moving`.
     """
 
     field: Field
@@ -57,9 +51,9 @@ class Env:
         if isinstance(statement, Number):
             return statement.value
         if isinstance(statement, Symbol):
-            return self._symbol(statement)
-        if not isinstance(statement, Apply):
-            raise TypeError(f"not a formula: {statement!r}")
+            if statement not in self.values:
+                self.values[statement] = self._meaning(statement)
+            return self.values[statement]
         operator = statement.operator
         if operator.lazy:
             return operator.value(self, *statement.arguments)
@@ -69,19 +63,15 @@ class Env:
         """Return a copy of the environment in which one more symbol, such as a summation index, has a value."""
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
-        return Env(self.field, {**self.values, index: value}, self.definitions, self.dual, self.moving)
-
-    def power(self, base: Any, exponent: Any) -> Any:
-        """Return a power computed by the field."""
-        return self.field.power(base, exponent)
+        return dataclasses.replace(self, values={**self.values, index: value})
 
     def rate(self, a: Any) -> Any:
         """Return the time derivative of a value."""
         if isinstance(a, Structure):
             return a.map(self.rate)
-        if not self.dual:
-            return _slope(a)
-        return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
+        if self.dual:
+            return Dual(_slope(a.re), _slope(a.du)) if isinstance(a, Dual) else 0
+        return _slope(a)
 
     def now(self, a: Any) -> Any:
         """Return the current value, without its time derivative."""
@@ -91,17 +81,11 @@ class Env:
             return a.map(self.now)
         if not isinstance(a, Dual):
             return a
-        return Dual(_value(a.re), _value(a.du)) if self.dual else a.re
-
-    def _symbol(self, symbol: Symbol) -> Any:
-        if symbol not in self.values:
-            self.values[symbol] = self._meaning(symbol)
-        return self.values[symbol]
+        return Dual(real_part(a.re), real_part(a.du)) if self.dual else a.re
 
     def _meaning(self, symbol: Symbol) -> Any:
-        if symbol in self.definitions:
-            definition = self.definitions[symbol]
-            return definition.function(self, *(self.value(a) for a in definition.arguments))
+        if definition := self.definitions.get(symbol):
+            return definition.function(self, *map(self.value, definition.arguments))
         if symbol.quantity.value is not None:
             return symbol.quantity.value(self.field)
         raise KeyError(f"symbol {symbol.name!r} has no value")
@@ -109,7 +93,3 @@ class Env:
 
 def _slope(a: Any) -> Any:
     return Dual(a.du, 0 * a.du) if isinstance(a, Dual) else 0
-
-
-def _value(a: Any) -> Any:
-    return a.re if isinstance(a, Dual) else a

@@ -6,10 +6,12 @@ A call of an operator builds a term: ``equal(R, I + 2 * q * skew(q))``. Papers a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise, permutations
+from typing import Any
+
+from sympy import LeviCivita
 
 from derive.algebra import Quaternion, Structure, Tensor, Vector
 from derive.algebra.element import NotExactError
@@ -17,40 +19,15 @@ from derive.maps.exponential import quaternion_exponential, tensor_exponential
 
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .terms import (
-    ATOM,
-    LIST,
-    OPERATORS,
-    POWER,
-    PRODUCT,
-    RELATION,
-    SUM,
-    Apply,
-    Number,
-    Operator,
-    Symbol,
-    Term,
-    Trait,
-)
-
-if TYPE_CHECKING:
-    from .evaluation import Env
+from .evaluation import Env
+from .terms import ATOM, LIST, OPERATORS, POWER, PRODUCT, RELATION, SUM, Apply, Number, Operator, Symbol, Term, Trait
 
 
-def define(
-    name: str,
-    latex: str,
-    text: str,
-    level: int,
-    slots: tuple[int, ...],
-    value: Callable[..., Any],
-    lazy: bool = False,
-    traits: Trait = Trait.NONE,
-) -> Operator:
-    """Add an operator to the table and return it; calling the operator builds a term."""
+def define(name: str, *row: Any, **rest: Any) -> Operator:
+    """Add an operator with the fields of `Operator` to the table and return it; its call builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
-    OPERATORS[name] = Operator(name, latex, text, level, slots, value, lazy, traits)
+    OPERATORS[name] = Operator(name, *row, **rest)
     return OPERATORS[name]
 
 
@@ -72,18 +49,21 @@ def _quotient(env: Env, a: Any, b: Any) -> Any:
 
 def _power(env: Env, base: Term, exponent: Term) -> Any:
     e = env.value(exponent)
-    if isinstance(base, Apply) and Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
-        return env.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
+    if Trait.LENGTH in base.operator.traits and isinstance(e, int) and e % 2 == 0:
+        v = env.value(base.arguments[0])  # |v|² = v·v needs no root
+        square = v.dot(v) if isinstance(v, Vector) else v.norm2() if isinstance(v, Quaternion) else v * v
+        return env.field.power(square, e // 2)
     value = env.value(base)
-    return (lambda a: env.power(value(a), e)) if callable(value) else env.power(value, e)
+    return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)
 
 
 define("power", "{0}^{{{1}}}", "{0}^{1}", POWER, (ATOM, LIST), _power, lazy=True)
 
 
 def _root(env: Env, a: Any) -> Any:
-    a = values.scalar(a)
-    return env.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
+    if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
+        a = a.scalar
+    return env.field.power(a, Fraction(1, 2)) if isinstance(a, Quaternion) else env.field.sqrt(a)
 
 
 root = define("root", r"\sqrt{{{0}}}", "√{0}", POWER, (LIST,), _root)
@@ -100,16 +80,12 @@ def _chain(env: Env, *sides: Any) -> bool:
 
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
-nonzero = define(
-    "nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,), lambda env, a: not values.equal(env.field, env.now(a), 0),
-    traits=Trait.DELICATE,
-)
+nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
+                 lambda env, a: not values.equal(env.field, env.now(a), 0), traits=Trait.DELICATE)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
                  traits=Trait.DELICATE)
-implies = define(
-    "implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
-    lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS,
-)
+implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
+                 lambda env, a, b: not env.value(a) or env.value(b), lazy=True, traits=Trait.DELICATE | Trait.JOINS)
 iff = define("iff", r"{0} \Leftrightarrow {1}", "{0}⇔{1}", LIST, (LIST, LIST), lambda env, a, b: a == b,
              traits=Trait.DELICATE | Trait.JOINS)
 remark = define("remark", r"{0},\quad {1}", "{0},{1}", LIST, (LIST, LIST), lambda env, statement, words: statement,
@@ -150,38 +126,29 @@ def _sum(env: Env, index: Term, low: Term, high: Term, body: Term) -> Any:
     total: Any = 0
     if high != infinity and not isinstance(env.value(high), int):
         raise NotExactError("a sum of n terms")
+    if high == infinity and not env.field.ordered:
+        raise NotExactError("an infinite sum")
     for k in range(env.value(low), 400) if high == infinity else range(env.value(low), env.value(high) + 1):
         part = env.bound(index, k).value(body)
         total = part if k == env.value(low) else values.add(total, part)
-        if high == infinity and k > 2 and env.field.negligible(values.coefficients(part)):
+        if high == infinity and k > 2 and all(map(env.field.vanishes, values.coefficients(part))):
             break
     return total
 
 
-summation = define(
-    "sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT), _sum, lazy=True
-)
+summation = define("sum", r"\sum_{{{0}={1}}}^{{{2}}} {3}", "{0}={1}{2}{3}", PRODUCT, (LIST, LIST, LIST, PRODUCT),
+                   _sum, lazy=True)
 
 
-def _floor(a: Any, b: int) -> int:
+def _floor(env: Env, a: Any, b: int) -> int:
     if not isinstance(a, int):
         raise NotExactError("the floor of n over a number")
     return a // b
 
 
-floor_over = define(
-    "floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), lambda env, a, b: _floor(a, b)
-)
-
-
-def _binomial(env: Env, n: int, k: int) -> int:
-    result = 1
-    for i in range(k):
-        result = result * (n - i) // (i + 1)
-    return result
-
-
-binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), _binomial)
+floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST),
+                  lambda env, n, k: math.comb(n, k))
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------
@@ -195,30 +162,24 @@ Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda
 
 # ---- vectors, tensors, quaternions ----------------------------------------------------------------------------
 
-
 norm = define("norm", r"\left|{0}\right|", "|{0}|", ATOM, (LIST,), lambda env, a: values.norm(env.field, a),
               traits=Trait.LENGTH)
-dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT), lambda env, a, b: values.dot(a, b))
+dot = define("dot", r"{0} \cdot {1}", "{0}·{1}", PRODUCT, (PRODUCT, PRODUCT),
+             lambda env, a, b: a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else values.multiply(a, b))
 cross = define("cross", r"{0} \times {1}", "{0}×{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: a.cross(b))
 
 
-def _permutations(*vectors: Any) -> Iterator[tuple[int, tuple[Any, ...]]]:
-    """Yield each sign of a 3×3 determinant with the factors of its product."""
-    for i in range(3):
-        for sign, step in ((1, 1), (-1, 2)):
-            indices = (i, (i + step) % 3, (i + 2 * step) % 3)
-            yield sign, tuple(tuple(v)[k] for v, k in zip(vectors, indices, strict=True))
+def _triple(env: Env, *vectors: Vector) -> Any:
+    """Return the determinant of three rows by Leibniz's formula."""
+    rows = [tuple(v) for v in vectors]
+    return sum(int(LeviCivita(*p)) * math.prod(row[i] for row, i in zip(rows, p, strict=True))
+               for p in permutations(range(3)))
 
 
-triple = define(
-    "triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,),
-    lambda env, a, b, c: sum(sign * a_i * b_j * c_k for sign, (a_i, b_j, c_k) in _permutations(a, b, c)),
-)
+triple = define("triple", r"\left\langle {0}, {1}, {2} \right\rangle", "{0},{1},{2}", ATOM, (LIST,), _triple)
 dyad = define("dyad", r"{0} \otimes {1}", "{0}⊗{1}", PRODUCT, (ATOM, ATOM), lambda env, a, b: Tensor.dyad(a, b))
-couple = define(
-    "couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
-    lambda env, a, b: values.add(values.quaternion(a), b),
-)
+couple = define("couple", r"\left({0},\, {1}\right)", "({0},{1})", ATOM, (LIST, LIST),
+                lambda env, a, b: values.add(values.quaternion(a), b))
 skew = define("skew", r"\tilde{{{0}}}", "{0}~", ATOM, (ATOM,), lambda env, a: Tensor.skew(a))
 transpose = define("transpose", r"{0}^{{T}}", "{0}^T", POWER, (ATOM,), lambda env, a: a.transpose)
 det = define("det", r"\det {0}", "det {0}", PRODUCT, (ATOM,), lambda env, a: a.det())
@@ -237,29 +198,21 @@ pi = Symbol("pi", "π", r"\pi", "π")
 # ---- functions ------------------------------------------------------------------------------------------------
 
 
-def _over(a: Any, b: Any) -> Any:
-    if innermost(b) == 0:
-        raise UndefinedError("a pole")
-    return a / b
-
-
 def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> Operator:
-    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value,
-                  traits=traits | Trait.TRANSCENDENTAL)
+    traits |= Trait.TRANSCENDENTAL
+    return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=traits)
 
 
 sin = _function("sin", lambda env, a: env.field.sin(a))
 cos = _function("cos", lambda env, a: env.field.cos(a))
-tan = _function("tan", lambda env, a: _over(env.field.sin(a), env.field.cos(a)),
-                traits=Trait.OVER_COSINE)
-cot = _function("cot", lambda env, a: _over(env.field.cos(a), env.field.sin(a)),
-                traits=Trait.OVER_SINE)
+tan = _function("tan", lambda env, a: _quotient(env, env.field.sin(a), env.field.cos(a)), Trait.OVER_COSINE)
+cot = _function("cot", lambda env, a: _quotient(env, env.field.cos(a), env.field.sin(a)), Trait.OVER_SINE)
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
 def _squared(f: Operator) -> Operator:
     return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
-                  lambda env, a: env.power(f.value(env, a), 2), traits=f.traits)
+                  lambda env, a: env.field.power(f.value(env, a), 2), traits=f.traits)
 
 
 sin2, cos2, tan2 = _squared(sin), _squared(cos), _squared(tan)
@@ -274,16 +227,10 @@ def _exponential(env: Env, a: Any) -> Any:
 
 exp = define("exp", r"\exp {0}", "exp {0}", PRODUCT, (ATOM,), _exponential, traits=Trait.TRANSCENDENTAL)
 at = define("at", r"{0}\left({1}\right)", "{0} {1}", ATOM, (ATOM, LIST), lambda env, f, a: f(a))
-
-
-reaches = define(
-    "reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
-    lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE,
-)
-branches = define(
-    "branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
-    lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE,
-)
+reaches = define("reaches", r"{0} : \cdot \mapsto {1} \text{{ for some argument}}", "{0}{1}", RELATION, (SUM, SUM),
+                 lambda env, f, target: f.reaches(env.field, target) > 0, traits=Trait.DELICATE)
+branches = define("branches", r"\#\, {0}^{{-1}}\left({1}\right) = {2}", "{0}{1}{2}", RELATION, (ATOM, LIST, SUM),
+                  lambda env, f, target, n: f.reaches(env.field, target) == n, traits=Trait.DELICATE)
 """Claims about a `values.Map`; "onto" means ``reaches(f, q)`` for every q."""
 
 

@@ -1,14 +1,8 @@
 """Printed formulas as trees that are typeset, evaluated and mutated.
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
-build terms, so an entry reads like the formula. A term yields
-
-* ``latex(term)``, the formula in LaTeX,
-* ``text(term)``, its characters in printed order, for comparison with the extracted text,
-* its value, in :mod:`derive.papers.language.evaluation`.
-
-Operators are rows of the table in :mod:`derive.papers.language.notation`. Quantities of symbols are rows of the table
-in :mod:`derive.papers.numbers.quantities`.
+build terms, so an entry reads like the formula. Operators are rows of the table in
+:mod:`derive.papers.language.notation`, quantities of symbols in :mod:`derive.papers.numbers.quantities`.
 """
 
 from __future__ import annotations
@@ -30,48 +24,26 @@ class Trait(Flag):
     """Properties of an operator in addition to its value."""
 
     NONE = 0
-    DELICATE = auto()
-    """Operator whose value can change at special values of symbols."""
-    APART = auto()
-    """Operator that takes the real or the dual part."""
-    RATE = auto()
-    """Derivative in time."""
-    TRANSCENDENTAL = auto()
-    """Transcendental function: not composed of powers, roots and quotients."""
-    LENGTH = auto()
-    """Magnitude: the root of a square; its square needs no root."""
-    JOINS = auto()
-    """Operator that joins statements, each of which is asserted."""
-    OVER_COSINE = auto()
-    """Operator that divides by the cosine of its argument."""
-    OVER_SINE = auto()
-    """Operator that divides by the sine of its argument."""
+    DELICATE = auto()  # its value can change at special values of symbols
+    APART = auto()  # takes the real or the dual part
+    RATE = auto()  # derivative in time
+    TRANSCENDENTAL = auto()  # not composed of powers, roots and quotients
+    LENGTH = auto()  # magnitude: the root of a square; its square needs no root
+    JOINS = auto()  # joins statements, each of which is asserted
+    OVER_COSINE = auto()  # divides by the cosine of its argument
+    OVER_SINE = auto()  # divides by the sine of its argument
 
 
 @dataclass(frozen=True)
 class Operator:
-    """Row of the notation table; a call with arguments makes a term.
-
-    Attributes
-    ----------
-    name : str
-    latex, text : str
-        Templates with ``{0}``, ``{1}`` …; for a list of any length, only the separator.
-    level : int
-        Binding strength of the result.
-    slots : tuple of int
-        Minimum level at which each argument needs no brackets; the last slot serves all further arguments.
-    value : callable
-        Function ``value(env, *arguments)``; the arguments are values, or terms if `lazy`.
-    traits : Trait
-    """
+    """Row of the notation table; a call with arguments makes a term."""
 
     name: str
-    latex: str
-    text: str
-    level: int
-    slots: tuple[int, ...]
-    value: Callable[..., Any]
+    latex: str  # template with ``{0}``, ``{1}`` …; for a list of any length, only the separator
+    text: str  # similar template for the extracted characters
+    level: int  # binding strength of the result
+    slots: tuple[int, ...]  # least level of each argument without brackets; the last slot serves all further arguments
+    value: Callable[..., Any]  # function ``value(env, *arguments)`` of values, or of terms if `lazy`
     lazy: bool = False
     traits: Trait = Trait.NONE
 
@@ -80,7 +52,8 @@ class Operator:
 
 
 OPERATORS: dict[str, Operator] = {}
-
+LEAF = Operator("", "", "", ATOM, (), lambda env: None)
+"""Operator of a term without parts, so that every term has an operator."""
 
 Build = Callable[["Term", Any], "Term"]
 
@@ -92,6 +65,14 @@ def _infix(name: str) -> tuple[Build, Build]:
 
 class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     """Formula or part of a formula. Python's operators build larger terms and accept integers."""
+
+    @property
+    def operator(self) -> Operator:
+        return LEAF
+
+    @property
+    def arguments(self) -> tuple[Term, ...]:
+        return ()
 
     def __call__(self, argument: Any) -> Term:
         return Apply("at", self, argument)
@@ -115,21 +96,13 @@ class Number(Term):
 
     @property
     def value(self) -> int:
-        """The integer."""
         return int(self.args[0])
 
 
 class Symbol(Term):
-    """Printed symbol.
+    """Printed symbol with its LaTeX and its characters in the extracted text.
 
-    Parameters
-    ----------
-    name : str
-        Unique within a statement.
-    quantity : str
-        Quantity of the symbol: a row of the table in :mod:`derive.papers.numbers.quantities`.
-    latex, text : str
-        Its LaTeX, and its characters in the extracted text.
+    Its name is unique within a statement; its quantity is a row of the table in `derive.papers.numbers.quantities`.
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
@@ -140,8 +113,7 @@ class Symbol(Term):
 
     @property
     def name(self) -> str:
-        name: str = self.args[0].name
-        return name
+        return str(self.args[0])
 
     @property
     def quantity(self) -> Quantity:
@@ -184,22 +156,19 @@ def symbols(statement: Term) -> tuple[Symbol, ...]:
 def walk(statement: Term) -> Iterator[Term]:
     """Yield the statement and all its parts in printed order."""
     yield statement
-    if isinstance(statement, Apply):
-        for argument in statement.arguments:
-            yield from walk(argument)
+    for argument in statement.arguments:
+        yield from walk(argument)
 
 
-def with_trait(trait: Trait, *statements: Term) -> tuple[Apply, ...]:
+def with_trait(trait: Trait, *statements: Term) -> tuple[Term, ...]:
     """Return the parts of the statements whose operator has a trait."""
-    nodes = (node for statement in statements for node in walk(statement))
-    return tuple(node for node in nodes if isinstance(node, Apply) and trait in node.operator.traits)
+    return tuple(node for statement in statements for node in walk(statement) if trait in node.operator.traits)
 
 
 def takes_apart(*statements: Term) -> bool:
     """Return whether statements separate real and dual parts by ε, Re, Du, a real symbol or a claim in words."""
-    return bool(with_trait(Trait.APART, *statements)) or any(
-        symbol.quantity.apart for statement in statements for symbol in symbols(statement)
-    )
+    apart = any(symbol.quantity.apart for statement in statements for symbol in symbols(statement))
+    return apart or bool(with_trait(Trait.APART, *statements))
 
 
 def latex(statement: Term) -> str:
@@ -217,21 +186,13 @@ def _typeset(node: Term, style: str, brackets: str) -> str:
         return str(node.value)
     if isinstance(node, Symbol):
         return str(node.args[2 if style == "latex" else 3])
-    if not isinstance(node, Apply):
-        raise TypeError(f"not a formula: {node!r}")
     row = node.operator
     parts = []
     for i, argument in enumerate(node.arguments):
         part = _typeset(argument, style, brackets)
         needed = row.slots[min(i, len(row.slots) - 1)]
-        parts.append(brackets.format(part) if _level(argument) < needed else part)
+        parts.append(brackets.format(part) if argument.operator.level < needed else part)
     template: str = getattr(row, style)
     if style == "latex" and template.startswith("{0}^") and "^" in parts[0]:
         parts[0] = f"{{{parts[0]}}}"  # avoid a double superscript
     return template.format(*parts) if "{0}" in template else template.join(parts)
-
-
-def _level(node: Term) -> int:
-    if isinstance(node, Apply):
-        return node.operator.level
-    return ATOM

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, dual_part, mixed, real_part
+from derive.algebra import Dual, Quaternion, Structure, Vector, mixed
 from derive.algebra.mixed import quaternion as quaternion
 from derive.maps.pose import Pose
 
@@ -20,13 +20,12 @@ from ..numbers.fields import Field
 
 @dataclass(frozen=True)
 class Either:
-    """Pair of values denoted by ±."""
+    """Pair of values denoted by ±; `map` applies a function to both."""
 
     first: Any
     second: Any
 
     def map(self, f: Callable[[Any], Any]) -> Either:
-        """Apply `f` to both values."""
         return Either(f(self.first), f(self.second))
 
 
@@ -48,12 +47,8 @@ class MissedError(ArithmeticError):
 class Map:
     """Map with its preimages, for claims such as "onto" and "n branches".
 
-    Attributes
-    ----------
-    image : callable
-        Function from a point to its value.
-    preimages : callable
-        Function from a value to the list of its preimages; without one, the list is empty or `MissedError` is raised.
+    `image` maps a point to its value. `preimages` maps a value to the list of its preimages; without one, the list is
+    empty or `MissedError` is raised.
     """
 
     image: Callable[[Any], Any]
@@ -85,10 +80,8 @@ def _of_either(f: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
     return lifted
 
 
-@_of_either
-def add(a: Any, b: Any) -> Any:
-    """Return the sum; a number plus a vector is a quaternion."""
-    return mixed.add(a, b)
+add = _of_either(mixed.add)
+"""Sum; a number plus a vector is a quaternion."""
 
 
 def negative(a: Any) -> Any:
@@ -115,25 +108,6 @@ def divide(a: Any, b: Any) -> Any:
     return multiply(a, quaternion(b).inverse())
 
 
-def dot(a: Any, b: Any) -> Any:
-    """Return the scalar product of two vectors, or the product of other values."""
-    return a.dot(b) if isinstance(a, Vector) and isinstance(b, Vector) else multiply(a, b)
-
-
-def scalar(a: Any) -> Any:
-    """Return the scalar part of a quaternion with vector part 0; return other values unchanged."""
-    if isinstance(a, Quaternion) and all(c == 0 for c in a.vector):
-        return a.scalar
-    return a
-
-
-def square(a: Any) -> Any:
-    """Return the squared magnitude of a vector, quaternion or number."""
-    if isinstance(a, Vector):
-        return a.dot(a)
-    return a.norm2() if isinstance(a, Quaternion) else a * a
-
-
 def norm(field: Field, a: Any) -> Any:
     """Return the magnitude of a vector, quaternion or number."""
     if isinstance(a, Vector):
@@ -143,12 +117,12 @@ def norm(field: Field, a: Any) -> Any:
 
 def re(a: Any) -> Any:
     """Return the real part."""
-    return a.re if isinstance(a, Vector | Tensor | Quaternion) else real_part(a)
+    return getattr(a, "re", a)
 
 
 def du(a: Any) -> Any:
     """Return the dual part."""
-    return a.du if isinstance(a, Vector | Tensor | Quaternion) else dual_part(a)
+    return getattr(a, "du", 0)
 
 
 def dualise(re: Any, du: Any) -> Any:
@@ -158,44 +132,41 @@ def dualise(re: Any, du: Any) -> Any:
 
 def equal(field: Field, a: Any, b: Any) -> bool:
     """Return whether two values are equal, component by component; ± matches with either sign."""
-    if isinstance(a, Solution) and isinstance(b, Either):
-        return a.test(b.first) or a.test(b.second)
-    if isinstance(a, Solution):
-        return a.test(b)
-    if isinstance(b, Solution):
-        return equal(field, b, a)
+    if isinstance(b, Solution) or (isinstance(b, Either) and not isinstance(a, Either)):
+        a, b = b, a
     if isinstance(a, Either):
         return equal(field, a.first, b) or equal(field, a.second, b)
-    if isinstance(b, Either):
-        return equal(field, a, b.first) or equal(field, a, b.second)
+    if isinstance(a, Solution):
+        return a.test(b.first) or a.test(b.second) if isinstance(b, Either) else a.test(b)
     if type(a) is not type(b) and (isinstance(a, Structure) or isinstance(b, Structure)):
         a, b = quaternion(a), quaternion(b)
     return all(field.same(s, t) for s, t in _pairs(a, b))
 
 
 def coefficients(a: Any) -> Iterator[Any]:
-    """Yield the plain numbers of a value, real parts before dual parts."""
-    if isinstance(a, Either):
-        yield from coefficients(a.first)
-    elif isinstance(a, Structure):
-        for component in a:
-            yield from coefficients(component)
-    elif hasattr(a, "re") and hasattr(a, "du"):
-        yield from coefficients(a.re)
-        yield from coefficients(a.du)
-    else:
+    """Yield the plain numbers of a value, component by component; of ±, use the first value."""
+    parts = _parts(a)
+    if not parts:
         yield a
+    for part in parts:
+        yield from coefficients(part)
+
+
+def _parts(a: Any) -> tuple[Any, ...]:
+    if isinstance(a, Pose):
+        return a.rotation, a.displacement
+    if isinstance(a, Structure):
+        return tuple(a)
+    if isinstance(a, Either):
+        return (a.first,)
+    return (a.re, a.du) if isinstance(a, Dual) else ()
 
 
 def _pairs(a: Any, b: Any) -> Iterator[tuple[Any, Any]]:
-    if isinstance(a, Pose) and isinstance(b, Pose):
-        yield from _pairs(a.rotation, b.rotation)
-        yield from _pairs(a.displacement, b.displacement)
-    elif isinstance(a, Structure):
-        for s, t in zip(a, b, strict=True):
-            yield from _pairs(s, t)
-    elif hasattr(a, "du") or hasattr(b, "du"):
-        for part in ("re", "du"):
-            yield from _pairs(*(getattr(c, part) if hasattr(c, "du") else (c if part == "re" else 0) for c in (a, b)))
-    else:
+    """Yield the pairs of plain numbers to compare; the dual part of a plain number is 0."""
+    numbers = isinstance(a, Dual) or isinstance(b, Dual)
+    pairs = [(re(a), re(b)), (du(a), du(b))] if numbers else list(zip(_parts(a), _parts(b), strict=True))
+    if not pairs:
         yield a, b
+    for s, t in pairs:
+        yield from _pairs(s, t)

@@ -5,26 +5,20 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector
+from derive.algebra import Dual, Quaternion, Vector
 
-from .fields import chopped
+from .fields import Decimal60
 
 
 class Draw:
-    """Source of seeded 60-digit numbers.
+    """Source of 60-digit numbers with `digits` random decimals, all determined by the seed.
 
-    Parameters
-    ----------
-    seed : str
-        Seed that determines all numbers.
-    moving : bool
-        Whether coefficients carry time derivatives, as in `derive.papers.language.evaluation.Env`.
-    digits : int
-        Number of decimals of the drawn numbers.
+    Coefficients carry time derivatives if `moving`, as in `derive.papers.language.evaluation.Env`.
     """
 
     def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:
@@ -41,6 +35,10 @@ class Draw:
         """Return a number of either sign, away from 0."""
         return self.real() * self.random.choice((-1, 1))
 
+    def signed3(self) -> tuple[Any, Any, Any]:
+        """Return three numbers of either sign."""
+        return self.signed(), self.signed(), self.signed()
+
     def plain(self, value: Any, slope: Any = 0) -> Any:
         """Return a coefficient, with the time derivative `slope` if symbols move."""
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
@@ -48,14 +46,13 @@ class Draw:
     def number(self, re: Any, du: Any | None = None) -> Any:
         """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
         du = self.signed() if du is None else du
-        if self.moving:
-            return Dual(self.plain(re, self.signed()), self.plain(du, self.signed()))
-        return Dual(mpmath.mpf(re), mpmath.mpf(du))
+        rate = self.signed if self.moving else int
+        return Dual(self.plain(re, rate()), self.plain(du, rate()))
 
     def vector(self, re: tuple[Any, ...] | None = None, du: tuple[Any, ...] | None = None) -> Vector:
         """Return a dual vector; parts that are not given are random."""
-        a = re or tuple(self.signed() for _ in range(3))
-        b = du or tuple(self.signed() for _ in range(3))
+        a = re or self.signed3()
+        b = du or self.signed3()
         return Vector(*(self.number(s, t) for s, t in zip(a, b, strict=True)))
 
     def still(self, re: tuple[Any, ...], du: tuple[Any, ...]) -> Vector:
@@ -64,28 +61,18 @@ class Draw:
 
     def unit(self) -> Vector:
         """Return a unit dual vector, by stereographic projection from two dual numbers."""
-        s, t = self.number(self.signed()), self.number(self.signed())
-        return sphere(s, t)
+        return sphere(self.number(self.signed()), self.number(self.signed()))
 
     def quaternion(self, half_angle: Any) -> Quaternion:
         """Return a unit dual quaternion about a random screw axis; `half_angle` is the real part of its half angle."""
-        angle = Dual(mpmath.mpf(half_angle), self.signed())
-        s, c = angle.apply(mpmath.sin, mpmath.cos), angle.apply(mpmath.cos, lambda a: -mpmath.sin(a))
-        s, c = (a.apply(chopped, lambda _: 1) for a in (s, c))
-        s, c = Dual(s.re, chopped(s.du)), Dual(c.re, chopped(c.du))
-        return Quaternion(c, self.unit() * s)
+        angle, field = Dual(mpmath.mpf(half_angle), self.signed()), Decimal60()
+        return Quaternion(field.cos(angle), self.unit() * field.sin(angle))
 
 
 def sphere(s: Any, t: Any) -> Vector:
     """Return ``(2s, 2t, 1 − s² − t²)/(1 + s² + t²)``: any unit vector except (0, 0, −1)."""
     square = s * s + t * t
     return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
-
-
-def rotation(q: Quaternion) -> Tensor:
-    """Return the tensor of the map ``v -> q v q*``."""
-    columns = (q.sandwich(Vector(*row)) for row in Tensor.identity().rows)
-    return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
 @dataclass(frozen=True)
@@ -102,24 +89,8 @@ class Smooth:
 def polynomial(coefficients: Sequence[Any]) -> Smooth:
     """Return the polynomial with coefficients in ascending order."""
 
-    def value(a: Any) -> Any:
-        total = 0
-        for c in reversed(coefficients):
-            total = total * a + c
-        return total
+    def horner(numbers: Sequence[Any], a: Any) -> Any:
+        return reduce(lambda total, c: total * a + c, reversed(numbers), 0)
 
-    def derivative(a: Any) -> Any:
-        total = 0
-        for k in range(len(coefficients) - 1, 0, -1):
-            total = total * a + k * coefficients[k]
-        return total
-
-    return Smooth(value, derivative)
-
-
-def exponential_series() -> Smooth:
-    """Return the exponential as a power series, accurate to 60 digits for arguments below 2."""
-    terms = [mpmath.mpf(1)]
-    for k in range(1, 70):
-        terms.append(terms[-1] / k)
-    return Smooth(polynomial(terms).value, mpmath.exp)
+    slopes = [k * c for k, c in enumerate(coefficients)][1:]
+    return Smooth(lambda a: horner(coefficients, a), lambda a: horner(slopes, a))

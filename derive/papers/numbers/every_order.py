@@ -29,14 +29,13 @@ class EveryOrder(Exact):
     `scale`; their powers are further independent symbols.
     """
 
-    name = "exact, all n"
-
     def __init__(self, names: Sequence[str] = ()) -> None:
         super().__init__([*names, "n", "r", "scale", "s", "t"], {"theta": 1, "psi": 2})
         self.n, self.r, self.scale = self.symbol("n"), self.symbol("r"), self.symbol("scale")
         self.bases = ((self.scale, self.symbol("s")), (2 * self.n, self.symbol("t")))  # s = scale^(n/4), t = (2n)^(n/4)
         self.theta, self.psi = self.symbol("theta"), self.symbol("psi")
-        self.X = super()._sin(self.theta) / super()._cos(self.theta)
+        self.secant = 1 / super()._cos(self.theta)
+        self.X = super()._sin(self.theta) * self.secant  # hence secant² = 1 + X²
 
     def pair(self, n: Any, x: Any) -> tuple[Any, Any]:
         """Return ``p_n`` and ``q_n`` at x, from ``(1 + iX)ⁿ = p_n + i X q_n``."""
@@ -64,20 +63,12 @@ class EveryOrder(Exact):
                     return of_number * self.r ** self._integer(2 * j * a) * self.secant ** self._integer(j * b)
         raise NotExactError("powers with exponent n of numbers other than 1 + v²")
 
-    @property
-    def secant(self) -> Element:
-        """Return the square root of 1 + X²."""
-        secant: Element = 1 / super()._cos(self.theta)
-        return secant
-
     def _quaternion(self, base: Quaternion, exponent: Element) -> Quaternion:
-        """Return a power of c + v = c (1 + X u), or the power c/n of a unit quaternion cos ψ + u sin ψ."""
-        if not self._is_linear(exponent):  # c/n
-            turn = self._integer((exponent * self.n).combination((self.functions.constant(1),))[0]) * self.theta
-            cosine, sine = self._cos(self.psi), self._sin(self.psi)
-            if base.scalar != cosine or base.norm2() != 1:
-                raise NotExactError("roots of quaternions other than cos α/2 + u sin α/2")
-            return Quaternion(self._cos(turn), base.vector / sine * self._sin(turn))
+        """Return a power of c + v = c (1 + X u)."""
+        try:
+            self._linear(exponent)
+        except NotExactError:
+            return self._root(base, exponent * self.n)
         c = base.scalar
         if c != 1:
             v = base.vector * one_over(c)
@@ -87,6 +78,13 @@ class EveryOrder(Exact):
         cosine, sine = self.turn(exponent, X)
         size = self.power(base.norm2(), exponent / 2)
         return Quaternion(size * cosine, size * sine / X * base.vector)
+
+    def _root(self, base: Quaternion, multiple: Element) -> Quaternion:
+        """Return the power ``multiple/n`` of a unit quaternion cos ψ + u sin ψ."""
+        turn = self._integer(multiple.combination((self.functions.constant(1),))[0]) * self.theta
+        if base.scalar != self._cos(self.psi) or base.norm2() != 1:
+            raise NotExactError("roots of quaternions other than cos α/2 + u sin α/2")
+        return Quaternion(self._cos(turn), base.vector / self._sin(self.psi) * self._sin(turn))
 
     def turn(self, exponent: Element, X: Any) -> tuple[Any, Any]:
         """Return the cosine and sine of ``exponent · arctan X``."""
@@ -109,16 +107,9 @@ class EveryOrder(Exact):
 
     def _parts(self, angle: Any) -> list[tuple[Any, Any]]:
         """Return (cos, sin) of both terms of an angle ``a ψ + b θ``, in which ψ may be written nθ."""
-        a, also, b = self._element(angle).combination((self.psi, self.theta * self.n, self.theta))
+        a, also, b = self.functions.element(angle).combination((self.psi, self.theta * self.n, self.theta))
         parts = ((a + also) * self.psi, b * self.theta)
         return [(super(EveryOrder, self)._cos(part), super(EveryOrder, self)._sin(part)) for part in parts]
-
-    def _is_linear(self, exponent: Element) -> bool:
-        try:
-            self._linear(exponent)
-        except NotExactError:
-            return False
-        return True
 
     def _linear(self, exponent: Element) -> tuple[Fraction, Fraction]:
         """Return (a, b) of an exponent ``a n + b``."""

@@ -11,7 +11,8 @@ along the real parts. For other statements, an identity of rational functions ov
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Protocol
+from itertools import product
+from typing import Any
 
 from derive.algebra import Dual, Quaternion, Vector
 from derive.algebra.element import NotExactError
@@ -19,61 +20,43 @@ from derive.algebra.element import NotExactError
 from .draw import sphere
 from .every_order import EveryOrder
 from .fields import Exact
-from .quantities import Quantity, Role
+from .quantities import Role
 
 STEPS = 4  # sine and cosine of multiples of α/4 are exact
 
 
-class Variable(Protocol):
-    """Symbol that receives a generic value."""
-
-    @property
-    def name(self) -> str:
-        """Name, unique within a statement."""
-
-    @property
-    def quantity(self) -> Quantity:
-        """Quantity of the symbol: its row in the table."""
-
-
 class Generic:
-    """Generic values of some symbols.
+    """Generic values of some free symbols.
 
-    Parameters
-    ----------
-    free : iterable of Variable
-        Symbols that receive values.
-    dual, moving : bool
-        Whether coefficients are dual and whether they carry rates, as in `derive.papers.language.evaluation.Env`.
-    steps : int
-        Divisor of angles: multiples of ``angle/steps`` have exact sine and cosine.
-    framed : bool
-        Whether a frame may be chosen along the vectors.
+    Coefficients are dual and carry rates by `dual` and `moving`, as in `derive.papers.language.evaluation.Env`.
+    Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen along the vectors if `framed`. With the
+    symbol `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """
 
     def __init__(
-        self, free: Iterable[Variable], dual: bool, moving: bool, steps: int = STEPS, framed: bool = True
+        self, free: Iterable[Any], dual: bool, moving: bool, steps: int = STEPS, framed: bool = True, order: Any = None
     ) -> None:
         self.dual, self.moving = dual, moving
         self.symbols = tuple(free)
         self.framed = framed and not any(symbol.quantity.role is Role.TENSOR for symbol in self.symbols)
         self.first = next((symbol.name for symbol in self.symbols if symbol.quantity.role is Role.VECTOR), None)
-        self.field = self._field(steps)
+        self.every: EveryOrder | None = None if order is None else EveryOrder(self._names())
+        self.field = self.every or Exact(self._names(), self._angles(steps))
         self._vectors = 0  # number of vectors along which the frame is already chosen
-        self.values: dict[Any, Any] = {symbol: self._value(symbol) for symbol in self.symbols}
+        self.values: dict[Any, Any] = {}
+        for symbol in self.symbols:
+            if symbol.quantity.exact is None:
+                raise NotExactError(f"no generic {symbol.quantity.name}")
+            self.values[symbol] = symbol.quantity.exact(self, symbol.name)
+        if self.every:
+            self.values[order] = self.every.n
 
-    def fix(self, symbol: Variable | None, value: Any) -> None:
-        """Set the value of one more symbol, unless it is None."""
-        if symbol is not None:
-            self.values[symbol] = value
-
-    def fix_branch(self, branch: Variable | None, k: int) -> None:
+    def fix_branch(self, branch: Any, k: int) -> None:
         """Set the branch to k and subtract 2kπ from each angle, so that α + 2kπ is the generic angle."""
-        self.fix(branch, k)
-        if branch is not None:
-            turned = {symbol: value - 2 * k * self.field.pi for symbol, value in self.values.items()
-                      if symbol.quantity.role is Role.ANGLE}
-            self.values.update(turned)
+        self.values[branch] = k
+        for symbol in self.symbols:
+            if symbol.quantity.role is Role.ANGLE:
+                self.values[symbol] -= 2 * k * self.field.pi
 
     # ---- values for the table of quantities, by the name of a symbol ------------------------------------------------
 
@@ -93,16 +76,8 @@ class Generic:
         return number.re if self.dual else number
 
     def angle(self, name: str) -> Any:
-        """Return an angle with exact sine and cosine."""
-        return self.number(name, at=self._angle(name))
-
-    def scale(self, name: str) -> Any:
-        """Return a number that has powers with exponent n."""
-        return self.number(name)
-
-    def argument(self, name: str) -> Any:
-        """Return the argument X of p_n and q_n."""
-        return self.number(name)
+        """Return an angle with exact sine and cosine; it is 2nθ for a symbolic order."""
+        return self.number(name, at=2 * self.every.n * self.every.theta if self.every else self.field.symbol(name))
 
     def vector(self, name: str) -> Vector:
         """Return a vector; the frame is chosen along it while axes are still free."""
@@ -110,21 +85,19 @@ class Generic:
             return self._free_vector(name)
         self._vectors += 1
         zero = self.field.functions.constant(0)
-        at = [self._first() if self._vectors == 1 and name == self.first else None, None, None]
+        at = [self._magnitude() if self._vectors == 1 and name == self.first else None, None, None]
         at = [*at[: self._vectors], zero, zero][:3]
         return Vector(*(self.number(name, i, value) for i, value in enumerate(at)))
 
     def unit(self, name: str) -> Vector:
         """Return a unit vector; the frame is chosen along it while axes are still free."""
         zero = self.field.functions.constant(0)
-        if self.framed:
-            self._vectors += 1
+        self._vectors += self.framed
         if self.framed and self._vectors == 1:
             u = sphere(self.number(name, 0, zero), self.number(name, 1, zero))
             return Vector(u.c3, u.c1, u.c2)
-        if self.framed and self._vectors == 2:
-            return sphere(self.number(name, 0), self.number(name, 1, zero))
-        return sphere(self.number(name, 0), self.number(name, 1))
+        in_plane = self.framed and self._vectors == 2
+        return sphere(self.number(name, 0), self.number(name, 1, zero if in_plane else None))
 
     def turn(self, name: str) -> Quaternion:
         """Return a unit quaternion from half angle and axis, or a normalized square if the field lacks the angle."""
@@ -139,59 +112,21 @@ class Generic:
 
     # ---- helpers --------------------------------------------------------------------------------------------------
 
-    def _value(self, symbol: Variable) -> Any:
-        if symbol.quantity.exact is None:
-            raise NotExactError(f"no generic {symbol.quantity.name}")
-        return symbol.quantity.exact(self, symbol.name)
-
-    def _field(self, steps: int) -> Exact:
-        return Exact(self._names(), self._angles(steps))
-
     def _angles(self, steps: int) -> dict[str, int]:
         angles = {symbol.name: steps for symbol in self.symbols if symbol.quantity.role in (Role.ANGLE, Role.TURN)}
         return angles if self.first is None else {**angles, f"arctan {self.first}": 1}
 
     def _names(self) -> list[str]:
-        parts = [f"{part}{slope}" for part in (("", "°") if self.dual else ("",)) for slope in self._slopes]
         stems = [f"{symbol.name}{i}" for symbol in self.symbols for i in range(symbol.quantity.size)]
-        return [f"{stem}{part}" for stem in stems for part in parts]
-
-    @property
-    def _slopes(self) -> tuple[str, ...]:
-        return ("", "˙") if self.moving else ("",)
+        parts = product(stems, ("", "°") if self.dual else ("",), ("", "˙") if self.moving else ("",))
+        return ["".join(part) for part in parts]
 
     def _free_vector(self, name: str) -> Vector:
         return Vector(*(self.number(name, i) for i in range(3)))
 
-    def _angle(self, name: str) -> Any:
-        return self.field.symbol(name)
-
-    def _first(self) -> Any:
+    def _magnitude(self) -> Any:
         """Return the magnitude of the first vector as the tangent of an angle."""
+        if self.every:
+            return self.every.X
         angle = self.field.symbol(f"arctan {self.first}")
         return self.field.sin(angle) / self.field.cos(angle)
-
-
-class GenericOrder(Generic):
-    """Generic values for a symbolic order n, with one vector and one angle."""
-
-    field: EveryOrder
-
-    def __init__(self, free: Iterable[Variable], order: Variable, moving: bool) -> None:
-        super().__init__(free, False, moving)
-        self.fix(order, self.field.n)
-
-    def scale(self, name: str) -> Any:
-        return self.number(name, at=self.field.scale)
-
-    def argument(self, name: str) -> Any:
-        return self.number(name, at=self.field.X)
-
-    def _field(self, steps: int) -> Exact:
-        return EveryOrder(self._names())
-
-    def _angle(self, name: str) -> Any:
-        return 2 * self.field.n * self.field.theta
-
-    def _first(self) -> Any:
-        return self.field.X

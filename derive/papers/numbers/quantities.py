@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any
 import mpmath
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector
+from derive.maps.first_principles import tensor_by_sandwich as rotation
 
-from .draw import Draw, Smooth, exponential_series, polynomial, rotation
+from .draw import Draw, Smooth, polynomial
 from .fields import Field
 
 if TYPE_CHECKING:
@@ -27,49 +28,25 @@ Make = Callable[[Draw], Any]
 class Role(Enum):
     """Role of a quantity in the choice of exact coordinates."""
 
-    ANGLE = auto()
-    """Angle whose fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ."""
-    TURN = auto()
-    """Displacement, given by an angle and an axis."""
-    VECTOR = auto()
-    """Vector along which a frame may be chosen; the first vector's magnitude is the tangent of an angle."""
-    TENSOR = auto()
-    """Tensor with generic entries, for which no frame is chosen."""
+    ANGLE = auto()  # its fractions have exact sine and cosine; on branch k the generic angle is α + 2kπ
+    TURN = auto()  # displacement, given by an angle and an axis
+    VECTOR = auto()  # a frame may be chosen along it; the first vector's magnitude is the tangent of an angle
+    TENSOR = auto()  # has generic entries; no frame is chosen
 
 
 @dataclass(frozen=True, eq=False)
 class Quantity:
-    """Row of the table.
-
-    Attributes
-    ----------
-    name : str
-    draw : callable, optional
-        Function that draws a 60-digit value that is not special; without it, symbols need a definition.
-    special : dict of str to callable
-        Functions that draw values at which formulas tend to fail, by name.
-    size : int
-        Number of independent numbers in a value.
-    exact : callable, optional
-        Function ``exact(generic, name)`` that returns a symbol's generic value in an exact field.
-    role : Role, optional
-    value : callable, optional
-        Function from a field to the value of a constant.
-    apart : bool
-        Whether the quantity separates real and dual parts; then exact coefficients are dual too.
-    varies : bool
-        Whether a symbol without a definition is free.
-    """
+    """Row of the table."""
 
     name: str
-    draw: Make | None = None
-    special: Mapping[str, Make] = field(default_factory=dict)
-    size: int = 0
-    exact: Callable[[Generic, str], Any] | None = None
+    draw: Make | None = None  # draws a 60-digit value that is not special; without it, symbols need a definition
+    special: Mapping[str, Make] = field(default_factory=dict)  # draw values at which formulas tend to fail
+    size: int = 0  # number of independent numbers in a value
+    exact: Callable[[Generic, str], Any] | None = None  # returns the generic value of a symbol, given its name
     role: Role | None = None
-    value: Callable[[Field], Any] | None = None
-    apart: bool = False
-    varies: bool = True
+    value: Callable[[Field], Any] | None = None  # returns the value of a constant in a field
+    apart: bool = False  # whether it separates real and dual parts; then exact coefficients are dual too
+    varies: bool = True  # whether a symbol without a definition is free
 
     def generic(self, draw: Draw) -> Any:
         """Return a 60-digit value that is not special."""
@@ -81,12 +58,17 @@ class Quantity:
 _ZERO = (0, 0, 0)
 
 
-def _angle(turns: float, du: Any | None = None) -> Make:
-    return lambda d: d.number(turns * 2 * mpmath.mpf(mpmath.pi), du)
+def _angle(half_turns: int, du: Any | None = None) -> Make:
+    return lambda d: d.number(half_turns * mpmath.pi, du)
 
 
-def _turned(turns: float) -> Make:
-    return lambda d: rotation(d.quaternion(turns * mpmath.mpf(mpmath.pi)))
+def _half_turn(d: Draw) -> Quaternion:
+    return d.quaternion(mpmath.pi / 2)
+
+
+def _within(d: Draw) -> Quaternion:
+    """Return a displacement within a half turn."""
+    return d.quaternion(d.real(0.3, 1.3))
 
 
 def _beyond(d: Draw) -> Quaternion:
@@ -95,7 +77,7 @@ def _beyond(d: Draw) -> Quaternion:
 
 
 def _translation(sign: int) -> Make:
-    return lambda d: Quaternion(Dual(mpmath.mpf(sign), mpmath.mpf(0)), d.still(_ZERO, tuple(d.signed() for _ in "123")))
+    return lambda d: Quaternion(Dual(mpmath.mpf(sign), mpmath.mpf(0)), d.still(_ZERO, d.signed3()))
 
 
 ORDER = Quantity("order")
@@ -111,19 +93,18 @@ _REAL = (
     Quantity("real", lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}, 1,
              lambda g, name: g.real(g.number(name)), apart=True),
     Quantity("real angle", lambda d: d.real(0.3, 1.2),
-             {"0": lambda d: mpmath.mpf(0), "π/2": lambda d: mpmath.mpf(mpmath.pi) / 2,
-              "π": lambda d: mpmath.mpf(mpmath.pi), "beyond π": lambda d: d.real(3.3, 6.1),
-              "2π": lambda d: 2 * mpmath.mpf(mpmath.pi), "negative": lambda d: -d.real()}, 1,
-             lambda g, name: g.real(g.angle(name)), Role.ANGLE, apart=True),
+             {"0": lambda d: mpmath.mpf(0), "π/2": lambda d: mpmath.pi / 2, "π": lambda d: +mpmath.pi,
+              "beyond π": lambda d: d.real(3.3, 6.1), "2π": lambda d: 2 * mpmath.pi,
+              "negative": lambda d: -d.real()}, 1, lambda g, name: g.real(g.angle(name)), Role.ANGLE, apart=True),
     Quantity("smooth function", lambda d: polynomial([d.signed() for _ in range(5)]),
-             {"exponential": lambda d: exponential_series(),
+             {"exponential": lambda d: polynomial([1 / mpmath.factorial(k) for k in range(70)]),
               "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a))}, 4,
              lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
-    Quantity("real vector", lambda d: Vector(d.signed(), d.signed(), d.signed()),
+    Quantity("real vector", lambda d: Vector(*d.signed3()),
              {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))}, 3,
              lambda g, name: g.vector(name).map(g.real), Role.VECTOR, apart=True),
-    Quantity("rotation", lambda d: rotation(d.quaternion(d.real(0.3, 1.3))).re,
-             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: _turned(0.5)(d).re,
+    Quantity("rotation", lambda d: rotation(_within(d)).re,
+             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: rotation(_half_turn(d)).re,
               "beyond a half turn": lambda d: rotation(_beyond(d)).re}, 3,
              lambda g, name: rotation(g.turn(name)).map(g.real), Role.TURN),
     Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True),
@@ -136,12 +117,12 @@ _NUMBERS = (
              lambda g, name: g.number(name)),
     Quantity("argument", lambda d: d.number(d.signed()),
              {"real part 0": lambda d: d.number(0), "negative": lambda d: d.number(-d.real())}, 1,
-             lambda g, name: g.argument(name)),
+             lambda g, name: g.number(name, at=g.every and g.every.X)),
     Quantity("scale", lambda d: d.number(d.real(0.5, 2.0)), {"negative": lambda d: d.number(-d.real(0.5, 2.0))}, 1,
-             lambda g, name: g.scale(name)),
+             lambda g, name: g.number(name, at=g.every and g.every.scale)),
     Quantity("angle", lambda d: d.number(d.real(0.3, 2.8)),
-             {"0": _angle(0, 0), "real part 0": _angle(0), "real part π": _angle(0.5), "real part 2π": _angle(1),
-              "real part 3π": _angle(1.5), "real part 4π": _angle(2),
+             {"0": _angle(0, 0), "real part 0": _angle(0), "real part π": _angle(1), "real part 2π": _angle(2),
+              "real part 3π": _angle(3), "real part 4π": _angle(4),
               "beyond a half turn": lambda d: d.number(d.real(3.3, 6.1)),
               "negative": lambda d: d.number(-d.real(0.3, 2.8))}, 1,
              lambda g, name: g.angle(name), Role.ANGLE),
@@ -155,17 +136,16 @@ _STRUCTURES = (
     Quantity("quaternion", lambda d: Quaternion(d.number(d.signed()), d.vector()),
              {"real part 0": lambda d: Quaternion(d.number(0), d.still(_ZERO, (d.real(), d.real(), d.real())))}, 4,
              lambda g, name: Quaternion(g.number(name, 3), g.vector(name)), Role.VECTOR),
-    Quantity("unit quaternion", lambda d: d.quaternion(d.real(0.3, 1.3)),
-             {"1": _translation(1), "−1": _translation(-1),
-              "half turn": lambda d: d.quaternion(mpmath.mpf(mpmath.pi) / 2), "beyond a half turn": _beyond}, 3,
+    Quantity("unit quaternion", _within,
+             {"1": _translation(1), "−1": _translation(-1), "half turn": _half_turn, "beyond a half turn": _beyond}, 3,
              lambda g, name: g.turn(name), Role.TURN),
     Quantity("tensor", lambda d: Tensor.from_entries(d.number(d.signed()) for _ in range(9)),
              {"singular": lambda d: Tensor.dyad(d.vector(), d.vector())}, 9,
              lambda g, name: Tensor.from_entries(g.number(name, i) for i in range(9)), Role.TENSOR),
-    Quantity("orthogonal tensor", lambda d: rotation(d.quaternion(d.real(0.3, 1.3))),
+    Quantity("orthogonal tensor", lambda d: rotation(_within(d)),
              {"translation": lambda d: rotation(_translation(1)(d)),
               "identity": lambda d: Tensor.identity().map(lambda c: Dual(mpmath.mpf(c), mpmath.mpf(0))),
-              "half turn": _turned(0.5), "beyond a half turn": lambda d: rotation(_beyond(d))}, 3,
+              "half turn": lambda d: rotation(_half_turn(d)), "beyond a half turn": lambda d: rotation(_beyond(d))}, 3,
              lambda g, name: rotation(g.turn(name)), Role.TURN),
     Quantity("line", apart=True), Quantity("pose"),
 )

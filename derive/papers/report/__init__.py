@@ -1,29 +1,20 @@
-"""Errata report in five formats.
-
-======== ======================================================================
-content  papers, counts and texts of a report, independent of format
-plain    LaTeX formulas as lines of Unicode
-text     tables for a terminal
-pages    JSON, Markdown, HTML and LaTeX
-======== ======================================================================
-
-The layouts are templates in ``templates/report``.
-"""
+"""Errata report in five formats: terminal tables, JSON, Markdown, HTML and LaTeX, with layouts in templates/report."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from .content import Report
-from .pages import as_html, as_json, as_latex, as_markdown
+from .pages import as_json, page
 from .text import as_text
 
 FORMATS: dict[str, Callable[[Report], str]] = {
     "text": as_text,
     "json": as_json,
-    "markdown": as_markdown,
-    "html": as_html,
-    "latex": as_latex,
+    "markdown": partial(page, "md"),
+    "html": partial(page, "html"),
+    "latex": partial(page, "tex"),
 }
 
 __all__ = ["FORMATS", "Report", "as_text"]

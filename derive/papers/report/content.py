@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from derive.proof import Proof
 
-from ..paper import Paper
+from ..equation import Paper
 from ..result import Counterexample, Result, Status
 from .plain import plain
 
@@ -39,15 +39,9 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Report:
-    """Results and proofs of a report.
+    """Results and proofs of a report, with one chapter for each paper that has results.
 
-    Attributes
-    ----------
-    chapters : tuple of Chapter
-        One chapter for each paper with results.
-    proofs : tuple of Proof
-    root : str
-        Relative path from the report to the project, for links to sources; empty for no links.
+    `root` is the relative path from the report to the project, for links to sources; empty for no links.
     """
 
     chapters: tuple[Chapter, ...]
@@ -123,25 +117,20 @@ DIGITS = 10
 
 def example(found: Counterexample) -> tuple[str, ...]:
     """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
-    lines = [f"{plain(name)} = {_numbers(parts)}" for name, parts in found.symbols.items()]
-    if len(found.sides) == 2 and all(found.sides):
-        left, right = found.sides
-        differing = (i for i, pair in enumerate(zip(left, right, strict=False)) if pair[0][:DIGITS] != pair[1][:DIGITS])
-        i = next(differing, 0)
-        which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
-        lines.append(f"{which}left {left[i][: DIGITS + 2]}, right {right[i][: DIGITS + 2]}")
-    else:
-        lines.append(f"{found.point}: the statement is false")
-    return tuple(lines)
+    lines = tuple(f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items())
+    if len(found.sides) != 2 or not all(found.sides):
+        return *lines, f"{found.point}: the statement is false"
+    left, right = found.sides
+    i = next((i for i, (a, b) in enumerate(zip(left, right, strict=False)) if a[:DIGITS] != b[:DIGITS]), 0)
+    which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
+    return *lines, f"{which}left {left[i][: DIGITS + 2]}, right {right[i][: DIGITS + 2]}"
 
 
 def _numbers(parts: list[str]) -> str:
     """Return the real parts, then the dual parts after ε, as one string."""
     short = [part[: DIGITS + 2] for part in parts]
     half = len(short) // 2
-    if len(short) in (2, 6, 8):
-        return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}"
-    return _tuple(short)
+    return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8) else _tuple(short)
 
 
 def _tuple(parts: list[str]) -> str:

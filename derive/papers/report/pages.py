@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import json
 import re
-import unicodedata
-from typing import Any
 
-from derive.output import render
-from derive.proof import Proof
+from derive.output.templates import holes, render
 
+from ..language.notation import define
+from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
 from .content import MEANING, Report, command, example, extent, label, place, readings, why
-from .difference import differing
+from .plain import escape
 
 SCHEMA = 2
+PROOF_FIELDS = ("statement", "scope", "status", "method")
+COLOUR = "#b3261e"
+CHANGED = {
+    level: define(f"changed {level}", rf"\color{{{{{COLOUR}}}}}{{{{{{0}}}}}}", "{0}", level, (level,), lambda env, a: a)
+    for level in (LIST, RELATION, SUM, PRODUCT, POWER, ATOM)
+}
+"""Operators that colour a term, by binding strength."""
 
 
 def as_json(report: Report) -> str:
@@ -22,41 +28,21 @@ def as_json(report: Report) -> str:
     data = {
         "schema": SCHEMA,
         "equations": [result.as_json() for result in report.results],
-        "proofs": [_proof(proof) for proof in report.proofs],
+        "proofs": [
+            {**{name: getattr(proof, name) for name in PROOF_FIELDS}, "seconds": round(proof.seconds, 6)}
+            for proof in report.proofs
+        ],
     }
     return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
-def as_markdown(report: Report) -> str:
-    """Return a Markdown page with formulas in ``math`` spans."""
-    return render("report/errata.md.j2", **_common(report), **PAGE)
-
-
-def as_html(report: Report) -> str:
-    """Return a self-contained HTML page with MathML formulas and a filter that needs no network."""
-    return render("report/errata.html.j2", mathml=mathml, **_common(report), **PAGE)
-
-
-def as_latex(report: Report) -> str:
-    """Return a LaTeX sheet of the errata for pdflatex."""
-    return render("report/errata.tex.j2", escape=escape, HOLDS_IF=Status.HOLDS_IF, **_common(report))
-
-
-def _common(report: Report) -> dict[str, Any]:
-    """Return the data used by all three templates."""
-    statuses = {"statuses": MEANING, "ERRATUM": Status.ERRATUM, "AMBIGUOUS": Status.AMBIGUOUS}
-    return {"report": report, "label": label, "notes": notes, **statuses}
-
-
-def differing_sides(result: Result) -> tuple[str, str]:
-    """Return the printed and the corrected formula as LaTeX, with differing parts in colour."""
-    assert result.equation.corrected is not None
-    return differing(result.verdicts[0].statement, result.equation.corrected)
-
-
-PAGE = {"extent": extent, "place": place, "readings": readings, "why": why, "command": command, "example": example,
-        "differing": differing_sides}
-"""Further template functions for Markdown and HTML."""
+def page(form: str, report: Report) -> str:
+    """Return the report as Markdown ("md"), HTML or LaTeX ("tex"): the template gets the functions that it names."""
+    template = f"report/errata.{form}.j2"
+    functions = (label, notes, extent, place, readings, why, command, example, mathml, escape)
+    data = {"report": report, "statuses": MEANING, "differing": differing_sides}
+    data |= {status.name: status for status in Status} | {function.__name__: function for function in functions}
+    return render(template, **{name: data[name] for name in holes(template)})
 
 
 def notes(result: Result) -> tuple[str, ...]:
@@ -67,72 +53,30 @@ def notes(result: Result) -> tuple[str, ...]:
     return tuple(note for note in (said, entry.remark, fixed) if note)
 
 
-def _proof(proof: Proof) -> dict[str, Any]:
-    return {
-        "statement": proof.statement,
-        "scope": proof.scope,
-        "status": proof.status,
-        "method": proof.method,
-        "seconds": round(proof.seconds, 6),
-    }
+def differing_sides(result: Result) -> tuple[str, str]:
+    """Return the printed and the corrected formula as LaTeX, with their smallest differing parts in colour."""
+    assert result.equation.corrected is not None
+    printed, corrected = _marked(result.verdicts[0].statement, result.equation.corrected)
+    return latex(printed), latex(corrected)
 
 
-# ---- formulas as MathML, text for LaTeX -----------------------------------------------------------------------
-
-_TEXT = re.compile(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}")
+def _marked(a: Term, b: Term) -> tuple[Term, Term]:
+    if a == b:
+        return a, b
+    if a.arguments and a.operator is b.operator and len(a.arguments) == len(b.arguments):
+        firsts, seconds = zip(*map(_marked, a.arguments, b.arguments), strict=True)
+        return a.operator(*firsts), b.operator(*seconds)
+    return CHANGED[a.operator.level](a), CHANGED[b.operator.level](b)
 
 
 def mathml(latex: str) -> str:
     """Return the formula as displayed MathML."""
     from latex2mathml.converter import convert  # slow import, needed by one format only
 
-    return str(convert(_TEXT.sub(_apart, latex), display="block"))
+    return str(convert(re.sub(r"\\text\{([^{}$]*(?:\$[^$]*\$[^{}$]*)+)\}", _apart, latex), display="block"))
 
 
 def _apart(found: re.Match[str]) -> str:
     r"""Move the formulas out of a ``\text`` command."""
     pieces = found.group(1).split("$")
     return "".join(piece if i % 2 else rf"\text{{{piece}}}" for i, piece in enumerate(pieces) if piece)
-
-
-_SPECIAL = {
-    **{c: rf"\{c}" for c in "#$%&_{}"}, "\\": r"\textbackslash{}", "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}",
-    "−": r"$-$", "…": r"\dots{}", "‖": r"$\|$", "⊗": r"$\otimes$", "·": r"$\cdot$", "×": r"$\times$", "±": r"$\pm$",
-    "≠": r"$\neq$", "≤": r"$\leq$", "≥": r"$\geq$", "∈": r"$\in$", "→": r"$\to$", "⁻": "$^-$", "°": "$^\\circ$",
-    "√": r"$\surd$", "⇒": r"$\Rightarrow$", "˙": r"$\dot{}$", "∞": r"$\infty$", "ᵀ": "$^T$", "½": r"$\frac12$",
-    "′": "$'$", "“": "``", "”": "''", "–": "--", "Φ": r"$\Phi$",
-    "İ": r"\.I",
-    "⟨": r"$\langle$", "⟩": r"$\rangle$", "↦": r"$\mapsto$",
-    "⇔": r"$\Leftrightarrow$", "∂": r"$\partial$", "∘": r"$\circ$", "Δ": r"$\Delta$", "Σ": r"$\sum$",
-    **{c: f"$_{i}$" for i, c in enumerate("₀₁₂₃₄₅₆₇₈₉")}, "ₙ": "$_n$", "ₖ": "$_k$",
-    **{c: f"$^{i}$" for i, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}, "ⁿ": "$^n$",
-    **dict(zip("αβθΘφψωρστλεπ", (rf"$\{name}$" for name in (
-        "alpha", "beta", "theta", "Theta", "varphi", "psi", "omega", "rho", "sigma", "tau", "lambda", "varepsilon",
-        "pi")), strict=True)),
-}
-LAST_LETTER = "\u017f"  # last letter of LaTeX's T1 fonts
-_ACCENTED = re.compile("(\\w)([\u0302\u0303\u0307])")
-_ACCENT = {"\u0302": "hat", "\u0303": "tilde", "\u0307": "dot"}
-
-
-def escape(text: str) -> str:
-    """Return plain text escaped for pdflatex."""
-    pieces = _ACCENTED.split(_decomposed(text))
-    whole = []
-    for plain, symbol, accent in zip(pieces[::3], [*pieces[1::3], ""], [*pieces[2::3], ""], strict=True):
-        whole.append("".join(map(_escaped, plain)))
-        whole.append(rf"$\{_ACCENT[accent]}{{{_escaped(symbol).strip('$')}}}$" if accent else "")
-    return "".join(whole)
-
-
-def _escaped(character: str) -> str:
-    if character in _SPECIAL:
-        return _SPECIAL[character]
-    return character if character <= LAST_LETTER else f"[{unicodedata.name(character, 'unknown').lower()}]"
-
-
-def _decomposed(text: str) -> str:
-    """Split each letter with a hat, tilde or dot into letter and combining accent."""
-    pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
-    return "".join(two if two[1:] in _ACCENT and one not in _SPECIAL else one for one, two in pairs)

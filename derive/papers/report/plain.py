@@ -1,4 +1,4 @@
-r"""LaTeX formulas as one line of Unicode: ``\frac{f^{*}}{2}`` becomes ``f*/2``.
+r"""LaTeX formulas as one line of Unicode: ``\frac{f^{*}}{2}`` becomes ``f*/2``; and Unicode text as LaTeX.
 
 Only LaTeX produced by this package's notation is supported; an unknown command is replaced by its own name.
 """
@@ -23,7 +23,7 @@ _SIGNS = {
     "\\sum": "Σ", "\\infty": "∞", "\\langle": "⟨", "\\rangle": "⟩", "\\lfloor": "⌊", "\\rfloor": "⌋", "\\angle": "∠",
     "\\forall": "∀", "\\exists": "∃", "\\circ": "∘", "\\|": "‖", "\\{": "{", "\\}": "}", "\\#": "#", "\\mathbb": "",
     "\\left": "", "\\right": "", "\\mathbf": "", "\\mathrm": "", "\\operatorname": "", "\\text": "", "\\,": " ",
-    "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\dots": "…", "\\ldots": "…", "\\cdots": "…", "\\ ": " ",
+    "\\;": " ", "\\quad": "  ", "\\\\": "; ", "\\ldots": "…", "\\cdots": "…", "\\dots": "…", "\\ ": " ",
     "$": "", "\\boldsymbol": "",
 }
 _WHOLE = re.compile(r"[^\s+\-−·×/=]+")
@@ -83,3 +83,34 @@ def _grouped(value: str) -> str:
     value = value.strip()
     bracketed = value.startswith("(") and value.endswith(")") and ")" not in value[1:-1]
     return value if _WHOLE.fullmatch(value) or bracketed else f"({value})"
+
+
+# ---- text for LaTeX ---------------------------------------------------------------------------------------------
+
+_SPECIAL = {
+    **{sign: f"${command}$" for command, sign in _SIGNS.items() if len(sign) == 1 and not sign.isascii()},
+    **{chr(sign): f"$_{chr(index)}$" for index, sign in _SUBSCRIPTS.items()},
+    **{chr(sign): f"$^{chr(power)}$" for power, sign in _SUPERSCRIPTS.items() if chr(power) != "*"},
+    **{c: rf"\{c}" for c in "#$%&_{}"}, "\\": r"\textbackslash{}", "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}", "…": r"\dots{}", "−": "$-$", "°": r"$^\circ$", "√": r"$\surd$", "˙": r"$\dot{}$",
+    "½": r"$\frac12$", "′": "$'$", "“": "``", "”": "''", "–": "--", "∂": r"$\partial$", "İ": r"\.I",
+}
+_MARKS = {mark: command for command, mark in _ACCENTS.items() if mark}
+_LAST_LETTER = "\u017f"  # last letter of LaTeX's T1 fonts
+
+
+def escape(text: str) -> str:
+    """Return plain text escaped for pdflatex."""
+    pairs = ((character, unicodedata.normalize("NFD", character)) for character in text)
+    split = "".join(two if two[1:] in _MARKS and one not in _SPECIAL else one for one, two in pairs)
+    return re.sub(rf"(\w)([{''.join(_MARKS)}])|.", _escaped, split, flags=re.DOTALL)
+
+
+def _escaped(found: re.Match[str]) -> str:
+    """Return the LaTeX of a character, or of a letter with its accent."""
+    letter, mark = found.groups()
+    if mark:
+        return f"${_MARKS[mark]}{{{escape(letter).strip('$')}}}$"
+    character = found[0]
+    known = character if character <= _LAST_LETTER else f"[{unicodedata.name(character, 'unknown').lower()}]"
+    return _SPECIAL.get(character, known)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 
 from derive.output.tables import WIDTH, Column, Grid
 
@@ -16,6 +16,8 @@ MIN_WIDTH = 72
 KNOWN, DIFFERENT = "how it is known", "where they differ"
 """Headings of the rows below an erratum."""
 
+Rows = Iterator[tuple[str, ...]]
+
 
 def as_text(report: Report, width: int = WIDTH) -> str:
     """Return the report as plain text of at most this width."""
@@ -23,83 +25,54 @@ def as_text(report: Report, width: int = WIDTH) -> str:
 
 
 def _grids(report: Report) -> Iterator[Grid]:
-    yield counts(report)
-    for chapter in report.chapters:
-        for status, table in TABLES.items():
-            if chapter.of(status):
-                yield table(chapter)
-    if report.proofs:
-        yield proofs(report)
-
-
-def counts(report: Report) -> Grid:
-    """Return the table of counts by paper and status."""
     numbers = [Column(str(status), number=True) for status in MEANING]
-    rows = [(c.paper.short, *map(str, c.counts.values()), str(sum(c.counts.values()))) for c in report.chapters]
-    return Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], rows)
+    counts = [(c.paper.short, *map(str, c.counts.values()), str(len(c.results))) for c in report.chapters]
+    yield Grid("equations decided", [Column("paper"), *numbers, Column("all", number=True)], counts)
+    for chapter in report.chapters:
+        for status in TABLES:
+            if chapter.of(status):
+                yield table(chapter, status)
+    if report.proofs:
+        proofs = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
+        yield Grid("proofs", [Column("scope"), Column("status"), Column("statement")], proofs, MIN_WIDTH)
 
 
-def errata(chapter: Chapter) -> Grid:
-    """Return the table of errata, with printed and corrected form side by side."""
-    rows = (row for result in chapter.of(Status.ERRATUM) for row in _erratum(result))
-    return _grid(chapter, Status.ERRATUM, ("equation", "printed", "corrected"), rows)
+def table(chapter: Chapter, status: Status) -> Grid:
+    """Return the table of a paper's results with one status."""
+    second, third, rows_of = TABLES[status]
+    title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
+    last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
+    columns = [Column("equation", width=24), Column(second, ratio=3), last]
+    rows = [row for result in chapter.of(status) for row in rows_of(result)]
+    return Grid(title, columns, rows, MIN_WIDTH, ruled=True, remarks=(KNOWN, DIFFERENT))
 
 
-def _erratum(result: Result) -> Iterator[tuple[str, ...]]:
+def _erratum(result: Result) -> Rows:
     """Yield the rows of an erratum: both forms, the method, and a numerical counterexample."""
     yield _name(result), _lines(plain(result.printed), *domain(result)), plain(result.corrected or "")
     yield KNOWN, result.method, readings(result)
     if result.counterexample is not None:
-        whole = f"in full: {command(result)} --format json"
-        yield DIFFERENT, "\n".join(example(result.counterexample)), whole
+        yield DIFFERENT, _lines(*example(result.counterexample)), f"in full: {command(result)} --format json"
 
 
-def ambiguous(chapter: Chapter) -> Grid:
-    """Return the table of ambiguous readings with their verdicts."""
-    rows = (
-        (
-            "" if i else _name(result),
-            _lines(plain(verdict.latex), verdict.note),
-            str(verdict.true).lower(),
-        )
-        for result in chapter.of(Status.AMBIGUOUS)
-        for i, verdict in enumerate(result.verdicts)
-    )
-    return _grid(chapter, Status.AMBIGUOUS, ("equation", "reading", "verdict"), rows)
+def _ambiguous(result: Result) -> Rows:
+    """Yield each reading with its verdict."""
+    for i, verdict in enumerate(result.verdicts):
+        yield "" if i else _name(result), _lines(plain(verdict.latex), verdict.note), str(verdict.true).lower()
 
 
-def conditional(chapter: Chapter) -> Grid:
-    """Return the table of equations that hold under a condition, with condition and method."""
-    rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS_IF))
-    return _grid(chapter, Status.HOLDS_IF, ("equation", "printed", "condition"), rows)
+def _true(result: Result) -> Rows:
+    """Yield the row of an equation with its domain and method."""
+    yield _name(result), plain(result.printed), _lines(*domain(result), result.method)
 
 
-def true(chapter: Chapter) -> Grid:
-    """Return the table of equations that hold, with the stated domain and the method."""
-    rows = ((_name(r), plain(r.printed), _lines(*domain(r), r.method)) for r in chapter.of(Status.HOLDS))
-    return _grid(chapter, Status.HOLDS, ("equation", "printed", "method"), rows)
-
-
-TABLES = {
-    Status.ERRATUM: errata,
-    Status.AMBIGUOUS: ambiguous,
-    Status.HOLDS_IF: conditional,
-    Status.HOLDS: true,
+TABLES: dict[Status, tuple[str, str, Callable[[Result], Rows]]] = {
+    Status.ERRATUM: ("printed", "corrected", _erratum),
+    Status.AMBIGUOUS: ("reading", "verdict", _ambiguous),
+    Status.HOLDS_IF: ("printed", "condition", _true),
+    Status.HOLDS: ("printed", "method", _true),
 }
-
-
-def proofs(report: Report) -> Grid:
-    """Return the table of proofs."""
-    rows = [(proof.scope, proof.status, proof.statement) for proof in report.proofs]
-    return Grid("proofs", [Column("scope"), Column("status"), Column("statement")], rows, MIN_WIDTH)
-
-
-def _grid(chapter: Chapter, status: Status, headings: tuple[str, str, str], rows: Iterable[tuple[str, ...]]) -> Grid:
-    title = f"{chapter.paper.short}, {status}: {MEANING[status]}"
-    first, second, third = headings
-    last = Column(third, ratio=3 if status is Status.ERRATUM else 2)
-    columns = [Column(first, width=24), Column(second, ratio=3), last]
-    return Grid(title, columns, list(rows), MIN_WIDTH, ruled=True, remarks=(KNOWN, DIFFERENT))
+"""Headings of the second and third column, and the rows of a result, by status."""
 
 
 def _lines(*parts: str) -> str:

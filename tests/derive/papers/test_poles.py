@@ -6,11 +6,11 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual, Vector
+from derive.papers.explore import denominators, poles
 from derive.papers.language.evaluation import Env, let
 from derive.papers.language.notation import equal, norm, over
 from derive.papers.language.terms import Number, Symbol, text
 from derive.papers.numbers.fields import DIGITS, Decimal60, innermost
-from derive.papers.poles import denominators, poles
 
 a, b, x = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("x", "argument")
 v, r, y = Symbol("v", "dual vector"), Symbol("r", "real"), Symbol("y", "number")

@@ -154,7 +154,7 @@ def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
     def at(env: Env, n: Any, length: Any) -> tuple[Any, Any]:
         c, x = env.field.sqrt(1 - length * length), length * length
         if isinstance(env.field, EveryOrder) and not isinstance(n, int):
-            power = env.power(Quaternion(c, Vector(length, 0 * length, 0 * length)), n)
+            power = env.field.power(Quaternion(c, Vector(length, 0 * length, 0 * length)), n)
             return power.scalar, power.vector.c1 / length
         P, Q = c, 1 + 0 * c
         for _ in range(n - 1):

@@ -26,7 +26,7 @@ p, q, next_p, next_q = polynomial(0), polynomial(1), polynomial(0, 1), polynomia
 
 def cayley(env: Env, n: Any, v: Vector) -> Quaternion:
     """Return ``(1 + v)^(n/2) (1 − v)^(−n/2)``: the n-th power of 1 + v divided by its norm."""
-    unit: Quaternion = env.power(Quaternion(1, v), n) / env.power(1 + v.dot(v), values.divide(n, 2))
+    unit: Quaternion = env.field.power(Quaternion(1, v), n) / env.field.power(1 + v.dot(v), values.divide(n, 2))
     return unit
 
 

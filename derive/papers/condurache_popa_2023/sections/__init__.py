@@ -2,7 +2,6 @@
 
 from ...equation import *
 from ...language import values as values
-from ...language.claims import *
 from ...language.definitions import *
 from ...language.evaluation import *
 from ...language.notation import *

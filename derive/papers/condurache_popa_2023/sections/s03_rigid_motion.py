@@ -3,9 +3,9 @@
 import mpmath
 
 from derive.algebra import Vector, real_part
+from derive.maps.first_principles import tensor_by_sandwich as rotation
 from derive.maps.pose import Pose, foot, pose_from_tensor
 
-from ...numbers.draw import rotation
 from ..definitions import motions
 from . import *
 
@@ -41,7 +41,7 @@ when_between = define(
 )
 
 INVARIANTS = (let(Q, motions.rotation_of, R), let(rho, motions.displacement_of, R))
-GIVEN = tuple(let(symbol, homogeneous, Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
+GIVEN = tuple(let(symbol, plain(Pose), Q_i, rho_i) for symbol, Q_i, rho_i in zip((g1, g2), turns, shifts, strict=True))
 PHI = (let(phi, lambda env: motions.moved_lines), let(phi_inv, lambda env: pose_from_tensor))
 SCREW = (
     let(R, screw_tensor, alpha, u), *INVARIANTS, let(angle, real_of, alpha), let(shift, dual_of, alpha),
@@ -63,7 +63,7 @@ FIRST = (
     equation("structure-unique", "the decomposition is unique", 94, equal(phi_inv(phi(g1)), g1), where=(*PHI, *GIVEN),
              remark="Any rotation and displacement are got back from the tensor that they make."),
     equation("15", "the isomorphism", 100, equal(phi(g), (I + epsilon * skew(any_shift)) * any_turn),
-             extract="ϕ g = I + ε ρ ~ Q", where=(*PHI, let(g, homogeneous, any_turn, any_shift)),
+             extract="ϕ g = I + ε ρ ~ Q", where=(*PHI, let(g, plain(Pose), any_turn, any_shift)),
              remark="φ(g) is the tensor that moves lines as g moves points."),
     equation("isomorphism", "φ keeps products", 99, equal(phi(g1 * g2), phi(g1) * phi(g2)), where=(*PHI, *GIVEN)),
     equation("isomorphism-onto", "φ is one to one and onto", 99,

@@ -1,7 +1,6 @@
 """Entries of the paper in printed order, one module for each section, and the names that all sections use."""
 
 from ...equation import *
-from ...language.claims import *
 from ...language.definitions import *
 from ...language.evaluation import *
 from ...language.notation import *

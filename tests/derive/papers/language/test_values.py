@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra import Tensor, Vector
 from derive.maps.pose import Pose
-from derive.papers.counterexample import shown
+from derive.papers.explore import shown
 from derive.papers.language.values import equal
 from derive.papers.numbers.fields import Decimal60
 

@@ -8,7 +8,7 @@ import mpmath
 import pytest
 
 from derive.algebra import Dual
-from derive.papers.numbers.draw import Draw, exponential_series, polynomial, rotation, sphere
+from derive.papers.numbers.draw import Draw, polynomial, sphere
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.quantities import QUANTITIES
 
@@ -92,13 +92,6 @@ def test_quaternions_have_the_half_angle_asked_for(half: str) -> None:
     assert all(FIELD.same(a, b) for a, b in ((q.norm2().re, 1), (q.norm2().du, 0)))
 
 
-def test_rotation_acts_as_its_quaternion() -> None:
-    q, v = Draw("q").quaternion(mpmath.mpf(1)), Draw("v").vector()
-    for one, other in zip(rotation(q) @ v, q.sandwich(v), strict=True):
-        assert FIELD.same(one.re, other.re)
-        assert FIELD.same(one.du, other.du)
-
-
 # ---- functions -------------------------------------------------------------------------------------------------------
 
 
@@ -110,7 +103,7 @@ def test_polynomials_have_these_values() -> None:
 
 @pytest.mark.parametrize("a", ["-1.5", "0", "0.7", "1.9"])
 def test_series_is_the_exponential(a: str) -> None:
-    f, at = exponential_series(), mpmath.mpf(a)
+    f, at = QUANTITIES["smooth function"].special["exponential"](Draw("f")), mpmath.mpf(a)
     assert FIELD.same(f(at), mpmath.exp(at))
     assert FIELD.same(f.derivative(at), mpmath.exp(at))
 

@@ -15,8 +15,8 @@ from rich.cells import cell_len
 from derive.papers import PAPERS, Result, Status, verify
 from derive.papers.language.terms import Symbol
 from derive.papers.report import FORMATS, Report
-from derive.papers.report.pages import escape, mathml
-from derive.papers.report.plain import plain
+from derive.papers.report.pages import mathml
+from derive.papers.report.plain import escape, plain
 from derive.papers.result import Verdict
 from derive.proof import theorems
 

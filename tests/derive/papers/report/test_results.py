@@ -21,7 +21,7 @@ from derive.papers.report.content import (
     why,
 )  # fmt: skip
 from derive.papers.report.pages import notes
-from derive.papers.report.text import ambiguous, as_text, conditional, errata, true
+from derive.papers.report.text import as_text, table
 from derive.papers.result import Counterexample, Verdict
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
@@ -53,7 +53,7 @@ def test_data_of_an_erratum() -> None:
         "condition": None, "exact": None, "readings": [{"latex": "a = b", "verdict": "false", "note": "note"}],
         "reading_count": 1, "capped": False,
         "counterexample": {"point": "generic point 1", "letters": {"a": ["0.5", "-0.25"], r"\alpha": ["2"]},
-                           "sides": [["0.5", "3"], ["0.5", "4"]]},
+                           "sides": (["0.5", "3"], ["0.5", "4"])},
         "method": "exact", "anchor": "condurache-popa-2023-7", "section": "9", "line": 3, "source": SOURCE,
         "said": "words", "remark": "A sign is missing. More.",
     }  # fmt: skip
@@ -150,7 +150,7 @@ def chapter(*results: Result):
 
 
 def test_erratum_has_three_rows() -> None:
-    grid = errata(chapter(ERRATUM))
+    grid = table(chapter(ERRATUM), Status.ERRATUM)
     assert [column.heading for column in grid.columns] == ["equation", "printed", "corrected"]
     first, second, third = grid.rows
     assert set(grid.remarks) == {second[0], third[0]}
@@ -165,12 +165,12 @@ def test_erratum_has_three_rows() -> None:
 def test_other_tables_have_a_row_for_each_entry_or_reading() -> None:
     others = (Verdict(equal(a, b), "one", True, ""), Verdict(equal(b, a), "", False, ""))
     unclear = result(Status.AMBIGUOUS, verdicts=others)
-    assert list(map(tuple, ambiguous(chapter(unclear)).rows)) == [
+    assert list(map(tuple, table(chapter(unclear), Status.AMBIGUOUS).rows)) == [
         ("(7)\ntitle", "a = b\none", "true"), ("", "b = a", "false"),
     ]  # fmt: skip
-    assert list(map(tuple, conditional(chapter(IF)).rows)) == [("(7)\ntitle", "a = b", "if Re b ≠ 0\nexact")]
-    assert list(map(tuple, true(chapter(result())).rows)) == [("(7)\ntitle", "a = b", "exact")]
-    assert ambiguous(chapter(unclear)).title.startswith("CP23, ambiguous: ")
+    assert list(map(tuple, table(chapter(IF), Status.HOLDS_IF).rows)) == [("(7)\ntitle", "a = b", "if Re b ≠ 0\nexact")]
+    assert list(map(tuple, table(chapter(result()), Status.HOLDS).rows)) == [("(7)\ntitle", "a = b", "exact")]
+    assert table(chapter(unclear), Status.AMBIGUOUS).title.startswith("CP23, ambiguous: ")
 
 
 def test_text_has_a_table_for_each_status_and_for_proofs() -> None:

@@ -9,8 +9,7 @@ import pytest
 
 from derive.papers import PAPERS
 from derive.papers.language.terms import latex
-from derive.papers.report.pages import escape
-from derive.papers.report.plain import plain
+from derive.papers.report.plain import escape, plain
 
 GREEK = ("alpha", "beta", "theta", "pi", "rho", "sigma", "tau", "phi", "psi", "omega", "varepsilon", "varphi")
 SIGNS = {
