@@ -1,4 +1,4 @@
-"""C form of the kernels as a shared library, with which NumPy and numba forms are compared.
+"""Kernels in C as a shared library, for comparison with the NumPy and numba kernels.
 
 ``load(3)`` generates, compiles and loads the kernels of order 3; ``python benchmarks/c_form.py`` prints their times.
 """
@@ -70,7 +70,7 @@ def load(order: int, real: str = "double") -> CForm | None:
     with tempfile.TemporaryDirectory(prefix="dualcay-c-form-") as build:
         folder = Path(build)
         packages.write([order], "c", folder)
-        return CForm(compiled(command, folder, order, real, folder), real)  # a loaded library outlives its file
+        return CForm(compiled(command, folder, order, real, folder), real)  # usable without its file
 
 
 def compiled(
@@ -82,7 +82,7 @@ def compiled(
     table: Table = POSES,
     flags: Sequence[str] = FLAGS,
 ) -> Path:
-    """Compile the kernels of an order into a shared library in a folder, from the header in another."""
+    """Compile the header in one folder into a shared library in another folder."""
     source, library = folder / "library.c", folder / "library.so"
     source.write_text("\n".join(_source(Cayley(order), table)) + "\n", encoding="utf-8")
     options = [*flags, f"-DDUALCAY_REAL={real}", f"-I{headers}", "-shared", "-fPIC"]
@@ -97,7 +97,7 @@ def _source(chart: Cayley, table: Table) -> Iterator[str]:
 
 
 def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
-    """Yield both layouts of a function, with one pointer per array; the branch is always an argument."""
+    """Yield C wrappers of a function in both layouts, with one pointer per array and always a branch argument."""
     given, made = signature.arguments, signature.results
     pointers = [f"const dualcay_real *{a.name}" for a in given] + [f"dualcay_real *{a.name}" for a in made]
     parameters = ", ".join(["size_t n", "int branch", *pointers])
@@ -110,7 +110,7 @@ def _exports(function: str, name: str, signature: Function) -> Iterator[str]:
 
 
 def _best(form: CForm, name: str, count: int, layout: str, repeats: int = 15) -> float:
-    """Return nanoseconds per value, the best of some runs."""
+    """Return the least time of some runs, in nanoseconds per value."""
     signature, random = PUBLIC[name], np.random.default_rng(1)
 
     def shape(size: int) -> tuple[int, int]:

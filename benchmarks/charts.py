@@ -1,7 +1,7 @@
-"""Errors and speed of charts for ``dualcay compare``, in docs/parameterizations.json.
+"""Measurement of errors and speed of charts, for ``dualcay compare``; written to docs/parameterizations.json.
 
-Errors are measured at seeded vectors of the angles shown, against 60 digits. They are in eps of a result's size and
-condition, for the worse of its parts. Times are per pose, for one pose and for many.
+Errors are measured at seeded vectors of given angles, against values of 60 digits. An error is in eps of the result's
+size and condition, for its worse part. Times are per pose, in calls with one pose and with many.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def oracle_of(chart: Chart) -> oracle.Oracle:
 
 
 def errors(chart: Chart) -> dict[str, dict[str, float]]:
-    """Return errors by function and angle within the chart; for ``from_pose``, only below half a turn."""
+    """Return errors by function and angle, up to the edge of the chart; for ``from_pose``, up to half a turn."""
     kernels, exact = importlib.import_module(f"dualcay.{chart.name}"), oracle_of(chart)
     found: dict[str, dict[str, float]] = {name: {} for name in MEASURED}
     for label, angle in ANGLES.items():
@@ -49,7 +49,7 @@ def errors(chart: Chart) -> dict[str, dict[str, float]]:
 
 
 def nanoseconds(charts: Sequence[Chart]) -> dict[str, dict[str, dict[str, float]]]:
-    """Return ns per pose by chart, function and number of poses; charts are timed in turn, so that ratios are right."""
+    """Return ns per pose by chart, function and number of poses; charts are timed in turn, for correct ratios."""
     kernels = {chart.name: importlib.import_module(f"dualcay.{chart.name}") for chart in charts}
     found: dict[str, dict[str, dict[str, float]]] = {chart: {name: {} for name in TIMED} for chart in kernels}
     for size in GATED:

@@ -1,9 +1,9 @@
 """Conditioning of vectors from poses: docs/conditioning.png, by ``python -m benchmarks.conditioning``.
 
-Poses of known angle and axis, each a product of two in doubles, go through ``from_pose``; results are compared with
-φ(α + 2πk) u to 30 digits. Lines show the effect of an error of eps in the rotation. The axis moves by
-``1/(2 sin(α/2))`` eps and the angle by eps, so v_k moves by ``|φ_k|/(2 sin(α/2))`` and ``φ_k′`` eps. Errors are
-relative to |v_k|, or to φ′(0) if that is larger.
+Each pose is a product of two rotations in doubles, with known angle and axis. Results of ``from_pose`` are compared
+with φ(α + 2πk) u to 30 digits. Lines show the effect of a rotation error of eps: the axis moves by
+``1/(2 sin(α/2))`` eps and the angle by eps, so v_k moves by ``|φ_k|/(2 sin(α/2))`` eps and ``φ_k′`` eps. Errors are
+relative to |v_k| or φ′(0), whichever is larger.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def computed_poses(alpha: mpmath.mpf, axes: np.ndarray) -> np.ndarray:
 
 
 def relative_error(order: int, branch: int, alpha: mpmath.mpf, axes: np.ndarray) -> float:
-    """Return the largest error over all axes, in eps."""
+    """Return the largest error of ``from_pose`` over all axes, in eps of `unit`."""
     size = mpmath.tan((alpha + 2 * mpmath.pi * branch) / (2 * order))
     found = kernels.load(order).from_pose(computed_poses(alpha, axes), branch)[:, :3]
     errors = []
@@ -66,12 +66,12 @@ def relative_error(order: int, branch: int, alpha: mpmath.mpf, axes: np.ndarray)
 
 
 def unit(order: int, size: mpmath.mpf) -> mpmath.mpf:
-    """Return the reference length for errors of a vector: the vector's length, or φ′(0) if larger."""
+    """Return the reference length for errors of v_k: |v_k| or φ′(0), whichever is larger."""
     return max(abs(size), mpmath.mpf(1) / (2 * order))
 
 
 def condition(order: int, branch: int, alpha: mpmath.mpf) -> float:
-    """Return the change of v_k, in the unit of `unit`, for a change of the rotation by 1."""
+    """Return the condition of v_k: its change, relative to `unit`, per change of the rotation."""
     size = mpmath.tan((alpha + 2 * mpmath.pi * branch) / (2 * order))
     moved = max((1 + size**2) / (2 * order), abs(size) / (2 * mpmath.sin(alpha / 2)))
     return float(moved / unit(order, size))

@@ -1,4 +1,4 @@
-"""Derivatives without the closed forms: by SymPy, by JAX, by complex steps of kernels.
+"""Derivatives computed without our closed forms: by SymPy, by JAX, and by complex steps of kernels.
 
 Functions are named as in the kernels; arguments are v, and w and z if the function takes them.
 """
@@ -22,7 +22,7 @@ from derive.maps.polynomials import x
 from tests.support import packages
 
 STEP = 1e-40
-"""Complex step, which may be far below a unit of rounding because nothing is subtracted."""
+"""Complex step; it may be far below eps, because complex steps subtract nothing."""
 
 Symbols = Sequence[sympy.Symbol]
 Parts = tuple[sympy.Matrix, sympy.Matrix]
@@ -37,7 +37,7 @@ def applied(parts: Parts, w: Symbols) -> sympy.Matrix:
 
 
 def along(matrix: sympy.Matrix, v: Symbols, rates: Sequence[Any]) -> sympy.Matrix:
-    """Return the derivative of a matrix as v changes at these rates."""
+    """Return the derivative of a matrix along the given rates of v."""
     return sum((matrix.diff(c) * rate for c, rate in zip(v, rates, strict=True)), start=matrix * 0)
 
 
@@ -61,7 +61,7 @@ def rate_dot(cayley: Cayley, v: Symbols, w: Symbols, z: Symbols) -> Iterator[sym
 
 
 def compose_jacobians(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.Expr]:
-    """Yield the Jacobians of tan(atan2(|U|, S)/n) U/|U|, where S + U is the product of both quaternions."""
+    """Yield the Jacobians of tan(atan2(|U|, S)/n) U/|U|; S + U is the product of both quaternions."""
     s, u = quaternion_product(cayley, v[:3], w[:3])
     length = sympy.sqrt(u.dot(u))
     real = u * (sympy.tan(sympy.atan2(length, s) / cayley.order) / length)
@@ -73,7 +73,7 @@ def compose_jacobians(cayley: Cayley, v: Symbols, w: Symbols) -> Iterator[sympy.
 
 
 def quaternion_product(cayley: Cayley, v: Symbols, w: Symbols) -> tuple[sympy.Expr, sympy.Matrix]:
-    """Return the product of the quaternions p + q v at both vectors, which are not normalized."""
+    """Return the product of the unnormalized quaternions p + q v of two vectors."""
     one, other = sympy.Matrix(v), sympy.Matrix(w)
     (p2, q2), (p1, q1) = ([f.subs(x, a.dot(a)) for f in (cayley.p, cayley.q)] for a in (one, other))
     s = p2 * p1 - q2 * q1 * one.dot(other)
@@ -93,7 +93,7 @@ ARGUMENTS = {name: 3 if name == "rate_dot" else 2 for name in COMPONENTS}
 
 
 def stepped(module: Any, function: str) -> Callable[..., Any] | None:
-    """Return a derivative by complex steps of kernels; None for kernels that choose branches, which must be real."""
+    """Return a derivative by complex steps of kernels; None for kernels that choose branches and need real input."""
     name = function.partition("_")[0]
     whole = getattr(module, name)
     if function.endswith("_jacobians"):
@@ -114,7 +114,7 @@ def _by_columns(whole: Callable[..., Any], v: Any, w: Any) -> Any:
 
 
 def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
-    """Return the derivative at one pose by JAX in forward mode, of our functions printed for any array library."""
+    """Return a derivative at one pose: JAX in forward mode, applied to our array-api kernels."""
     module = array_module(order)
     name = function.partition("_")[0]
     whole = getattr(module, name)
@@ -136,7 +136,7 @@ def differentiated(jax: Any, order: int, function: str) -> Callable[..., Any]:
 
 
 def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> dict[str, Call]:
-    """Return calls of the compiled derivative, mapped over poses; for one pose, also one traced anew at every call."""
+    """Return a call of the compiled derivative, mapped over poses; for one pose, also a call without compilation."""
     jax.config.update("jax_enable_x64", True)
     one = differentiated(jax, order, function)
     given = [jax.numpy.asarray(a) for a in arguments]
@@ -149,7 +149,7 @@ def jax_calls(jax: Any, order: int, function: str, arguments: Sequence[Any]) -> 
 
 @cache
 def array_module(order: int) -> Any:
-    """Return the kernels of an order for any array library, printed once per process into a temporary folder."""
+    """Return the array-api kernels of an order, printed once per process into a temporary folder."""
     with tempfile.TemporaryDirectory(prefix="dualcay-arrays-") as name:
         folder = Path(name) / f"dualcay_arrays{order}"
         packages.write([order], "array-api", folder)

@@ -1,9 +1,9 @@
-"""Array-api kernels on a GPU: CuPy, PyTorch and JAX against the memory speed of the card.
+"""Times of array-api kernels on a GPU, by CuPy, PyTorch and JAX, relative to the memory speed of the card.
 
     python benchmarks/gpu.py [--device gpu|cpu] [--poses 1e6,1e7,1e8] [-n 3] [--dtype float32|float64]
 
-Rows are libraries and numbers of poses. Columns are nanoseconds per pose of the map and of a copy that moves as many
-bytes (the floor), and their ratio. Libraries that are missing or see no such device are named. No file is written.
+The table has a row per library and number of poses. Columns are nanoseconds per pose of the map, of a copy of as many
+bytes (the floor), and their ratio. Missing libraries and libraries without such a device are named.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ MAPS = {"quaternion": (6, 8), "pose": (6, 16), "rate": (12, 6), "from_pose": (16
 
 
 class Missing(Exception):
-    """Error of a library that is not installed, or sees no device of this kind."""
+    """Exception for a library that is not installed or finds no device of this kind."""
 
 
 @dataclass(frozen=True)
 class Library:
-    """Functions of a library that make an array on its device, compile a function, and wait for results."""
+    """Functions of a library: make an array on the device, compile a function, wait for results."""
 
     name: str
     array: Callable[[np.ndarray], Any]
@@ -100,7 +100,7 @@ def kernels(order: int) -> ModuleType:
 
 
 def arguments(module: ModuleType, library: Library, name: str, count: int, dtype: str) -> list[Any]:
-    """Return arguments on the device with components first, the layout of least memory traffic."""
+    """Return arguments on the device, with components first: this layout causes the least memory traffic."""
     rng = np.random.default_rng(0)
     v, w = (library.array(rng.random((6, count), np.dtype(dtype)) - np.dtype(dtype).type(0.5)) for _ in range(2))
     if name == "from_pose":

@@ -1,4 +1,4 @@
-"""Speed of the kernels against peers: every case interleaved in one process, medians, ratios, gates.
+"""Times of kernels relative to peers: medians of calls that take turns in one process, ratios and gates.
 
 Run ``python -m benchmarks.kernels`` from the checkout. Missed gates are named, and the run does not fail.
 """
@@ -31,10 +31,10 @@ from benchmarks.timing import ROUNDS, Call, markdown, medians
 ORDERS = (2, 3)
 SIZES = (1, 100, 10_000, 1_000_000)
 GATED = (1, 10_000)
-"""Numbers of poses at which gates against libraries hold."""
+"""Numbers of poses at which times are tested against gates."""
 
 FAMILIES = ("exponential", "orthographic", "lambert", "breusing", "wiener_milenkovic")
-"""Further charts that are measured against libraries."""
+"""Charts measured against libraries, besides the Cayley maps."""
 
 OF_ALGEBRAIC = {
     "pose": (10, 5), "quaternion": (10, 20), "from_pose": (10, 7), "from_quaternion": (10, 30), "compose": (10, 15),
@@ -43,17 +43,17 @@ OF_EXPONENTIAL = {"pose": (6, 3), "from_pose": (6, 3)}
 """Least ratios of SciPy's time to ours, on one pose and on 10^4, by function."""
 
 FORWARD = ("pose", "quaternion")
-"""Functions with gates also at n ≥ 3, where inverse maps need an arc tangent and have none."""
+"""Functions with gates at every order; inverse maps have gates up to n = 2, since beyond they need an arc tangent."""
 
 LARGE, ROUNDS_OF_LARGE = 1_000_000, 5
-"""Number of poses from which calls are slow, and the smaller number of rounds for these calls."""
+"""Number of poses from which fewer rounds are timed, and the number of these rounds."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gate:
-    """Ratio of a peer's time to ours that has to reach `least`, which is below 1 if ours may be slower.
+    """Ratio of a peer's time to ours, and its required value `least`; a value below 1 allows us to be slower.
 
-    The ratio cannot exceed `largest`, the peer's time over a copy of the result.
+    No program can exceed the ratio `largest`: the peer's time over the time of copying the result.
     """
 
     what: str
@@ -75,14 +75,14 @@ def _times(ratio: float) -> str:
 
 
 def measured(calls: dict[str, Call | None], size: int, kept: bool = True) -> dict[str, float]:
-    """Return medians by name, without calls that are None; ``kept`` keeps the process on one core."""
+    """Return median seconds by name, skipping calls that are None; ``kept`` keeps the process on one core."""
     present = {name: call for name, call in calls.items() if call is not None}
     count = ROUNDS if size < LARGE else ROUNDS_OF_LARGE
     return dict(zip(present, medians(list(present.values()), count, kept), strict=True))
 
 
 def fresh(module: Any, function: str, poses: Poses) -> Call:
-    """Return a call of our function on poses with components last, into a new array."""
+    """Return a call of our function on poses with components last; it returns a new array."""
     arguments = {
         "from_pose": (poses.T,), "from_quaternion": (poses.q,), "compose": (poses.w, poses.v),
     }.get(function, (poses.v,))  # fmt: skip
@@ -91,7 +91,7 @@ def fresh(module: Any, function: str, poses: Poses) -> Call:
 
 
 def label(module: Any) -> str:
-    """Return the name of a chart in tables; for a Cayley map it is the order."""
+    """Return the label of a chart in tables: its name, or the order of a Cayley map."""
     return chart(module).removeprefix("cayley")
 
 
@@ -101,14 +101,14 @@ def chart(module: Any) -> str:
 
 
 def least_of(module: Any) -> Mapping[str, tuple[float, float]]:
-    """Return the gates of a chart against SciPy."""
+    """Return the least ratios of SciPy's time to ours for a chart, by function."""
     if chart(module) == "exponential":
         return OF_EXPONENTIAL
     return {name: least for name, least in OF_ALGEBRAIC.items() if module.ORDER <= 2 or name in FORWARD}
 
 
 def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Yield one line of the table for each function, and the gates it decides."""
+    """Yield, for each function, its line of the table and its gates."""
     poses = Poses.draw(module, size)
     named = f"n = {label(module)}" if label(module).isdigit() else label(module)
     for function in OF_ALGEBRAIC:
@@ -129,13 +129,13 @@ def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...],
 
 
 def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Yield lines of functions on rows into a given array, against lambdify, the C form and the copy floor."""
+    """Yield lines and gates of functions with components first and ``out``, against lambdify, C and a plain copy."""
     poses = Poses.draw(module, size)
     for function, count in ROWS.items():
         call = getattr(module, function)
         rows = (poses.v_rows, poses.w_rows, poses.z_rows)[:count]
         out = call(*rows, axis=0)
-        given = {} if isinstance(out, tuple) else {"out": out}  # two results are always new arrays
+        given = {} if isinstance(out, tuple) else {"out": out}  # functions with two results have no ``out``
         times = measured({
             "ours": partial(call, *rows, axis=0, **given),
             "lambdify": lambdify_call(module.ORDER, function, rows),
@@ -155,7 +155,7 @@ def on_rows(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate
 
 
 def of_derivatives(module: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Yield lines of derivatives with components last, against JAX in forward mode and complex steps of kernels."""
+    """Yield lines and gates of derivatives with components last, against JAX in forward mode and complex steps."""
     poses = Poses.draw(module, size)
     jax = load("jax")
     for function, count in derivatives.ARGUMENTS.items():
@@ -191,7 +191,7 @@ def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] 
     further = [importlib.import_module(f"dualcay.{name}") for name in families]
     gates: list[Gate] = []
     tables = []
-    head = ("n", "function", "N", "ours, ns per pose")  # charts without order have their name in the first column
+    head = ("n", "function", "N", "ours, ns per pose")  # order, or name of the chart
     every = range(1, 10**9)
     for title, part, peers, measured_at in (
         ("Components last, a new result", against_libraries, ("SciPy RigidTransform", "pytransform3d"), every),

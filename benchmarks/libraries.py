@@ -1,8 +1,8 @@
-"""Times of poses from vectors, vectors from poses, and products, for one to a million poses, beside other libraries.
+"""Times of pose, from_pose and compose for one to a million poses, in our kernels and other libraries.
 
-All libraries take exponential coordinates, as our exponential chart does. The chart n = 2 takes its own vector.
-SymForce's vector of a pose is a vector of the rotation and the unchanged translation, which is less work. Libraries
-without functions on arrays are called in a loop, up to a thousand poses. The plot is docs/benchmarks.png.
+All libraries, and our exponential chart, take exponential coordinates; the chart n = 2 takes its own vector.
+SymForce converts only the rotation and keeps the translation, which is less work. Libraries without functions on
+arrays are called in a loop, for at most a thousand poses. The plot is docs/benchmarks.png.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ CHARTS = (Cayley(2), family("exponential"))
 TITLES = {"pose": "vector to pose", "from_pose": "pose to vector", "compose": "product of two vectors"}
 
 Lines = dict[str, dict[int, float]]
-"""Seconds by the name of a line and the number of poses."""
+"""Type of measured seconds, by name of a line and number of poses."""
 
 
 def _swapped(screws: Any) -> Any:
@@ -45,7 +45,7 @@ def _swapped(screws: Any) -> Any:
 
 
 def ours(packages: Mapping[str, str], function: str, size: int) -> Iterator[tuple[str, Call]]:
-    """Yield calls of every chart in every form."""
+    """Yield calls of our function in every chart and every form (NumPy, Numba, compiled)."""
     for chart in CHARTS:
         poses = Poses.draw(importlib.import_module(f"dualcay.{chart.name}"), size)
         arguments = [getattr(poses, name) for name in FUNCTIONS[function]]
@@ -60,7 +60,7 @@ def label(chart: Chart) -> str:
 
 
 def libraries(function: str, size: int) -> Iterator[tuple[str, Call | None]]:
-    """Yield calls of libraries, on the same poses."""
+    """Yield calls of other libraries on the same poses."""
     poses = Poses.draw(importlib.import_module("dualcay.exponential"), size)
     for name, make in LIBRARIES.items():
         yield name, make(function, poses)
@@ -81,7 +81,7 @@ def _pytransform3d(function: str, poses: Poses) -> Call | None:
 
 
 def _jaxlie(function: str, poses: Poses) -> Call | None:
-    """Return a compiled call on arrays already converted to JAX."""
+    """Return a compiled jaxlie call on arrays already converted to JAX."""
     if load("jaxlie") is None:
         return None
     import jax
@@ -120,7 +120,7 @@ def _pinocchio(function: str, poses: Poses) -> Call | None:
 
 def _symforce(function: str, poses: Poses) -> Call | None:
     sym = load("sym")
-    if sym is None or function == "from_pose":  # SymForce makes no pose of a matrix
+    if sym is None or function == "from_pose":  # SymForce cannot make a pose from a matrix
         return None
     make = sym.Pose3.from_tangent
     if function == "pose":
@@ -136,11 +136,11 @@ LIBRARIES: Mapping[str, Callable[[str, Poses], Call | None]] = {
 FLOOR = "copying the result"
 
 MARGIN = 1.15
-"""Least ratio at which a library is called faster: ratios carry over to within some 15 %."""
+"""Least ratio for which a library counts as faster; ratios on other machines vary by some 15 %."""
 
 
 def lines(packages: Mapping[str, str], function: str, sizes: Sequence[int]) -> Lines:
-    """Measure every line of a function."""
+    """Return the times of a function for every line of its plot."""
     found: Lines = {}
     for size in sizes:
         calls: dict[str, Call | None] = dict(ours(packages, function, size))
@@ -164,7 +164,7 @@ def table(function: str, found: Lines, sizes: Sequence[int]) -> str:
 
 
 def faster(function: str, found: Lines, forms: Sequence[str]) -> Iterator[str]:
-    """Yield sentences on each library that is faster than the exponential chart in one of its forms."""
+    """Yield a sentence for each library that is faster than a form of our exponential chart."""
     for form in forms:
         mine = found[f"{form}, exponential"]
         for name in LIBRARIES:
@@ -204,14 +204,14 @@ LOOKS = {
     "pinocchio, pose by pose": ("#7F7F7F", ":", "d"), "SymForce, pose by pose": ("#000000", ":", "*"),
     FLOOR: ("#BBBBBB", "-", ""),
 }  # fmt: skip
-"""Colour, line and marker by name of line: ours differ by form and chart, libraries are dotted."""
+"""Colour, line style and marker by name of line; lines of other libraries are dotted."""
 
 
 def section(sizes: Sequence[int] = SIZES, plot: Path = PLOT) -> str:
-    """Return tables, the picture, and sentences on faster libraries."""
+    """Return the section of the page: tables, the plot, and sentences on faster libraries."""
     with tempfile.TemporaryDirectory(prefix="dualcay-numba-") as folder, ExitStack() as stack:
         packages = {"NumPy": "dualcay", **_numba(Path(folder))}
-        with suppress(AssertionError):  # the section of compiled functions reports it
+        with suppress(AssertionError):  # a failed build is reported by the section on compiled functions
             packages["compiled"] = stack.enter_context(compiled())
         every = {function: lines(packages, function, sizes) for function in FUNCTIONS}
     draw(every, plot)

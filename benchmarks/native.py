@@ -1,4 +1,4 @@
-"""Speed of the compiled functions behind the kernels, against libraries and a loop in C over the same arrays.
+"""Times of the compiled functions beneath the kernels, relative to libraries and to a C loop over the same arrays.
 
 Run ``python -m benchmarks.native`` from the checkout. The package is generated and compiled first, which takes minutes.
 """
@@ -27,35 +27,35 @@ from tests.support.native import build, found
 
 ORDERS = (2, 3)
 CHARTS = (*map(Cayley, ORDERS), family("exponential"))
-"""Charts that are built, for this section and others."""
+"""Charts with compiled functions, for this section and others."""
 
 SIZES = (1, 10, 100, 1_000, 10_000, 1_000_000)
 FUNCTIONS = {
     "pose": ("v",), "quaternion": ("v",), "tangent": ("v",), "rate": ("v", "w"), "from_pose": ("T",),
     "compose": ("w", "v"),
 }  # fmt: skip
-"""Measured functions, each with the attributes of `Poses` that it takes."""
+"""Measured functions, with their arguments as names of attributes of `Poses`."""
 
 COMPARED = ("pose", "quaternion", "from_pose", "compose")
 """Functions that are compared with SciPy."""
 
 SMALL = 1_000
 LEAST = {"SciPy RigidTransform": (20, 12), "pytransform3d": (10, 6)}
-"""Least ratios of a library's time to ours: up to `SMALL` poses, and beyond."""
+"""Least ratios of a library's time to ours, for up to `SMALL` poses and for more."""
 
 ALONE = 1.2e-6
 """Largest time of a call on one pose, in seconds."""
 
 LOOP = 1 / 1.15
-"""Least ratio of the time of a C loop to ours, from 10^4 poses on."""
+"""Least ratio of the time of a C loop to ours, beyond `SMALL` poses."""
 
 THREADED = 10_000
 THREADS, LINEAR = 2, 1.8
-"""Number of threads, and least ratio of their throughput to one thread's; each has its own poses."""
+"""Number of threads, and least ratio of their total throughput to the throughput of one thread."""
 
 
 def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], list[Gate]]]:
-    """Yield one line of the table for each function, and the gates it decides."""
+    """Yield, for each function, its line of the table and its gates."""
     poses = Poses.draw(numpy, size)
     for function, names in FUNCTIONS.items():
         arguments = [getattr(poses, name) for name in names]
@@ -85,7 +85,7 @@ def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], 
 
 
 def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call | None:
-    """Return a loop in C over the same arrays, pose after pose; None without a C compiler."""
+    """Return a call of a C loop over the same arrays, pose by pose; None without a C compiler."""
     form = c_form(order)
     if form is None:
         return None
@@ -94,7 +94,7 @@ def loop(order: int, function: str, arguments: Sequence[Any], made: Any) -> Call
 
 
 def threaded(native: Any, rounds: int = 9, repeats: int = 200) -> Gate:
-    """Return the gate on throughput of several threads against one, in wall-clock time: calls release the GIL."""
+    """Return the gate on the throughput of parallel threads, in wall-clock time: calls release the GIL."""
     poses = [Poses.draw(native, THREADED).v for _ in range(THREADS)]
     results = [native.pose(v) for v in poses]
 
@@ -137,7 +137,7 @@ def _built() -> tempfile.TemporaryDirectory[str]:
 
 
 def section(sizes: Sequence[int] = SIZES) -> str:
-    """Return the tables and missed gates, or a line on the reason why nothing was measured."""
+    """Return the tables and missed gates, or a line that says why nothing was measured."""
     with ExitStack() as stack:
         try:
             package = stack.enter_context(compiled())

@@ -20,7 +20,7 @@ def sections(page: str) -> dict[str, str]:
 
 
 def joined(head: str, texts: dict[str, str]) -> str:
-    """Return a page from its head and its sections."""
+    """Return a page from the text above its sections, and the texts of its sections."""
     marked: Iterable[str] = (f"{_mark(name)}\n\n{texts[name].strip()}" for name in ORDER if name in texts)
     return "\n\n".join([head, *marked]) + "\n"
 

@@ -1,4 +1,4 @@
-"""Peers that kernels are measured against; each is optional, and missing ones are named."""
+"""Optional libraries against which kernels are measured; reports name the missing ones."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from benchmarks.timing import Call
 from derive.maps import Cayley
 
 INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d", "jax": "jax"}
-"""Distributions by the modules of peers."""
+"""Names of distributions by name of the imported module."""
 
 
 @dataclass(frozen=True, slots=True)
 class Poses:
-    """One sample of N poses in every layout that peers take; ``_rows`` have components first."""
+    """Sample of N poses in every layout that peers take; attributes with ``_rows`` have components first."""
 
     v: Any
     w: Any
@@ -92,21 +92,21 @@ COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
     "tangent": lambda cayley, v: _parts(cayley.tangent.matrix(v)),
     "rate": lambda cayley, v, w: iter(derivatives.applied(cayley.tangent_inv.matrix(v), w)),
 } | derivatives.COMPONENTS
-"""Components by SymPy, by function."""
+"""SymPy expressions of the components, by function."""
 
 ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2} | derivatives.ARGUMENTS
-"""Functions measured on rows, with their number of arguments."""
+"""Functions measured with components first, with their number of arguments."""
 
 DERIVED = {"compose_jacobians": 2}
-"""Largest order at which SymPy derives a function in some ten seconds; other functions have no limit."""
+"""Largest order at which SymPy derives a function in some ten seconds; functions not listed have no limit."""
 
 ROOM = 4e9
-"""Memory limit in bytes: SymPy's functions keep all intermediate values until they return."""
+"""Memory limit in bytes; functions by SymPy keep all intermediate values until they return."""
 
 
 @cache
 def lambdified(order: int, function: str) -> Callable[..., Any]:
-    """Return SymPy's ``lambdify(cse=True)`` of a function's components, on six rows for each argument."""
+    """Return a function by SymPy's ``lambdify(cse=True)``; it takes six rows for each argument."""
     symbols = [sympy.symbols(f"{letter}1:7") for letter in "vwz"[: ROWS[function]]]
     components = COMPONENTS[function](Cayley(order), *symbols)
     arguments = [symbol for vector in symbols for symbol in vector]
@@ -115,7 +115,7 @@ def lambdified(order: int, function: str) -> Callable[..., Any]:
 
 
 def lambdify_call(order: int, function: str, rows: tuple[Any, ...]) -> Call | None:
-    """Return `lambdified` bound to these rows; None if derivation is slow or intermediate values exceed `ROOM`."""
+    """Return a call of `lambdified` on these rows; None if derivation is slow or intermediate values exceed `ROOM`."""
     if order > DERIVED.get(function, order):
         return None
     compute, given = lambdified(order, function), [row for array in rows for row in array]
@@ -134,7 +134,7 @@ def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
 
 
 def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
-    """Return a call of the C form on the same rows; None without a C compiler."""
+    """Return a call of the C kernel on the same rows; None without a C compiler."""
     form = c_form(order)
     if form is None:
         return None
@@ -154,7 +154,7 @@ def c_form(order: int) -> Any:
 
 
 def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
-    """Return a call that writes every row of the result once and reads rows of the arguments."""
+    """Return a copy that writes each row of the result once, from rows of the arguments: a lower bound of the time."""
     targets = [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
     sources = np.concatenate(rows)
     pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]

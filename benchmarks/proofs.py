@@ -1,7 +1,7 @@
 """Processor time of proving, printing and checking by order, with python-flint and with SymPy alone.
 
-Checking is validation on exact numbers, without replay on floats and compiled tests. Each row is a fresh process, so
-that nothing is cached; the import of the toolkit is not counted.
+Checking means validation on exact numbers, without replay on floats or compiled tests. Each row runs in a fresh
+process, so that nothing is cached. Importing the toolkit does not count.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CASES = (
     ("numpy", (64,), 8.0),
     ("c", (3,), None),
 )
-"""Target, orders, and largest number of seconds with python-flint."""
+"""Rows of the table: target, orders, and limit in seconds with python-flint."""
 
 SYMPY_MAX = 3
 """Largest order that is also timed with SymPy alone, which takes many minutes for n = 64."""
@@ -62,12 +62,12 @@ def run(backend: str, target: str, orders: tuple[int, ...]) -> list[float]:
 
 
 def judged(seconds: float, limit: float | None) -> str:
-    """Return the limit, and whether it is exceeded."""
+    """Return the limit as text, with a mark if it is exceeded."""
     return "" if limit is None else f"{limit:.1f}" + ("" if seconds <= limit else "  FALLS SHORT")
 
 
 def main() -> None:
-    """Print the table, with limits that are exceeded."""
+    """Print the table, and mark exceeded limits."""
     backends = [name for name in ("flint", "sympy") if name == "sympy" or importlib.util.find_spec("flint")]
     stages = ("proving", "printing", "checking", "all (s)")
     table = Table("target", "n", "backend", "functions", *stages, "limit")

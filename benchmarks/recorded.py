@@ -1,7 +1,7 @@
-"""Times of this checkout's NumPy kernels relative to another checkout's, function by function.
+"""Ratios of times of NumPy kernels, this checkout over another checkout, function by function.
 
-Run ``python -m benchmarks.recorded --against OTHER/generated/dualcay`` from the checkout. Both packages are imported
-side by side and run in turn on the same arrays; a ratio below 1 means that the present kernels are faster.
+Run ``python -m benchmarks.recorded --against OTHER/generated/dualcay`` from this checkout. Both packages are imported
+side by side and run in turn on the same arrays. A ratio below 1 means that this checkout is faster.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ COMMAND = "python -m benchmarks.recorded --against OTHER/generated/dualcay"
 CHARTS = ("cayley2", "cayley3", "exponential", "rotation.cayley2")
 SIZES = (1, 100, 10_000, 1_000_000)
 RUNS = 3
-SECONDS = 0.005  # least time in one round, short so that both packages meet the same disturbances
+SECONDS = 0.005  # time of one round; in a short round both packages suffer the same disturbances
 
-MEDIAN_GATE, LARGEST_GATE = 1.05, 1.15  # limits of the ratios of one chart and size
+MEDIAN_GATE, LARGEST_GATE = 1.05, 1.15  # limits of the median and of the largest ratio, for each chart and size
 
 Array = NDArray[Any]
 
@@ -46,7 +46,7 @@ MADE: dict[str, Callable[[ModuleType, Array], Array]] = {
     "line": lambda module, v: module.to_screw(v)[1],
     "u": lambda module, v: module.to_angle_axis(v)[1],
 }
-"""Arguments by parameter name, computed from a Rodrigues vector; every other parameter takes the vector itself."""
+"""Functions that compute an argument from a Rodrigues vector, by parameter; other parameters take the vector."""
 
 
 def load(folder: Path, name: str, chart: str) -> ModuleType:
@@ -63,7 +63,7 @@ def load(folder: Path, name: str, chart: str) -> ModuleType:
 
 
 def functions(*modules: ModuleType) -> list[str]:
-    """Return the names of functions on arrays which all modules have, aliases left out."""
+    """Return the names of array functions that all modules share, without aliases."""
 
     def compared(name: str) -> bool:
         function = getattr(modules[0], name)
@@ -96,7 +96,7 @@ def draw(module: ModuleType, size: int, seed: int) -> list[Array]:
 def compare(
     other: Path, charts: Sequence[str], sizes: Sequence[int], runs: int = RUNS, axis: int = -1, only: Sequence[str] = ()
 ) -> dict[tuple[str, int, str], list[float]]:
-    """Return a ratio per run, by chart, size and function; each run imports both packages anew."""
+    """Return ratios by chart, size and function, one per run; each run imports both packages anew."""
     found: dict[tuple[str, int, str], list[float]] = {}
     for run in range(runs):
         for chart in charts:

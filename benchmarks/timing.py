@@ -1,7 +1,7 @@
-"""Timing of calls by processor time: in turn, in one process, on one core except for JAX.
+"""Processor time of calls that take turns in one process, on one core except for JAX.
 
-Other processes hardly affect processor time. Times depend on the machine; ratios carry over to within some 15 %, ratios
-of two forms of one program (`paired_ratio`) to a few hundredths.
+Other processes hardly affect processor time. Times depend on the machine. Ratios on different machines agree within
+some 15 %; ratios of two forms of one program (`paired_ratio`) agree within a few hundredths.
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ Call = Callable[[], object]
 
 ROUNDS = 9
 SECONDS = 0.02
-"""Total seconds of the repeats of one call in a round."""
+"""Seconds that a call is repeated in each round."""
 
 
 def medians(calls: Sequence[Call], count: int = ROUNDS, kept: bool = True) -> list[float]:
-    """Return median seconds of each call; set ``kept`` (on one core) to False for libraries with their own threads."""
+    """Return median seconds of each call; ``kept=False`` allows all cores, for libraries with their own threads."""
     with one_core() if kept else nullcontext():
         return [statistics.median(times) for times in _rounds(calls, count, SECONDS)]
 
 
 def paired_ratio(former: Call, present: Call, count: int = ROUNDS, seconds: float = SECONDS) -> float:
-    """Return the median ratio of the present call's time to the former's in the same round: drift cancels."""
+    """Return the median of present over former time; both times are from the same round, so that drift cancels."""
     before, after = rounds((former, present), count, seconds)
     return statistics.median(now / past for past, now in zip(before, after, strict=True))
 
 
 def rounds(calls: Sequence[Call], count: int = ROUNDS, seconds: float = SECONDS) -> list[list[float]]:
-    """Return seconds of each call in every round; a round runs all calls, every other round in reverse order."""
+    """Return seconds of each call in every round; every second round runs the calls in reverse order."""
     with one_core():
         return _rounds(calls, count, seconds)
 
@@ -47,7 +47,7 @@ def _rounds(calls: Sequence[Call], count: int, seconds: float) -> list[list[floa
 
 @contextmanager
 def one_core() -> Iterator[None]:
-    """Keep the process on one core if the system supports it: a move to another core would lose caches."""
+    """Keep the process on one core, if the system supports it; moving to another core would lose cached data."""
     if not hasattr(os, "sched_setaffinity"):
         yield
         return

@@ -1,4 +1,4 @@
-"""Deselect and report tests whose requirements are missing; make expensive folders once for all tests."""
+"""Deselect and report tests with missing requirements; fill expensive folders once for all tests."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SELECTED = {"browser", "compiler", "smoke", "thorough", "torch"}
 
 
 def _require_named(items: list[pytest.Item]) -> None:
-    """Require that every file contains the names of its tests' markers; selection by marker skips other files."""
+    """Fail if a test has a marker that its file does not name: selection by marker skips such a file."""
     borne = {(item.path, marker.name) for item in items for marker in item.iter_markers() if marker.name in SELECTED}
     unnamed = sorted(f"{path}: {name}" for path, name in borne if name not in path.read_text(encoding="utf-8"))
     if unnamed:
@@ -42,7 +42,7 @@ def _require_named(items: list[pytest.Item]) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Skip files that do not contain the selected marker: collecting all tests takes half a minute."""
+    """Skip files that do not name the selected marker, since collecting all tests takes half a minute."""
     marker, name = str(config.option.markexpr), collection_path.name
     if marker.isidentifier() and name.startswith("test_") and collection_path.is_file():
         return None if marker in collection_path.read_text(encoding="utf-8") else True
@@ -65,7 +65,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.fixture(scope="session")
 def shared(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, Callable[[Path], object]], Path]:
-    """Return a function for a named folder: the first test process to ask fills it while the others wait."""
+    """Provide a function that returns a named folder; the first process that asks fills it, others wait."""
     own = tmp_path_factory.getbasetemp()
     root = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 

@@ -18,18 +18,18 @@ DOCS = Path(__file__).parents[2] / "docs"
 
 
 def progress(console: Console) -> Progress:
-    """Return a progress bar, which shows on terminals only."""
+    """Return a progress bar that is shown on terminals only."""
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     return Progress(*columns, console=console, disable=not console.is_terminal)
 
 
 def search(folder: Path, seconds: float, bar: Progress) -> None:
-    """Measure random inputs until the time is over, and keep the worst."""
+    """Measure random inputs for a number of seconds, and keep the worst ones in the file of cases."""
     kept, seed = cases.read()
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
         seed += 1
-        # Tasks are shuffled, so that a short search does not always try the same orders.
+        # Without shuffling, every short search would try the same orders.
         tasks = measure.sample_tasks(folder, seed)
         sampling.generator("search", seed=seed).shuffle(tasks)
         row = bar.add_task(f"searching, seed {seed}", total=len(tasks))
@@ -39,7 +39,7 @@ def search(folder: Path, seconds: float, bar: Progress) -> None:
 
 
 def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
-    """Measure seeded samples and kept cases, and keep the worst."""
+    """Return the measurements of seeded samples and kept cases; keep the worst ones in the file of cases."""
     kept, searched = cases.read()
     tasks = measure.sample_tasks(folder) + measure.replay_tasks(folder, kept)
     row = bar.add_task("kernels", total=len(tasks))

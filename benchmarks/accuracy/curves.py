@@ -1,4 +1,4 @@
-"""Errors against angle in doubles, of our kernels and other libraries: the data of the figures.
+"""Errors against angle, in double precision, of our kernels and of other libraries: the data of the figures.
 
 All libraries are given the same screws ξ at every angle (rotation α u, translation of size one). Forward maps and
 Jacobians start from the vector of each map rounded to doubles, for Cayley maps v = tan(α/2n) u. They are compared with
@@ -32,7 +32,7 @@ WHOLE = np.linspace(0, 2 * np.pi, 65)[1:-1]
 TO_PI = 10.0 ** np.linspace(-12, 0, 49)
 ANGLES = {"small": SMALL, "whole": WHOLE, "to pi": np.pi - TO_PI}
 
-# Error in eps by (part of the figure, library).
+# Errors in eps by (part of the result, name of the library or chart).
 Point = dict[tuple[str, str], float]
 
 
@@ -75,14 +75,14 @@ class Errors:
         self.oracle = oracle_of(1, DIGITS)
 
     def add(self, parts: tuple[str, ...], name: str, got: Any, exact: Any, scale: Nil) -> None:
-        """Add errors of one result, to one part for both errors or to one part each."""
+        """Record the real and dual error of a result under two parts, or the larger one under a single part."""
         found = errors.errors(got, exact, scale, self.oracle)
         for part, error in zip(parts, found if len(parts) == 2 else [max(found)], strict=True):
             self.point[part, name] = max(error, self.point.get((part, name), 0.0))
 
 
 def forward(xi: np.ndarray, result: Errors) -> None:
-    """Measure the forward maps, from v or ξ to pose, T and T⁻¹."""
+    """Add the errors of pose, T and T⁻¹, computed from v or ξ."""
     unpack = result.oracle.unpack
     exact = [exponential(unpack(row)) for row in xi]
     allowed = [ExponentialScales(row) for row in xi]
@@ -110,7 +110,7 @@ def forward(xi: np.ndarray, result: Errors) -> None:
 
 
 def inverse_maps(xi: np.ndarray, result: Errors) -> None:
-    """Measure the inverse maps, from pose to v or ξ."""
+    """Add the errors of v or ξ, computed from poses."""
     dual = [result.oracle.unpack(row) for row in xi]
     pairs = [exponential(row) for row in dual]
     poses = np.stack([rounded(homogeneous(tensor), np.float64) for tensor, _ in pairs])
@@ -158,7 +158,7 @@ def curves(report: Callable[[int, int], None]) -> Curves:
 
 
 MAY_BE = 2
-"""Error in eps that our exponential may have even where another library has less."""
+"""Error in eps that our exponential may reach at any angle, even if another library is more accurate there."""
 
 COMPARED = ("Q", "ρ", "log", "log°")
 """Parts of the exponential map and its logarithm."""
@@ -166,7 +166,7 @@ COMPARED = ("Q", "ρ", "log", "log°")
 
 @dataclass(frozen=True)
 class Behind:
-    """Angle at which our exponential has an error above `MAY_BE` and above the best library's."""
+    """Angle at which the error of our exponential exceeds both `MAY_BE` and the error of the best library."""
 
     panel: str
     part: str
@@ -177,7 +177,7 @@ class Behind:
 
 
 def behind(found: Curves) -> list[Behind]:
-    """Return the angles at which our exponential falls behind."""
+    """Return the angles at which our exponential is less accurate than allowed."""
     worse = []
     for (panel, part, name), row in found.items():
         others = {other: r for (p, q, other), r in found.items() if (p, q) == (panel, part) and other in peers.MAKERS}
@@ -198,14 +198,14 @@ def _points(tasks: list[tuple[str, int]]) -> Iterator[tuple[str, int, Point]]:
 
 @dataclass(frozen=True)
 class Drawn:
-    """File name and caption of each figure, and lines about the exponential."""
+    """Text beside the figures: file names with captions, and lines on the accuracy of the exponential."""
 
     captions: Sequence[tuple[str, str]]
     standing: Sequence[str]
 
 
 def standing(found: Curves) -> list[str]:
-    """Return lines that compare our exponential map and logarithm with libraries."""
+    """Return lines that compare the accuracy of our exponential map and logarithm with other libraries."""
     largest = {
         part: max(float(np.nanmax(row)) for (_, p, name), row in found.items() if (p, name) == (part, "exponential"))
         for part in COMPARED

@@ -14,7 +14,7 @@ from rich.progress import Progress
 
 from benchmarks.accuracy import curves, peers
 
-FLOOR = 1e-2  # smaller errors, which count as zero, are drawn at this value
+FLOOR = 1e-2  # smallest error drawn; smaller ones are drawn here
 
 # Colours of Okabe and Ito; lines and markers differ as well. Our curves are solid, others dashed.
 Styles = dict[str, tuple[str, str]]
@@ -126,7 +126,7 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
     lines = [handles[label] for label in order]
     figure.legend(lines, names, loc="outside right center", frameon=False, handlelength=3.2)
     figure.suptitle(what.title, fontsize=12)
-    # The file does not name matplotlib's version, so that equal data give equal bytes.
+    # Without matplotlib's version in the file, equal data give equal bytes.
     figure.savefig(path, dpi=120, metadata={"Software": None})
 
 

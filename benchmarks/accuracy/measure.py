@@ -26,7 +26,7 @@ PROCESSES = 2
 
 @dataclass(frozen=True)
 class Group:
-    """Functions of a table that are measured at the same samples."""
+    """Functions measured on the same samples: table, orders, regimes and number of samples."""
 
     table: str
     functions: tuple[str, ...]
@@ -36,7 +36,7 @@ class Group:
 
 
 FEW, SOME = 3, (1, 2, 3, 8)
-"""Samples and orders for functions with slow exact values, and for rotations, which run the same programs."""
+"""Number of samples, and orders, for functions with slow exact values and for rotations."""
 
 GROUPS = (
     Group(POSES.name, FUNCTIONS),
@@ -47,7 +47,7 @@ GROUPS = (
 
 @dataclass(frozen=True)
 class Task:
-    """One call of a worker: a group of functions in one regime, or some kept cases of one order."""
+    """Work of one call of a worker process: a group of functions in one regime, or kept cases of one order."""
 
     folder: Path
     order: int
@@ -60,7 +60,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Measurement:
-    """Worst case of one function in one regime: errors in eps of (real, dual) parts, their gates, and the input."""
+    """Largest errors of a function in a regime, in eps, with gates, each for (real, dual) part; and the worst input."""
 
     function: str
     order: int
@@ -68,8 +68,8 @@ class Measurement:
     regime: str
     errors: tuple[float, float]
     gates: tuple[float, float]
-    case: Case | None  # None where no sample was in range
-    left_out: int  # samples where powers of 1 + v·v overflow
+    case: Case | None  # None if no sample was in range
+    left_out: int  # number of samples for which powers of 1 + v·v overflow
     table: str = POSES.name
 
     @property
@@ -78,14 +78,14 @@ class Measurement:
 
 
 def vectors(function: str, given: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
-    """Return the arguments of a function that are vectors of poses."""
+    """Return the arguments that are vectors of poses: the first one, or both."""
     row = POSES.functions.get(function)
     both = row is not None and row.arguments[-1].name in RODRIGUES
     return given if both else given[:1]
 
 
 def measured(trial: Trial, function: str, table: str = POSES.name) -> Measurement | None:
-    """Return the largest errors of a function in a trial, for each part separately; None without samples."""
+    """Return the largest real and the largest dual error of a function in a trial; None without samples."""
     worst, errors, gates, given, left_out = -1.0, [0.0, 0.0], None, None, 0
     for result in getattr(trial, function)():
         gates = result.gates
@@ -110,7 +110,7 @@ def measured(trial: Trial, function: str, table: str = POSES.name) -> Measuremen
 def work(task: Task) -> list[Measurement]:
     """Return the measurements of a task; this runs in a worker process."""
     with warnings.catch_warnings():
-        # The error itself shows overflow.
+        # Overflow shows in the measured error.
         warnings.simplefilter("ignore", RuntimeWarning)
         if task.kept:
             modules = ((case, kernels.load(task.order, task.folder, case.table)) for case in task.kept)
@@ -130,7 +130,7 @@ def types() -> list[str]:
 
 
 def sample_tasks(folder: Path, seed: int = 0) -> list[Task]:
-    """Return tasks on seeded samples, slow ones first, so that processes end together."""
+    """Return tasks on seeded samples; slow tasks come first, so that all processes end at about the same time."""
     return [
         Task(folder, order, group, regime, dtype, seed)
         for order in reversed(ORDERS)
@@ -151,8 +151,8 @@ def replay_tasks(folder: Path, kept: Iterable[Case], size: int = 20) -> list[Tas
 
 
 def run(tasks: list[Task], advance: Callable[[], None], deadline: float | None = None) -> Iterator[Measurement]:
-    """Measure in parallel; stop at the deadline (of `time.monotonic`) and leave out remaining tasks."""
-    # Processes are spawned, since forked ones would inherit threads of the compared libraries.
+    """Yield the measurements of tasks run in parallel; skip tasks left at the deadline (of `time.monotonic`)."""
+    # Forked processes would inherit threads of the compared libraries.
     context = multiprocessing.get_context("spawn")
     with context.Pool(PROCESSES) as pool:
         for found in pool.imap(work, tasks):

@@ -1,7 +1,7 @@
-"""Exponential maps of rigid displacements in double precision: ours, and maps of other libraries, each optional.
+"""Exponential maps of rigid displacements in double precision, from this project and from optional libraries.
 
-All take and give batches in one convention: screws (N, 6) with the rotation first, homogeneous matrices (N, 4, 4),
-left (space) Jacobians (N, 6, 6) in the order of the screws.
+All maps share one convention: screws (N, 6) with the rotation first, homogeneous matrices (N, 4, 4), and left (space)
+Jacobians (N, 6, 6) with rows and columns ordered like screws.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Map = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Peer:
-    """Maps of one library, or None. `through_log`: the inverse Jacobian is the Jacobian of log, so ends at π."""
+    """Maps of a library, None if missing. With `through_log`, the inverse Jacobian comes from log and ends at π."""
 
     name: str
     exp: Map
@@ -86,7 +86,7 @@ def jaxlie() -> Peer:
     def log(poses: np.ndarray) -> np.ndarray:
         return np.asarray(SE3.from_matrix(poses).log())[:, SWAP]
 
-    # The right Jacobian of log (in the body frame) at exp(−ξ) is the left one at exp ξ.
+    # The right (body) Jacobian of log at exp(−ξ) equals its left Jacobian at exp ξ.
     right = jax.jit(jax.vmap(lambda screw: SE3.exp(screw).jlog()))
 
     def jacobian_inv(screws: np.ndarray) -> np.ndarray:
@@ -119,7 +119,7 @@ MAKERS: dict[str, tuple[str, Callable[[], Peer]]] = {
     "jaxlie": ("jaxlie", jaxlie),
     "pinocchio": ("pin", pinocchio),
 }
-"""Distribution and function that makes the peer, by name."""
+"""Distribution, and function that returns the peer, by name of the library."""
 
 
 def versions() -> dict[str, str | None]:

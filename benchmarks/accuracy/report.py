@@ -18,7 +18,7 @@ from tests.support.cases import DTYPES
 from tests.support.ranges import largest
 from tests.support.sampling import OUTSIDE, PRINCIPAL
 
-# Results whose parts have separate names and gates; other functions show the larger of the two errors.
+# Functions with a separate row and gate for each part; other functions show the larger of their two errors.
 PARTS = {
     "pose": ("pose: Q", "pose: ρ"),
     "tensor": ("tensor: Q", "tensor: ρ× Q"),
@@ -61,7 +61,7 @@ DERIVED = ("tangent_dot", "twist_dot", "rate_dot", "twist_jacobian", "rate_jacob
 DERIVATIVES = tuple(name for name in EVERY if name.removeprefix("body_") in DERIVED)
 OTHERS = tuple(name for name in CALCULUS if name not in (*DERIVATIVES, "adjoint"))
 
-# Name of each gate, the rows it holds for, and whether inside the principal range.
+# Gates: name, rows, and whether the gate is for the principal range.
 GATES = (
     ("rotation Q", ("pose: Q", "tensor: Q"), True),
     ("displacement ρ", ("pose: ρ",), True),
@@ -82,7 +82,7 @@ ROWS = {
     POSES.name: tuple(row for name in EVERY for row in PARTS.get(name, (name,))),
     ROTATIONS.name: tuple(ROTATIONS.sources[name].name for name in rotations.FUNCTIONS),
 }
-"""Rows of the tables, for modules of poses and of rotations."""
+"""Names of table rows, for modules of poses and of rotations."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class Worst:
 
 
 def split(measurement: Measurement) -> Iterator[Worst]:
-    """Yield the errors of a measurement with their rows."""
+    """Yield one error for each table row of a measurement."""
     m = measurement
     if m.case is None:
         return
@@ -134,7 +134,7 @@ def table(measurements: Iterable[Measurement]) -> Rows:
         for worst in split(measurement):
             row = found.setdefault((measurement.table, worst.dtype, worst.row, measurement.inside), {})
             old = row.get(worst.order)
-            # The regime's name decides between equal errors, so that the order of workers does not show.
+            # Ties go to the later regime name, so that the result does not depend on the order of workers.
             if old is None or (worst.fraction, worst.regime) > (old.fraction, old.regime):
                 row[worst.order] = worst
     return found
@@ -186,7 +186,7 @@ def gate_tables(measurements: Sequence[Measurement]) -> Iterator[str]:
 
 
 def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
-    """Yield a table with the error nearest to its gate, for each gate over all types and orders."""
+    """Yield a table with one row per gate: largest error, and error nearest to the gate, over all types and orders."""
     rows = table(measurements)
     body = []
     for title, names, inside in GATES:
@@ -207,7 +207,7 @@ def summary(measurements: Iterable[Measurement]) -> Iterator[str]:
 
 
 def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
-    """Return the number of poses left out because powers of 1 + x overflow, by type and order."""
+    """Return by type and order the number of poses skipped because powers of 1 + x overflow."""
     counts: dict[tuple[str, int], int] = {}
     for m in measurements:
         if m.function == "pose" and m.left_out:
@@ -216,7 +216,7 @@ def left_out(measurements: Iterable[Measurement]) -> dict[tuple[str, int], int]:
 
 
 def verdict(measurements: Sequence[Measurement]) -> list[str]:
-    """Return a line for every missed gate, and for every type and order with samples out of range."""
+    """Return a line per missed gate, and a line per type and order with samples out of range."""
     lines = short_of_gate(measurements) or ["all gates are met by what is in range"]
     for (dtype, order), count in sorted(left_out(measurements).items()):
         lines.append(f"out of range, n = {order}, {dtype}: {count} poses on shadows overflow, results there are NaN")
@@ -224,7 +224,7 @@ def verdict(measurements: Sequence[Measurement]) -> list[str]:
 
 
 def out_of_range(measurements: Sequence[Measurement]) -> Iterator[str]:
-    """Yield the section on overflow of powers of 1 + x, with the numbers of samples left out."""
+    """Yield the section on overflow of powers of 1 + x: largest |v|, and numbers of samples skipped."""
     counts = left_out(measurements)
     yield "## Range"
     yield ""
@@ -289,7 +289,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
 
 
 def beside(page: str, figures: Drawn) -> str:
-    """Return the page with its last section, the figures, replaced."""
+    """Return the page with new figures in place of its last section."""
     tables, _, _ = page.partition(BESIDE)
     lines = [f"{tables}{BESIDE}", "", *figures.standing, ""]
     for name, caption in figures.captions:

@@ -1,4 +1,4 @@
-"""Tests of the accuracy suite: inputs are kept bit for bit, the worst ones are kept, missed gates are named."""
+"""Tests of the accuracy suite: the worst inputs are stored exactly, and the page names missed gates."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def test_file_keeps_the_inputs_nearest_to_their_gates(tmp_path: Path) -> None:
 
 
 def measurements(scale: float) -> list[measure.Measurement]:
-    """Return measurements at a fraction of the gates, for every function of poses and of rotations in two regimes."""
+    """Return measurements with errors of ``scale`` times the gate, for every function in two regimes."""
     return [
         measure.Measurement(
             name, 2, "float64", regime, (scale * gate, 0.0), (gate, gate), case(scale, regime), 3, table
@@ -129,7 +129,7 @@ def test_error_of_a_constant_map_is_the_angle(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_page_names_where_the_exponential_is_less_accurate() -> None:
-    """Errors are named if they exceed 2 eps and the error of the best library."""
+    """Expect a line for errors above both 2 eps and the error of the best library."""
     count = len(curves.TO_PI)
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}
     found = {("to pi", part, name): np.full(count, size) for name, size in rows.items() for part in curves.COMPARED}

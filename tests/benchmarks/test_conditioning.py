@@ -1,4 +1,4 @@
-"""Check of the figure on conditioning: errors of kernels have the size of its lines."""
+"""Check of the figure on conditioning: measured errors agree with the predicted lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support import sampling
     ("order", "branch", "near_half_turn"), [(3, 0, False), (3, 1, False), (8, 3, False), (2, 0, True), (1, 0, True)]
 )
 def test_errors_are_of_the_size_of_the_condition(order: int, branch: int, near_half_turn: bool) -> None:
-    """Errors agree within a factor of 20 at distances up to 1e-6: they are some roundings, in different directions."""
+    """Allow a factor of 20 at distances up to 1e-6: errors consist of some roundings in different directions."""
     directions = sampling.unit_vectors(sampling.generator("conditioning"), (4,))
     with mpmath.workdps(30):
         for distance in ("1e-6", "1e-10"):

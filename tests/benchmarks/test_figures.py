@@ -1,4 +1,4 @@
-"""Checks of the README's pictures: files are small, and marks lie where the charts are singular or end."""
+"""Checks of the README's pictures: files are small, and marks lie at singular angles and edges of charts."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ import pytest
 pytestmark = pytest.mark.thorough
 
 QUICKLY = {"XLA_FLAGS": "--xla_backend_optimization_level=0"}
-"""Options of XLA for tests that need maps to be compiled and timed, not to be fast."""
+"""Options of XLA for quick compilation; tests do not need fast maps."""
 
 SCRIPT = Path(__file__).parents[2] / "benchmarks" / "gpu.py"
 

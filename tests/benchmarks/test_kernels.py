@@ -1,4 +1,4 @@
-"""Checks of the benchmarks: peers compute the same results as kernels, and missed gates are named."""
+"""Checks of the benchmarks: peers and kernels compute equal results, and reports name missed gates."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FUNCTIONS = tuple(derivatives.ARGUMENTS)
 
 
 def given(function: str, size: int = 20) -> tuple[np.ndarray, ...]:
-    """Draw vectors near the origin; no two compose to half a turn, for which SymPy's composition takes no side."""
+    """Draw vectors near the origin, none of which compose to half a turn: SymPy's formula does not cover it."""
     poses = Poses.draw(load(ORDER), size)
     return tuple(0.1 * a for a in (poses.v, poses.w, poses.other))[: derivatives.ARGUMENTS[function]]
 
@@ -45,7 +45,7 @@ def test_derivatives_agree_with_sympy_and_complex_steps(function: str) -> None:
 
 
 def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Replace the kernels by ``v²`` and ``v² w``, whose derivatives are known."""
+    """Replace the kernels by ``v²`` and ``v² w``, functions with known derivatives."""
     jax = pytest.importorskip("jax")
     square = SimpleNamespace(tangent=lambda v: v * v, twist=lambda v, w: v * v * w)
     square.rate = square.compose = square.twist
@@ -74,7 +74,7 @@ def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_missed_speed_gates_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Replace measured times: ours takes one unit, JAX 30 units when called, 10 when compiled."""
+    """Replace measured times: our call takes one unit, a JAX call 30 units, a compiled JAX call 10 units."""
     units = {"ours": 1.0, "called": 30.0, "jitted": 10.0, "steps": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {name: units[name] for name in calls})
     monkeypatch.setattr(derivatives, "jax_calls", lambda *_: {"jitted": int, "called": int})
@@ -99,7 +99,7 @@ def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyP
 
 
 def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Exponential coordinates have two gates, a chart of order 3 the gates of forward maps; measured ratios decide."""
+    """Expect two gates for exponential coordinates, and only gates of forward maps for a chart of order 3."""
     units = {"ours": 1.0, "scipy": 7.0, "pytransform3d": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {k: units[k] for k, call in calls.items() if call})
     decided = {}
@@ -114,7 +114,7 @@ def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("name", kernels.FAMILIES)
 def test_vectors_of_a_chart_are_the_poses_that_libraries_are_given(name: str) -> None:
-    """Compare both vectors of a composition. At 3 rad, the angle from sin(α/2) has an error of 14 roundings."""
+    """Compare v and w. At 3 rad, the angle computed from sin(α/2) has an error of 14 roundings."""
     module = importlib.import_module(f"dualcay.{name}")
     poses = Poses.draw(module, 5)
     np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)

@@ -1,4 +1,4 @@
-"""Tests of times against another checkout: every function is compared, drift cancels, slower kernels miss gates."""
+"""Tests of times relative to another checkout: all functions are compared, drift cancels, slow kernels miss gates."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def quaternion(v, *, axis=-1, out=None):
 
 
 class Clock:
-    """Simulated clock: each call advances it by its own duration times a factor that grows with every call."""
+    """Simulated clock; a call advances it by the call's duration times a factor that grows from call to call."""
 
     def __init__(self) -> None:
         self.now = 0.0

@@ -1,4 +1,4 @@
-"""Tests of the page's sections: compiled functions have lines and gates, and sections not measured are kept."""
+"""Tests of sections of the page: compiled functions have lines and gates, and unmeasured sections stay unchanged."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exact angles: values at the reference point are close to the real ones."""
+"""Exact angles: at the reference point, their values are close to values of the real functions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.algebra.element import Element, NotExactError
 
 STEPS = 3
 NEAR = 1e-3
-"""Tolerance: at the reference point an angle and its tangent t ≤ 1/37 differ by t³/3."""
+"""Tolerance; at the reference point an angle and its tangent t ≤ 1/37 differ by t³/3."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Elementary functions of dual numbers: identities between functions also hold in the dual part."""
+"""Elementary functions of dual numbers: identities between functions hold in real and dual parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vectors, tensors and quaternions: the laws of their products, over exact and dual coefficients alike."""
+"""Vectors, tensors and quaternions: laws of products, with exact and with dual coefficients."""
 
 from __future__ import annotations
 

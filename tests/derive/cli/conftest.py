@@ -1,4 +1,4 @@
-"""Commands in the test process write kernels without validation; commands in other processes validate."""
+"""Fixture of the tests of commands: in the test process, kernels are written without validation."""
 
 from __future__ import annotations
 

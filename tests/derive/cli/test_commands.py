@@ -115,7 +115,7 @@ from tests.support.packages import unvalidated
 publish.TARGETS = {"numpy": unvalidated(publish.TARGETS["numpy"])}
 sys.exit(main())
 """
-"""Program of a command that is killed when the notice and one other file are in place."""
+"""Program that runs the command and kills it after the notice and one other file are written."""
 
 
 def test_import_of_a_half_written_package_says_how_to_finish_it(tmp_path: Path, without_validation):

@@ -37,8 +37,8 @@ def test_tables_are_at_most_120_wide():
 
 
 def test_chart_without_kernels_is_compared_without_operations(monkeypatch):
-    monkeypatch.setenv("COLUMNS", "120")  # narrower screens have lines in place of a table
-    (chart,) = catalogue.charts(phi="alpha*(5 + tan(pi/2 - 1 - alpha**2/100))", name="mine")  # SymPy makes it a cot
+    monkeypatch.setenv("COLUMNS", "120")  # narrower screens show lines instead of a table
+    (chart,) = catalogue.charts(phi="alpha*(5 + tan(pi/2 - 1 - alpha**2/100))", name="mine")  # SymPy rewrites it as cot
     row = Compared(chart)
     assert set(row.operations.values()) == {None}
     found = row.stretches["π"]

@@ -1,4 +1,4 @@
-"""The page of errata: its columns, and how readings are counted."""
+"""Page of errata: columns, and numbers of readings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``dualcay generate --phi``: the module, its check by the header, and refusals as usage errors."""
+"""``dualcay generate --phi``: the module, the check against its header, and usage errors for refused φ."""
 
 from __future__ import annotations
 

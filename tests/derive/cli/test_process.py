@@ -27,7 +27,7 @@ def test_interrupt_ends_with_one_line_and_130(place: str):
     module, _, name = place.rpartition(".")
     code = (
         "import importlib, os, signal, sys, time\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # background jobs start without this handler
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a background job has no such handler
         f"setattr(importlib.import_module({module!r}), {name!r}, lambda **_: os.kill(os.getpid(), signal.SIGINT))\n"
         "from derive.__main__ import main\n"
         "sys.exit(main())"
@@ -69,7 +69,7 @@ def test_help_and_version_load_nothing_heavy(arguments: list[str]):
 
 
 def test_help_takes_at_most_150_ms_more_than_python():
-    """Compare the least processor time of three runs."""
+    """Compare the least processor times, each of three runs."""
 
     def least(*command: str) -> float:
         def once() -> float:

@@ -1,4 +1,4 @@
-"""``dualcay generate --name``: a user's chart may not take a name of a package or of another chart."""
+"""``dualcay generate --name``: names of the package's modules and of other charts are refused."""
 
 from __future__ import annotations
 

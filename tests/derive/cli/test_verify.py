@@ -58,7 +58,7 @@ def test_exit_codes_and_messages(arguments: tuple[str, ...], code: int, message:
     assert done.returncode == code
     assert message in " ".join(done.stderr.split())
     assert done.stdout == ""
-    assert done.stderr.count("\n") <= 4  # at most usage, a hint at help, an empty line and the message
+    assert done.stderr.count("\n") <= 4  # at most four lines: usage, hint at help, empty line, message
 
 
 def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
@@ -79,7 +79,7 @@ def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
 
 
 def test_two_processes_write_the_same_page(tmp_path: Path) -> None:
-    """Compare pages under two hash seeds."""
+    """Compare pages written by processes with different hash seeds."""
     some = (*K10, "--eq", "1,7,14,20,22,ring,rhombus,zero-components", "--format", "markdown", "-o")
     dualcay(*some, str(tmp_path / "a.md"))
     in_a_process(*some, str(tmp_path / "b.md"), PYTHONHASHSEED="1")
@@ -112,7 +112,7 @@ def test_one_equation_is_decided_alone() -> None:
     assert "where they differ" in done.stdout
     assert "refuted at generic point 1: false" in done.stdout
     assert "proofs" not in done.stdout  # no theorem concerns this equation
-    assert done.stdout.endswith("False\n")  # the code generator, the slowest module to load, is not loaded
+    assert done.stdout.endswith("False\n")  # the code generator is slow to load and not needed
 
 
 @pytest.mark.parametrize("width", [40, 71, 72, 200])

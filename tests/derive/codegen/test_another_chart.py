@@ -72,13 +72,13 @@ def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
 DERIVATIVES = (calculus.rate_dot, calculus.rate_jacobian)
 
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Functions whose errors are tested in tests/generated/test_kernel_motions.py instead."""
+"""Functions with errors tested in tests/generated/test_kernel_motions.py, not here."""
 
 
 # --- kernels --------------------------------------------------------------------------------------------------------
 
 
-# the native target uses the C headers, and tests/targets builds its package
+# the native target uses the C headers; tests/targets builds its package
 @pytest.mark.parametrize("target", [t for t in TARGETS.values() if t.name != "native"], ids=lambda target: target.name)
 def test_unknown_chart_generates_in_every_target(target):
     (module,) = build([Sine()], target).modules
@@ -131,7 +131,7 @@ def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
 
 
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """Return arguments of a function: v or a representation of its pose, then the remaining arguments."""
+    """Return the arguments of a function: first v or a representation of its pose, then the others."""
     first = FUNCTIONS[name].arguments[0].name
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
     if first == "angle":
@@ -143,12 +143,12 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
         for a in FUNCTIONS[name].arguments[1:]
     ]
     if name == "interpolate":
-        others[-1] %= 1  # extrapolation may cross the edge of the chart, where the sign of v is ambiguous
+        others[-1] %= 1  # times above 1 may cross the edge, where the sign of v is ambiguous
     return [given.get(first, np.array)(v), *others]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the norm of each part of a result plus its change when each argument component changes by its own size."""
+    """Return the norm of each part of a result plus its change per relative change of every argument component."""
     step = mpmath.mpf(2) ** -60
     sizes = [errors.norm(part) for part in exact]
     for i, argument in enumerate(given):
@@ -161,10 +161,10 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the change of an interpolated pose when both end poses change by the size of their quaternion vectors.
+    """Return the condition of an interpolation: its change per relative change of the quaternions of both end poses.
 
-    Near the edge T is large and T⁻¹ small along the axis, but not across it. The rounding of poses, on which every
-    interpolation depends, therefore exceeds the effect of changes in the components of v.
+    Every interpolation rounds poses. Near the edge T is large and T⁻¹ small along the axis, but not across it. There
+    the rounding of poses has a larger effect than the rounding of components of v.
     """
     step, sizes = mpmath.mpf(2) ** -60, [0.0] * len(exact)
     for i, v in enumerate(one[:2]):
@@ -178,7 +178,7 @@ def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) 
 
 
 def parts(result: Any) -> list[Any]:
-    """Return the real and dual part of each result; a point or rotation matrix is one part."""
+    """Return the real and dual part of each result; a point or a rotation matrix counts as one part."""
     if isinstance(result, tuple):
         return [part for array in result for part in errors.parts(array)]
     if np.shape(result) == (3, 6):
@@ -189,14 +189,14 @@ def parts(result: Any) -> list[Any]:
 @pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
 @pytest.mark.parametrize("name", [name for name in PUBLIC if name not in BY_STEPS])
 def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
-    """Errors stay below 20 eps (two maps in a chain) times norm and condition of the result, or 30 for derivatives."""
+    """Allow 20 eps (two maps in a chain), or 30 eps for derivatives, times norm and condition of the result."""
     oracle = SineOracle(3)
     row = FUNCTIONS[name]
     derived = KERNELS[row.kernel].recipe in DERIVATIVES
     gate = errors.THREE if derived else errors.GENERAL
     low, high = angles
-    # near the edge 3π φ′ tends to 0, and the terms f_i and h_i of T⁻¹ cancel along the axis
-    count = 2 if name == "interpolate" else 4  # the oracle of interpolate is slow: it goes by steps
+    # near the edge 3π φ′ is small, and the terms f_i and h_i of T⁻¹ cancel along the axis
+    count = 2 if name == "interpolate" else 4  # its oracle takes many steps
     given = arguments(kernels, name, vectors(low, min(high, 8.0) if derived else high, count))
     for branch in range(3) if row.branch else (None,):
         chosen = () if branch is None else (branch,)
@@ -218,7 +218,7 @@ def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angl
 
 
 def test_maps_and_operators_are_inverse_to_each_other(kernels: ModuleType):
-    """Tolerance 1e-12: 40 eps (errors.AGREE) times a condition number below 100 at these angles."""
+    """Allow 1e-12: 40 eps (errors.AGREE) times a condition number below 100 at these angles."""
     v, w = vectors(0.05, 3.0), sampling.dual_vectors("another chart", count=4)
     close = {"rtol": 0, "atol": 1e-12}
     np.testing.assert_allclose(kernels.from_quaternion(kernels.quaternion(v)), v, **close)
@@ -255,7 +255,7 @@ def test_angles_of_vectors_are_found(phi: sympy.Expr, edge: sympy.Expr, angles: 
         for text in angles:
             angle = mpmath.mpf(text)
             found = chart.angle(chart.size(angle))
-            # a relative change eps of |v| changes α by φ/(α φ′) eps, which is 3e3 eps for the sine near its edge
+            # a relative error eps of |v| changes α by φ/(α φ′) eps, which is 3e3 eps for the sine near its edge
             assert abs(found / angle - 1) < 10 ** mpmath.mpf(-44)
 
 
@@ -274,7 +274,7 @@ def test_edges_have_full_precision_at_any_working_precision():
 
 
 def test_long_vector_below_half_a_turn_is_on_branch_0():
-    """Check that α is not taken for π: 1 − α/π is about 1e-155, which is far from 0 at 670 digits."""
+    """Check that α is not mistaken for π: 1 − α/π is about 1e-155, far from 0 at 670 digits."""
     with mpmath.workdps(670):
         v = Vector.dual((mpmath.mpf(10) ** 155, 0, 0), (1, 2, 3))
         chart = Vectors(Cayley(1))

@@ -1,4 +1,4 @@
-"""Interpreter of C: exact results, and refusal of code that C would round or leave undefined."""
+"""Interpreter of C: exact results, and refusal of code with rounding or undefined behaviour."""
 
 from __future__ import annotations
 

@@ -164,7 +164,7 @@ def test_every_function_has_a_plain_form_and_one_for_rows(texts, table, prefix):
 
 
 def test_rotation_headers_reuse_scalars_of_poses(texts):
-    """No scalars are new: functions of rotations call the scalars that the headers of poses define."""
+    """Expect no new scalar programs: rotations call the scalar programs in the headers of poses."""
     text = texts["rotation/geometry.h"]
     called = set(re.findall(r"DUALCAY_CHART\((\w+)\)\(", text))
     assert len(called) > 10
@@ -204,7 +204,7 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
 )
 def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
-    """Check that the error names the command for any header included first, even with other headers missing."""
+    """Expect an error that names the command, for any header included first, even with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     for name in {"geometry.h", "rotation/geometry.h"} - {first}:
         (staged / name).unlink()
@@ -236,7 +236,7 @@ def test_printed_package_agrees(staged):
     assert compiled.test(staged, Cayley(3)) > 1000
 
 
-# one change of each kind; test_c_text tries many more without a compiler
+# one change of each kind; test_c_text tries many more, without a compiler
 @pytest.mark.compiler
 @pytest.mark.parametrize(
     ("file", "function", "pattern", "replacement"),
@@ -258,7 +258,7 @@ def test_printed_package_agrees(staged):
     ],
 )
 def test_a_changed_kernel_fails_validation(staged, monkeypatch, file, function, pattern, replacement):
-    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # fast to compile; errors show at any optimisation
+    monkeypatch.setattr(compiled, "FLAGS", (*compiled.FLAGS, "-O0"))  # quick to compile
     header, order = staged / file, 4 if "4" in file else 3
     name = rf"DUALCAY_NAME\({function}\)" if file.endswith("geometry.h") else f"dualcay_cayley{order}_{function}"
     text = header.read_text(encoding="utf-8")

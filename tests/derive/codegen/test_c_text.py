@@ -1,4 +1,4 @@
-"""C headers run by the interpreter: wrong signs, coefficients, indices, conditions and names are refused."""
+"""Validation of C headers by the interpreter: wrong signs, coefficients, indices, conditions, names are refused."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ EQUIVALENT = {
     r"rotation_\w+_exponential_scalars_core: .* (c4|\w+y) =": "slopes act on dual parts, which rotations lack",
     r"DUALCAY_CHART\(\w+\)\(.*&\w+_(3, &\w+_2|5, &\w+_4)\b": "results that nothing reads change places",
 }
-"""Reasons why a change leaves results unchanged, by pattern of function and line."""
+"""Changes that leave all results unchanged: pattern of function and line, with the reason."""
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def survives(text: str, kernels: list[str], table=POSES) -> bool:
-    """Tell whether a text passes the cases of some functions."""
+    """Tell whether a text passes validation on the cases of some functions."""
     chosen = [batch for batch in batches(CHART, table) if batch.function in kernels]
     try:
         return c_text.check(load(text), CHART, chosen, table) > 0

@@ -1,4 +1,4 @@
-"""Validation cases make every comparison in the programs both true and false."""
+"""Coverage of validation cases: every comparison in the programs is true in some case and false in another."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Sides = Mapping[tuple[str, str], set[bool]]
 
 
 class Watched:
-    """Runner of a chart's programs on numbers of 50 digits, which records the comparisons."""
+    """Runner of a chart's programs on numbers of 50 digits; it records the truth values of comparisons."""
 
     def __init__(self, chart: Cayley) -> None:
         self.chart = chart
@@ -69,7 +69,7 @@ class Watched:
 
 
 def sides(n: int, some: slice = slice(None)) -> Sides:
-    """Return the truth values of all comparisons, for the cases ``some`` of each function and branch."""
+    """Return the truth values of all comparisons; ``some`` selects cases of each function and branch."""
     watched = Watched(Cayley(n))
     with mpmath.workdps(decimals.DIGITS):
         for batch in samples.by_function(watched.chart, POSES):
@@ -84,7 +84,7 @@ def one_sided(found: Sides) -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize("n", [3, 4, 8])
 def test_every_comparison_is_true_and_false_in_some_case(n: int) -> None:
-    # in orders 1 and 2 some comparisons change their value only at the edge of the chart
+    # at orders 1 and 2, some comparisons change only at the edge of the chart
     found = sides(n)
     assert len(found) > 15
     assert one_sided(found) == []
@@ -95,7 +95,7 @@ def test_fewer_cases_leave_comparisons_one_sided() -> None:
 
 
 def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
-    """Lattice vectors have |v| = 1, √2 and √3 and components of both signs."""
+    """Expect |v| = 1, √2 and √3, and components of both signs."""
     squares = sorted(sum(c * c for c in u) for u in samples.LATTICE)
     assert squares == [1, 1, 2, 3, 3]
     assert len({frozenset((u, tuple(-c for c in u))) for u in samples.LATTICE}) == len(squares)

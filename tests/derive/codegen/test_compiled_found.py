@@ -1,4 +1,4 @@
-"""NumPy kernels use an installed package of compiled functions if its programs are the same."""
+"""NumPy kernels use an installed package of compiled functions only if its programs equal theirs."""
 
 from __future__ import annotations
 

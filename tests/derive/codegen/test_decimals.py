@@ -53,7 +53,7 @@ def test_mpmath_numbers_are_converted_to_50_digits(bits: int, shift: int) -> Non
     with mpmath.workprec(200):
         value = mpmath.ldexp(mpmath.mpf(bits), shift)
         exact = bits * Fraction(2) ** shift
-        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # includes one unit for the power of 2
+        assert abs(exactly(Decimal(value)) - exact) <= 5 * ROUNDING * abs(exact)  # the power of 2 adds one unit
 
 
 class Limb:
@@ -78,11 +78,11 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
     assert Decimal(10**5000).value.adjusted() == 5000
     assert exactly(Decimal(10**60 + 1)) == 10**60
     with mpmath.workdps(DIGITS):
-        for number in (10**7, 10**12):  # exact powers of 2 would take too long
+        for number in (10**7, 10**12):  # an exact power of 2 would take too long
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
         assert Decimal(10**5000).tan().value.is_finite()
-        tiny = Decimal(decimal.Decimal("1e-3000000"))  # as a fraction it would have three million digits
+        tiny = Decimal(decimal.Decimal("1e-3000000"))  # the fraction has three million digits
         assert abs(tiny.tan() / tiny - 1) < Fraction(1, 10**48)
 
 

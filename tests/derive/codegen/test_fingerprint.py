@@ -1,4 +1,4 @@
-"""Fingerprint that links compiled functions to their kernels: it changes with every program."""
+"""Fingerprint that links compiled functions to their kernels: changing any program changes it."""
 
 from __future__ import annotations
 

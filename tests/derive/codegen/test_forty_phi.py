@@ -1,4 +1,4 @@
-"""Test of forty φ: each generates in one of the targets in turn, and three of them in NumPy besides.
+"""Generation of kernels for forty φ: targets take turns, and three φ are also generated for NumPy.
 
 The forty are tangents, sines, their multiples, sums, quotients and roots, with divisors 1 … 9 and fractions.
 """
@@ -28,7 +28,7 @@ ROOTS = [
 PHI = [*TANGENTS, *SINES, *SUMS, *QUOTIENTS, *ROOTS]
 TARGETS = ("numpy", "array-api", "numba", "c")
 SAMPLE = {(phi, "numpy") for phi in ("5*tan(alpha/6)", "2*sin(alpha/2)", "sin(alpha/3)/(1 + cos(alpha/3))")}
-"""Pairs of φ and target that every run tests, each the fastest of its kind; the others are marked thorough."""
+"""Pairs of φ and target that every run tests, the fastest of each kind; other pairs are marked thorough."""
 PAIRS = sorted(SAMPLE | {(phi, TARGETS[i % 4]) for i, phi in enumerate(PHI)})
 
 

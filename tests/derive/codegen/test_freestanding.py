@@ -1,4 +1,4 @@
-"""Headers compiled without math.h call only functions that they define."""
+"""Headers compiled without math.h call only their own functions."""
 
 from __future__ import annotations
 

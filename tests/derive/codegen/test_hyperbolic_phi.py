@@ -35,15 +35,15 @@ PHI: dict[str, tuple[str, Share]] = {
     "wavy": ("alpha + 9*sin(alpha)/10", lambda field, u: 1 + series(-u, 1) * 9 / 10),
     "slow": ("alpha*(1 + log(1 + alpha**2/10))", lambda field, u: 1 + field.log(1 + u / 10)),
 }
-"""Pairs of φ and the function φ/α of α², by name."""
+"""Text of φ, and φ/α as a function of α², by name."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
-"""Ranges of angles below a whole turn; one contains the limit between the two ranges of the chart's formulas."""
+"""Ranges of angles below a whole turn; one contains the limit between the formulas near 0 and beyond."""
 GATE = 8
 
 
 QUICK = ("steep", "bounded")
-"""Charts with a fast oracle, which sums no series."""
+"""Charts with a fast oracle, without sums of series."""
 
 
 @pytest.fixture(
@@ -72,7 +72,7 @@ def oracle(name: str) -> OfSquare:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: OfSquare):
-    """Functions take the regimes of angles in turn, one regime each."""
+    """Test each function in one regime of angles; the next function takes the next regime."""
     for place, function in enumerate(PUBLIC):
         low, high = REGIMES[place % len(REGIMES)]
         if function in ("to_screw", "angle") and high < 1e-200:
@@ -90,7 +90,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, r
 
 
 DIGITS = 350
-"""Working precision of the reference values, enough to hold 1 + 1e-300."""
+"""Digits of the reference values, enough to hold 1 + 1e-300."""
 ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 
 
@@ -107,7 +107,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
     ids=str,
 )
 def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
-    """Errors on floats of either sign, some near 0, are at most ``units`` eps."""
+    """Allow ``units`` eps on floats of both signs, some near 0."""
     for a in arguments:
         got = Lowering(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):

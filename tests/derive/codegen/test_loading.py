@@ -1,4 +1,4 @@
-"""Packages are loaded from their current text on disk, and leave nothing behind."""
+"""Loading of packages: the text now on disk is imported, and no module stays imported."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_current_text_on_disk_runs(tmp_path: Path) -> None:
     assert values(package(tmp_path, 1)) == (1, 1)
     written = (tmp_path / "shared.py").stat()
     assert values(package(tmp_path, 2)) == (2, 2)
-    package(tmp_path, 3)  # a text of equal length and time stamp
+    package(tmp_path, 3)  # new text with the same length and time stamp
     os.utime(tmp_path / "shared.py", ns=(written.st_atime_ns, written.st_mtime_ns))
     assert values(tmp_path) == (3, 3)
 

@@ -1,4 +1,4 @@
-"""Multiples of the exponential chart, refusals of φ with a small edge, and constant angles in C."""
+"""Multiples φ = c α of the exponential chart, refusals of φ with a small edge, and constant angles in C."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from dualcay import exponential
 
 
 def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
-    """Detect a quotient of integers, which is a float in runs with 50 digits, and float32 overflow of a(0)²."""
+    """Detect two errors: a quotient of integers becomes a float in runs with 50 digits; a(0)² overflows in float32."""
     chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
     files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
     assert validate(tmp_path / "of_units", chart, geometry=True) > 500
@@ -35,7 +35,7 @@ def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> 
         kernels = module_of(package, chart, POSES)
         for dtype in (np.float64, np.float32):
             there, here = (np.asarray(rows, dtype) for rows in (w, 1.5 * w))
-            # v is rounded, and each kernel loses a few units; dual parts have the size of w
+            # rounding of v, and a few eps of each kernel; dual parts have the size of w
             close = 16 * np.finfo(dtype).eps * (1 + np.linalg.norm(w, axis=-1, keepdims=True))
             assert np.all(abs(kernels.quaternion(here) - exponential.quaternion(there)) <= close)
 

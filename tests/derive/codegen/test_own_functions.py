@@ -1,4 +1,4 @@
-"""Exact validation of a package: geometry once, and the own functions of every chart; wrong text is refused."""
+"""Exact validation of a package: shared geometry once, own functions for every chart; wrong text is refused."""
 
 from __future__ import annotations
 
@@ -62,11 +62,11 @@ SLIPS = {
 EQUIVALENT = re.compile(
     r'"""|\\|still|near|lost|_in\b|resting|versine|belowhalf|50[57]|sign;|xp|N / N|= number|further|# '
 )
-"""Lines whose slips change no result: factors of 0, limits between series, lost digits put back, slopes read at 0."""
+"""Lines in which no slip changes a result: factors of 0, limits of series, rounding corrections, slopes read at 0."""
 
 
 def slips(text: str, count: int, seed: int) -> Iterator[tuple[str, str]]:
-    """Yield the text with one change from `SLIPS` inside a program, and the changed line."""
+    """Yield the text with one slip inside a program, and the changed line."""
     draw = random.Random(seed)
     for pattern, new in SLIPS.values():
         places = [m for m in re.finditer(pattern, text) if _inside_program(text, m.start())]

@@ -1,4 +1,4 @@
-"""Header comments of generated packages: command, licence and version; and the backend named by a package."""
+"""Header comments of generated files: command, licence and version; backend that a package names."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FACTS = Facts(prove(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
-    """Yield the files of a package by name, and the notices that replace them while it is half written."""
+    """Yield name and text of a package's files, then of the notices that replace some of them during writing."""
     row = TARGETS[target]
     yield from (shared_texts(row) | module_texts(FACTS, row)).items()
     yield from notices([CHART], row).items()

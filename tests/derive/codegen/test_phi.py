@@ -1,4 +1,4 @@
-"""Charts of a user's φ: kernels agree with first principles on floats."""
+"""Charts of a user's φ: on floats, kernels agree with first principles."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0), (6.2, 6.324))
-"""Ranges of angles: one contains the limit between the two ranges of the chart's formulas, the last ends below √40."""
+"""Ranges of angles; one contains the limit between the formulas near 0 and beyond, the last ends below √40."""
 GATE = 8
 
 
@@ -63,7 +63,7 @@ def oracle() -> Oracle:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: Oracle):
-    """Functions take the regimes of angles in turn, one regime each."""
+    """Test each function in one regime of angles; the next function takes the next regime."""
     for place, function in enumerate(PUBLIC):
         low, high = REGIMES[place % len(REGIMES)]
         if function in ("to_screw", "angle") and high < 1e-200:
@@ -82,7 +82,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, reg
 
 @pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
 def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle, angle: float):
-    """Steps are short compared with the distance to 2π, because the oracle counts no turns."""
+    """Keep steps shorter than the distance to 2π, because the oracle does not count turns."""
     steps = sampling.dual_vectors(f"steps at {angle}", count=4)
     v, delta = families.vectors(oracle, angle, angle, 4), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
     for function in families.STEPS:
@@ -90,7 +90,7 @@ def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle
 
 
 def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
-    """Check at 1 rad, with the edge at √40: a vector exists one turn back, but not one turn further."""
+    """Check at 1 rad, with the edge at √40: branch −1 has a vector, branch 1 has none."""
     v = np.array([1 / (1 + 1 / 40), 0, 0, 0.1, 0.2, 0.3])
     assert np.isnan(kernels.shadow(v, 1)).all()
     back = kernels.shadow(v, -1)
@@ -102,7 +102,7 @@ def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
 
 
 def test_beyond_a_fold_there_is_no_vector():
-    """Check a fold just beyond half a turn: branch −1 holds only angles near half a turn, and the replay has none."""
+    """Check a fold just beyond π: branch −1 has vectors only for angles near π, so the replay leaves it out."""
     chart = parameterization("sin(alpha/2) + alpha/50", "folded_early")
     at, axis = Vectors(chart), Vector.dual((1, 0, 0), (0, 0, 0))
     with mpmath.workdps(50):
@@ -125,7 +125,7 @@ def test_complex_steps_go_through_the_origin(kernels: ModuleType):
 
 
 def test_both_ranges_agree_at_their_limit():
-    """Differences are at most the sum of both errors: the proved remainder, and the rest after Newton's last step."""
+    """Allow the sum of both errors: the proved remainder near 0, and the error after Newton's last step beyond."""
     from derive.algebra.arithmetic import PLAIN
 
     chart = parameterization(TEXT, "folded")

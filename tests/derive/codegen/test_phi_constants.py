@@ -1,4 +1,4 @@
-"""φ with irrational constants: kernels compute the formula to full precision."""
+"""Charts of φ with irrational constants: kernels compute them to full precision."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from derive.proof import prove
 
 @pytest.mark.parametrize("phi", ["pi*alpha/4", "alpha*(pi + alpha**2)/4"])
 def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
-    """π is split into small integers: powers of one long integer overflow float32, with results not finite at v = 0."""
+    """Require small integers in the split of π: powers of a long integer overflow float32 and spoil v = 0."""
     chart, target = parameterization(phi, "mine"), TARGETS["numpy"]
     proved = prove(chart)
     text = module_texts(Facts(proved), target)
@@ -33,7 +33,7 @@ def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi:
         kernels = module_of(package, chart, POSES)
         for name in ("quaternion", "tangent", "tangent_inv", "principal"):
             single, double = (getattr(kernels, name)(np.append(v, [6 * [0]], 0).astype(t)) for t in ("f4", "f8"))
-            # a few dozen operations on values below 10, each with an error of half an eps
+            # a few dozen operations on values below 10, each with an error of eps/2
             assert np.all(abs(single - double) < 200 * np.finfo(np.float32).eps), name
 
 

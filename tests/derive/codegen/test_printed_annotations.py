@@ -1,4 +1,4 @@
-"""Annotations of printed modules can be resolved."""
+"""Annotations in printed modules resolve to types."""
 
 from __future__ import annotations
 

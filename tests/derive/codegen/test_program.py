@@ -153,7 +153,7 @@ def test_forward_maps_have_no_trigonometry():
     inverse = ("from_quaternion", "from_tensor", "from_pose", "shadow", "turn", "compose")
     for order in (1, 2, 3, 4, 5, 8):
         chart = Cayley(order)
-        # with one v for each pose, `shadow` and `turn` are trivial and have no program
+        # such a chart has one v for each pose: `shadow` and `turn` are trivial and have no program
         unasked = {"shadow", "turn"} if chart.branches == 1 else set()
         names = {*forward, *(inverse if order in (1, 2, 4, 8) else ())} - unasked
         operations = lower_chart(chart).operations

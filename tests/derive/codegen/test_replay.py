@@ -1,4 +1,4 @@
-"""Replay on floats: it detects errors in run-time parts that only floats use."""
+"""Replay on floats: detection of errors in run-time parts used for floats only."""
 
 from __future__ import annotations
 

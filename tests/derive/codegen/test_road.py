@@ -1,4 +1,4 @@
-"""Generation from proof to files: nothing false is written, and every run writes equal text."""
+"""Generation from proof to files: false text is never written, and every run writes the same text."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ def test_keywords_are_those_of_the_table():
 
 
 def bare_interface(keywords: bool) -> str:
-    """Return an interface without docstrings, with or without the keywords of its rows."""
+    """Return an interface without docstrings; ``keywords`` adds each function's own keyword arguments."""
 
     def parameters(row: Function) -> str:
         common = NUMPY.keywords if len(row.results) == 1 else ["axis"]
@@ -243,7 +243,7 @@ def test_bad_orders_and_targets_are_refused(tmp_path: Path):
 
 
 def test_bytes_are_the_same_without_python_flint(package):
-    """Print again in a process without flint and with another hash seed, and compare."""
+    """Compare texts with a second print, in a process without flint and with another hash seed."""
     code = (
         "import hashlib, sys\n"
         "sys.modules['flint'] = None\n"

@@ -1,4 +1,4 @@
-"""Kernels of rotations alone: recipes of poses, traced with real vectors and validated."""
+"""Kernels of rotations alone: the recipes of poses are traced with real vectors, then validated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rounding errors of sums are computed from the terms, and the exponential corrects for them."""
+"""Rounding errors of sums: programs compute them from the terms, and the exponential chart corrects for them."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_error_of_two_terms_is_exact():
     ],
 )
 def test_error_of_three_terms_is_rounded_once(sum_of: Callable[[Trace, Sequence[Any]], Any]):
-    """Errors of both additions are exact and at most an eps of the largest term; only their sum is rounded."""
+    """Allow eps² of the largest term: the error of each addition is exact, and only their sum is rounded."""
     of, lost = traced(sum_of), 0.0
     for terms in drawn(3):
         total, rest = of(*terms)
@@ -76,7 +76,7 @@ def test_error_of_anything_but_a_sum_is_0():
 
 
 def off(x: Fraction, f: float, g: float) -> float:
-    """Return the larger of the errors of ``sin α`` and ``1 − cos α``, in eps."""
+    """Return the larger error of ``sin α`` and ``1 − cos α``, in eps."""
     with mpmath.workdps(40):
         xx = mpmath.mpf(x.numerator) / x.denominator
         angle = mpmath.sqrt(xx)
@@ -84,7 +84,7 @@ def off(x: Fraction, f: float, g: float) -> float:
 
 
 def test_exponential_corrects_for_the_rounded_sum_of_squares():
-    """Errors stay within 2 eps, equal to the bound for an exact x; the rounded sum alone would exceed it."""
+    """Expect errors up to 2 eps, as for an exact x, and larger errors for the uncorrected sum."""
     of, generator, worst, lost = compiled(scalar_program("pose_scalars", Exponential())), random.Random(7), 0.0, 0.0
     for _ in range(500):
         squares = [generator.uniform(0, 13) for _ in SQUARES]

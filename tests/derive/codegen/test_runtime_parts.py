@@ -1,4 +1,4 @@
-"""Properties of the NumPy run-time parts that do not show in results."""
+"""Run-time parts of the NumPy target: properties that results do not show."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def part(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], A
         yield lambda name: importlib.import_module(f"{package}.{name}")
 
 
-@pytest.mark.parametrize("spoilt", [0, 4])  # NaN in the real part spoils both laws, in the dual part the second
+@pytest.mark.parametrize("spoilt", [0, 4])  # NaN in the real part breaks both laws; in the dual part, the second
 def test_nan_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -> None:
-    """Messages name the first wrong element and its largest violation."""
+    """Expect a message with the first wrong element and its largest violation."""
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
-    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # violates the square of the real part by 3, the product of both parts by 1
+    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # |re|² is off by 3, re·du by 1
     for largest in ("3", "nan"):
         with pytest.raises(ValueError, match=rf"q\[1\] is no unit dual quaternion: .*, off by {largest} "):
             checks.require(checks.LAWS["from_quaternion"], q, -1)
@@ -45,7 +45,7 @@ def test_first_wrong_element_is_named_whichever_law_it_breaks(part: Callable[[st
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
-    q[1, 0], q[2, 4] = 2, 5  # q[2] breaks the other law, whose message sorts first
+    q[1, 0], q[2, 4] = 2, 5  # q[2] breaks the other law, with a message that sorts first
     with pytest.raises(ValueError, match=r"q\[1\] is no unit dual quaternion: the square of its real part"):
         checks.require(checks.LAWS["from_quaternion"], q, -1)
 

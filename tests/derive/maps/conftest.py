@@ -1,4 +1,4 @@
-"""Seeded dual vectors for the tests of this folder, with 50 digits or exact rational numbers."""
+"""Seeded dual vectors for the tests of this folder: numbers of 50 digits, or exact fractions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def fifty_digits() -> Iterator[None]:
 
 @pytest.fixture
 def draw() -> Callable[..., Vector]:
-    """Draw a 50-digit dual vector with Re|v| up to `size` times the square root of 3."""
+    """Draw a 50-digit dual vector with Re|v| up to √3 `size`."""
     rng = random.Random(20231)
 
     def vector(size: float = 1.0) -> Vector:
@@ -34,7 +34,7 @@ def draw() -> Callable[..., Vector]:
 
 @pytest.fixture
 def draw_exact() -> Callable[[], Vector]:
-    """Draw a dual vector of small fractions."""
+    """Draw a dual vector with small fractions as components."""
     rng = random.Random(111)
 
     def vector() -> Vector:

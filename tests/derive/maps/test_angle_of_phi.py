@@ -1,4 +1,4 @@
-"""Inverse of any φ, near 0 and beyond: fits stay within their bounds and match pinned values."""
+"""Inverse of any φ, near 0 and beyond: errors of fits stay within bounds, and fits match pinned values."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FITTED = {
     "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Guarded by 4 4",
     "tan(alpha/5) + alpha/10": "16 5/32 2.77e-19 Pole 3",
 }
-"""Fits by φ: degree near 0, limit of x, remainder, first guess beyond, number of Newton steps."""
+"""Fits by φ: degree near 0, limit of x, remainder; first guess and number of Newton steps beyond the limit."""
 
 
 @pytest.fixture(scope="module", params=list(FITTED))
@@ -72,7 +72,7 @@ def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None
 
 @pytest.mark.parametrize("phi", ["40*sinh(alpha)", "1/40*(sin(alpha/2) + alpha/50)"])
 def test_fits_do_not_depend_on_the_unit_of_v(phi) -> None:
-    """Allow a factor of two in remainders, because limits of x are rounded down by up to a quarter."""
+    """Allow a factor of two in remainders, because limits of x are rounded down by up to 25 %."""
     scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
     assert _degree(scaled) == _degree(alone)
     assert scaled.near.remainder == pytest.approx(alone.near.remainder, rel=1)
@@ -90,14 +90,14 @@ def test_phi_without_a_fit_near_zero_is_refused(phi, reason) -> None:
 
 
 def test_wavy_phi_needs_guarded_steps(monkeypatch) -> None:
-    """Expect a refusal: the slope falls to a tenth, and Newton's method from a fitted guess diverges."""
+    """Expect a refusal without guarded steps: the slope falls to a tenth, and plain Newton steps diverge."""
     monkeypatch.setattr(first_guess, "GUARDED_STEPS", ())
     with pytest.raises(PhiError, match=re.escape("alpha + 9*sin(alpha)/10 is not inverted near alpha = ")):
         _ = parameterization("alpha + 9*sin(alpha)/10", "of_user").far
 
 
 def test_guarded_steps_converge_at_every_angle() -> None:
-    """Allow 4 eps of the length in floats, also next to the least slope."""
+    """Allow 4 eps of the length, also next to the least slope."""
     chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
     assert isinstance(chart.far, Guarded)
     for angle in (2.0, 3.1, 3.2, 6.0, 9.5, 12.5):
@@ -108,7 +108,7 @@ def test_guarded_steps_converge_at_every_angle() -> None:
 
 @pytest.mark.parametrize("phi", ["10*tanh(alpha/10)", "alpha/sqrt(1 + alpha**2/40)"])
 def test_lengths_beyond_the_edge_raise_nothing(phi) -> None:
-    """Expect a float even where the closed form is not real."""
+    """Expect a float even for lengths at which the closed form is not real."""
     chart = parameterization(phi, "of_user")
     size = 1.5 * float(chart.phi.subs(alpha, 1000))
     assert isinstance(chart.far_angle(size * size, size, PLAIN), float)
@@ -122,7 +122,7 @@ def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
 
 
 def test_known_angle_near_a_fold_keeps_all_digits() -> None:
-    """Allow 4 eps at a known angle. From x alone, 1e-6 before the fold, h_i is off by more than 1e-9."""
+    """Allow 4 eps for h_i from a known angle, 1e-6 before the fold; from x alone, its error exceeds 1e-9."""
     chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
     angle = float(40**0.5) - 1e-6
     at = {alpha: sympy.Float(angle, DIGITS)}

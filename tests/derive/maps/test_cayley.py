@@ -28,7 +28,7 @@ def is_zero(expression: sympy.Expr) -> bool:
 
 
 def test_printed_coefficients() -> None:
-    """Compare with CP23 (96)-(98), (103)-(105), (110)-(112); shared signs and fraction bars are derived."""
+    """Compare with CP23 (96)-(98), (103)-(105), (110)-(112); derive common signs and fraction bars."""
     expected = {
         (1, "tangent"): (2 / (1 + x), 2 / (1 + x), 0),
         (1, "tangent_inv"): (sympy.Rational(1, 2), -sympy.Rational(1, 2), sympy.Rational(1, 2)),
@@ -116,7 +116,7 @@ def test_symbolic_and_numeric_forms_agree(n: int, draw_exact) -> None:
             values = getattr(closed_forms, name)(n, square)
             for value, expression in zip(values.coefficients, formula.coefficients, strict=True):
                 at = {x: sympy.Rational(square.re)}
-                assert isinstance(real_part(value), Fraction)  # an equal float would pass the next line
+                assert isinstance(real_part(value), Fraction)  # the next line would accept an equal float
                 assert real_part(value) == Fraction(str(expression.subs(at)))
                 assert dual_part(value) == square.du * Fraction(str(expression.diff(x).subs(at)))
 

@@ -1,4 +1,4 @@
-"""Edges of φ: kind and exact value, and φ⁻¹ below the edge."""
+"""Edges of φ: kind and exact angle; φ⁻¹ below the edge."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ LENGTHS = [
 
 @pytest.mark.parametrize(("phi", "edge", "lengths"), LENGTHS, ids=str)
 def test_angles_take_few_steps_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
-    """Allow 6 evaluations in many digits after a start in floats, and 6 more near a pole, which floats may miss."""
+    """Allow 6 evaluations in many digits after a start in floats, and 6 more near a pole, where the start may fail."""
     taken = set()
     evaluated = edges.real_value
 
@@ -66,7 +66,7 @@ def test_angles_are_found_up_to_the_edge(phi: sympy.Expr, edge: Edge):
         end = 5 if edge.angle.is_infinite else mpmath.mpf(edge.angle.evalf(DIGITS + 5))
         for share in ("1e-20", "0.3", "0.999"):
             angle = mpmath.mpf(share) * end
-            # at 0.999 of a fold angle, an error of eps in |v| changes α by about 1e6 eps
+            # at 0.999 times the fold angle, an error of eps in |v| changes α by about 1e6 eps
             found = angle_of(phi, edge.angle, phi.evalf(DIGITS, subs={alpha: angle}))
             assert abs(found / angle - 1) < mpmath.mpf(10) ** -40
         assert angle_of(phi, edge.angle, mpmath.mpf(0)) == 0

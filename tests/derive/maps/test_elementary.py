@@ -1,4 +1,4 @@
-"""Values of elementary expressions: correct, each part computed once, other functions refused."""
+"""Evaluation of elementary expressions: correct values, common parts computed once, other functions refused."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_every_part_is_computed_once() -> None:
 
 def test_other_functions_and_divisions_by_zero_are_refused() -> None:
     for expression in (1 / a, sympy.cot(a), a**-2):
-        for zero in (0.0, mpmath.mpf(0), np.float64(0), Fraction(0)):  # NumPy's own quotient would be infinite
+        for zero in (0.0, mpmath.mpf(0), np.float64(0), Fraction(0)):  # a NumPy quotient would be infinite
             if not (isinstance(zero, Fraction) and expression.has(sympy.cot)):
                 with pytest.raises(ZeroDivisionError):
                     evaluate(expression, a, zero)

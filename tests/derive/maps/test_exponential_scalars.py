@@ -1,4 +1,4 @@
-"""Scalars of the exponential chart correct the rounding error of the angle, beyond the limit of the series."""
+"""Scalars of the exponential chart beyond the limit of the series: correction of the angle's rounding error."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tests.support.sharp import Sharp
 
 EPS = 2.0**-52
 SQUARES = [17 + 0.07 * k for k in range(310)]
-"""Squares of angles from 4 to 2π, where the root has an error up to 2 eps."""
+"""Squares of angles from 4 to 2π; the error of their roots reaches 2 eps."""
 
 
 class Lossy(ExponentialScalars):
@@ -21,7 +21,7 @@ class Lossy(ExponentialScalars):
 
 
 def worst(kind: type[ExponentialScalars]) -> float:
-    """Return the largest error of ``sin α`` and ``1 − cos α``, in eps."""
+    """Return the largest error of ``sin α`` or ``1 − cos α``, in eps."""
     largest = 0.0
     for x in SQUARES:
         at = kind(x, Sharp())
@@ -34,7 +34,7 @@ def worst(kind: type[ExponentialScalars]) -> float:
 
 @pytest.mark.parametrize("kind", [ExponentialScalars, PrincipalScalars])
 def test_rounding_of_the_root_is_corrected(kind: type[ExponentialScalars]) -> None:
-    """Allow 2 eps, half an eps for each rounded operation; the correction removes the 2 eps of the angle."""
+    """Allow 2 eps, eps/2 for each rounded operation; the correction removes the error of the angle, also 2 eps."""
     assert worst(kind) <= 2
 
 

@@ -1,4 +1,4 @@
-"""Text of φ: accepted grammar, reasons of refusals, and no evaluation of user text."""
+"""Text of φ: accepted grammar, reasons given for refusals, and no execution of user text."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def test_names_are_identifiers(name: str):
 
 
 def test_user_text_is_never_run(monkeypatch: pytest.MonkeyPatch):
-    """Expect an expression or a `PhiError`, without side effects, from 1000 strings of allowed and other words."""
+    """Parse 1000 random strings of words; expect an expression or a `PhiError`, and no side effect."""
 
     def called(*_: object, **__: object) -> None:
         raise AssertionError("user text was run")

@@ -1,4 +1,4 @@
-"""Families v = φ(α) u: the Cayley map of a(v) gives the pose."""
+"""Families v = φ(α) u: their pose equals the Cayley map of the converted vector a(v)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tangent operators by differentiation of displacements, compared with closed forms; exponentials."""
+"""Tangent operators by differentiation of displacements, in comparison with closed forms; exponential maps."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def cosine(a: Any) -> Any:
 
 
 def about(angle: Any, u: Vector) -> Tensor:
-    """Return the rotation by Rodrigues' formula, for nested dual numbers too."""
+    """Return the rotation by Rodrigues' formula; numbers may be nested dual numbers."""
     skew = Tensor.skew(u)
     turned: Tensor = Tensor.identity() + skew * sine(angle) + skew @ skew * (1 - cosine(angle))
     return turned
@@ -56,7 +56,7 @@ def test_rates_of_the_axis_are_found_from_three_motions(real: bool, draw: Draw, 
 
 
 def test_rates_of_the_axis_along_a_coordinate_axis(gap: Gap) -> None:
-    """Expect rates for u along a coordinate axis e, where ``u × e`` is zero and no direction across."""
+    """Expect rates for u along a coordinate axis e, although ``u × e`` = 0 gives no direction across u."""
     for axis in Tensor.identity().rows:
         u, angle = Vector(*map(mpmath.mpf, axis)), mpmath.mpf("0.8")
         assert gap(first_principles.axis_rates(about, angle, u), rate_of_axis(angle, u)) < TINY

@@ -1,4 +1,4 @@
-"""Bounds of |φ| on circles hold, are close, and need a φ that is analytic inside."""
+"""Bounds of |φ| on circles: they are valid, close, and refused unless φ is analytic inside."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RADIUS = mpmath.mpf("1.5")
 
 
 def points(seed: int, count: int = 100) -> list[mpmath.mpc]:
-    """Return points on a quarter of the circle, both ends included."""
+    """Return points on a quarter of the circle, with both ends."""
     draw = random.Random(seed)
     return [RADIUS * mpmath.expjpi(share / 2) for share in (0, 1, *(draw.random() for _ in range(count)))]
 
@@ -32,7 +32,7 @@ def at(phi: sympy.Expr, z: mpmath.mpc) -> mpmath.mpc:
 
 @pytest.mark.parametrize("text", PHI)
 def test_bound_on_a_circle_is_close_and_below_all_points(text: str):
-    """Allow 20 %: arcs are 1/80 long and relative slopes |φ′/φ| at most 4, so bounds are off by about 10 %."""
+    """Allow 20 %; arcs of length 1/80 and |φ′/φ| ≤ 4 make bounds about 10 % too low."""
     phi = parsed(text)
     least = near_zero.smallest(phi, RADIUS)
     assert near_zero.is_analytic(phi, RADIUS)

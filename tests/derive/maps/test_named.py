@@ -1,4 +1,4 @@
-"""Charts by name, and recognition of φ of a named chart."""
+"""Charts by name; recognition of the φ of a named chart."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def test_scalars_of_a_multiple_are_those_of_its_base_by_powers_of_the_factor(phi
 
 @pytest.mark.parametrize("name", ["orthographic", "lambert", "breusing", "scaled3"])
 def test_coefficients_at_no_rotation(name: str):
-    """Expect 1/c₁, 1/(2c₁²), (1/6 − 2c₃/c₁)/c₁³ in T; c₁, −1/2, 2c₃/c₁² + 1/(12c₁) in T⁻¹; φ = c₁ α + c₃ α³ + …."""
+    """Expect for φ = c₁ α + c₃ α³ + …: 1/c₁, 1/(2c₁²), (1/6 − 2c₃/c₁)/c₁³ in T; c₁, −1/2, 2c₃/c₁² + 1/(12c₁) in T⁻¹."""
     chart = family(name)
     first, third = (chart.phi.diff(alpha, k).subs(alpha, 0) / sympy.factorial(k) for k in (1, 3))
     at = chart.scalars(sympy.Integer(0), PLAIN)
@@ -134,7 +134,7 @@ def test_scalars_of_any_multiple_are_proved(phi: sympy.Expr):
 
 
 def test_breusing_quaternion_has_norm_one_for_any_rounding_of_the_cosine():
-    """Allow 64 eps. The formulas 2 c² − 1 and 2 √c³ would magnify the error of c up to 8 times."""
+    """Allow 64 eps; the formulas 2 c² − 1 and 2 √c³ would magnify the error of c up to 8 times."""
     for x in (mpmath.mpf("1e-3"), mpmath.mpf(1)):
         at = family("breusing").scalars(x, PLAIN)
         off = at.c * (1 + mpmath.mpf("1e-3"))

@@ -135,7 +135,7 @@ def test_integer_types_are_accepted() -> None:
 
 @pytest.mark.parametrize("n", [HORNER_LIMIT + 1, 10, 12, 14, 16, 23, 64])
 def test_the_chain_divides_by_a_power_of_one_plus_x(n: int) -> None:
-    """Compare polynomials and their derivatives, divided by the same power."""
+    """Compare the chain with polynomials and derivatives, all divided by the same power."""
     at = Fraction(3, 7)
     for order, pair in chain(n, at, 1 / (1 + at), PLAIN).items():
         for jet, polynomial in zip(pair, polynomials.ring_pair(order), strict=True):

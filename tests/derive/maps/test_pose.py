@@ -1,4 +1,4 @@
-"""Poses, dual tensors, screws and lines: the isomorphism, and the natural invariants in all cases of the trace."""
+"""Poses, dual tensors, screws and lines: the isomorphism, and natural invariants for every case of the trace."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_trace_minus_one_exactly(sign: int) -> None:
     R = tensor_from_screw(given)
     assert R.re.trace() == -1
     found = natural_invariants(R)
-    # both axes give R; the one with first non-zero component positive is returned
+    # both axes give R; the returned one has a positive first non-zero component
     assert found.angle == Dual(sympy.pi, sign * 4)
     assert found.axis == given.axis * sign
     assert natural_invariants(tensor_from_screw(screw(sympy.pi, 0, (0, -1, 0), (0, 0, 0)))).axis.re == Vector(0, 1, 0)

@@ -1,6 +1,6 @@
-"""Scalars of every chart at numbers: slopes are derivatives, and all scalars belong to one φ, near v = 0 and beyond.
+"""Scalars of every chart at numbers, near v = 0 and beyond: slopes are derivatives, and all scalars fit one φ.
 
-Proofs cover the formulas beyond, and the functions that polynomials approximate near v = 0. Tests evaluate both.
+Proofs cover the formulas beyond, and the functions approximated by polynomials near v = 0. Tests evaluate both.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ PHI = {
     "halves": "alpha*acos(alpha**2/500)",
     "arcsine": "asin(alpha/20) + alpha",
 }
-"""Functions φ with every kind of edge and every function that kernels compute; "arc" has a pole near 0."""
+"""Texts of φ, with every kind of edge and every function that kernels compute; "arc" has a pole near 0."""
 
 SHARES = ("1e-5", "0.1", "0.3", "0.9")
-"""Shares of the edge, or of three quarters of a turn, whichever is less."""
+"""Tested angles, as shares of the edge or of three quarters of a turn, whichever is less."""
 
 TOLERANCE = 1e-11
-"""Tolerance for two slopes of polynomials with errors up to 1e-17 and nodes at least 1e-3 apart.
+"""Tolerance for second slopes of polynomials with errors up to 1e-17 and nodes at least 1e-3 apart.
 
-Differences with a step of 1e-9 add an error of the square of the step only.
+Differences with step 1e-9 add only an error of the square of the step.
 """
 
 
 @pytest.fixture(scope="module")
 def of(request: pytest.FixtureRequest) -> Any:
-    """Chart by name, with polynomials already fitted: fitting them takes as long as all tests of the chart."""
+    """Chart by name, with polynomials fitted in advance: fitting takes as long as all tests of the chart."""
     name: str = request.param
     if name in PHI:
         (made,) = charts(phi=PHI[name], name=name)
@@ -54,7 +54,7 @@ def of(request: pytest.FixtureRequest) -> Any:
 
 
 def squares(of: Any) -> list[mpmath.mpf]:
-    """Return values of ``x = v · v``, with 0 first."""
+    """Return the tested values of ``x = v · v``; the first is 0."""
     end = mpmath.mpf(sympy.Min(of.edge, 3 * sympy.pi / 2).evalf(40))
     return [mpmath.mpf(0), *(length(of, mpmath.mpf(share) * end) ** 2 for share in SHARES)]
 

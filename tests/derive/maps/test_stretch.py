@@ -1,4 +1,4 @@
-"""Singular values of Re T, and the φ that keeps them nearest to 1."""
+"""Singular values of Re T, and the φ with singular values nearest to 1."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_second_order_is_conformal():
 
 @pytest.mark.parametrize("angle", [math.pi / 2, math.pi])
 def test_best_phi_is_above_the_bound_and_generates(angle: float):
-    """Expect the square of the bound for the exponential chart, and less for sines and cubic polynomials."""
+    """Expect the squared bound for the exponential chart, and values between bound and square for sines and cubics."""
     tangent, sine, cubic = best(angle, (3,))
     assert tangent.phi == "alpha"
     assert tangent.worst == pytest.approx(bound(angle) ** 2, rel=1e-12)
@@ -47,7 +47,7 @@ def test_best_phi_is_above_the_bound_and_generates(angle: float):
 
 @pytest.mark.parametrize("angle", [0.5, math.pi / 2, math.pi, 5.0])
 def test_lamberts_chart_is_the_best_of_sines(angle: float):
-    """Expect reciprocal singular values, ``1/cos(α/4)`` along the axis; a slightly smaller or larger c is worse."""
+    """Expect reciprocal singular values, with ``1/cos(α/4)`` along the axis; a smaller or larger c is worse."""
     _, sine = best(angle, ())
     assert sine.phi == "4*sin(alpha/4)"
     assert sine.worst == pytest.approx(1 / math.cos(angle / 4), rel=1e-14)
@@ -63,7 +63,7 @@ def test_tangents_of_any_order_are_worse_than_the_exponential(n: int):
 
 
 def test_no_phi_is_better_than_the_bound():
-    """Draw φ with slopes slightly within the bound: at π each φ is too long or too short for the bound."""
+    """Draw φ with slopes just within the bound; at π, the length of each φ violates the bound."""
     rng = np.random.default_rng(1)
     least = bound(math.pi)
     for _ in range(50):

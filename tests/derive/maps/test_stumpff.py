@@ -1,4 +1,4 @@
-"""Stumpff functions below the limit of their series, and the truncation error."""
+"""Stumpff functions below the limit of their series, and the truncation error of the series."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_truncation_error_is_the_bound():
 
 
 def test_number_of_terms_is_the_least_for_long_doubles():
-    """Expect a truncation error of ``7! c₇``, about 1, below eps; one term fewer would exceed eps."""
+    """Expect a truncation error of ``7! c₇`` ≈ 1 below eps, and above eps with one term fewer."""
     share = 5040 * stumpff.REMAINDER
     one_less = share * (2 * stumpff.TERMS + 6) * (2 * stumpff.TERMS + 7) / (stumpff.LIMIT / 4)
     assert share < 2.0**-63 < one_less

@@ -1,4 +1,4 @@
-"""A kill at any step leaves old files, new files or a notice, and the next run repairs the folder."""
+"""Exchange of files: a kill at any step leaves old files, new files or a notice; the next run repairs the folder."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def folder_with(path: Path, files: dict[str, str]) -> Path:
 
 
 def held(folder: Path) -> dict[str, str]:
-    """Return the texts of a folder by name, without leftovers of a killed run."""
+    """Return the texts of a folder by file name, leftovers of a killed run excluded."""
     names = (path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
     return {name: (folder / name).read_text() for name in names if name.split("/")[0] not in LEFTOVERS}
 
@@ -52,7 +52,7 @@ def run(*command: object, **options: object) -> subprocess.Popen[str]:
 
 
 def killed_runs(new: dict[str, str], folders: list[Path], root: Path) -> list[list[Path]]:
-    """Return copies of each folder, written by runs killed at step 0, 1, 2, ...; the last run was not killed."""
+    """Return copies of each folder after runs killed at step 0, 1, 2, ...; the last run is complete."""
     roots = [root / str(n) for n in range(len(folders))]
     pairs = itertools.chain(*zip(folders, roots, strict=True))
     assert run(ROOT / "tests" / "support" / "killed.py", json.dumps(new), json.dumps(NOTICE), *pairs).wait() == 0
@@ -73,11 +73,11 @@ def state(folder: Path, old: dict[str, str], new: dict[str, str]) -> str:
 def test_kill_leaves_old_or_new_files(tmp_path, old, new):
     (folders,) = killed_runs(new, [folder_with(tmp_path / "old", old | MINE)], tmp_path / "once")
     states = [state(folder, old, new) for folder in folders]
-    assert [key for key, _ in itertools.groupby(states)] == ["old", "notice", "new"]  # never in another order
+    assert [key for key, _ in itertools.groupby(states)] == ["old", "notice", "new"]  # no other order
     changed = {name for name in new if old.get(name) != new[name]} - {"__init__.py"}
     assert states.count("notice") >= len(changed) + 1
     halves = [folder for folder, found in zip(folders, states, strict=True) if found == "notice"]
-    for again in killed_runs(new, halves, tmp_path / "twice"):  # a repairing run may be killed too
+    for again in killed_runs(new, halves, tmp_path / "twice"):  # the repairing run is killed too
         states_again = [state(folder, old, new) for folder in again]
         assert [key for key, _ in itertools.groupby(states_again)] == ["notice", "new"]
     for folder, found in zip(folders, states, strict=True):

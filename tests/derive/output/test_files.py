@@ -1,4 +1,4 @@
-"""Files are written all or none, and a folder is compared as a whole."""
+"""Writing of files, all or none; comparison of whole folders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables that fit a width, ruled or as lines."""
+"""Tables that fit a given width, with rules or as plain lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Templates receive exactly the names they use, including the names used by included templates."""
+"""Templates: each receives exactly the names used by it and by the templates it includes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.smoke
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str], object]]:
-    """Provide a function that writes templates into a folder, which replaces the project's folder."""
+    """Provide a function that writes templates into a folder used in place of the project's templates."""
     monkeypatch.setattr(templates, "folder", lambda: tmp_path)
     templates.environment.cache_clear()
     templates.holes.cache_clear()

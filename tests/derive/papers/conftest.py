@@ -1,4 +1,4 @@
-"""Reports that several tests read."""
+"""Reports shared by several tests."""
 
 from __future__ import annotations
 

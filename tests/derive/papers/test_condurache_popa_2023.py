@@ -27,7 +27,7 @@ HOLDS_IF = {
 }
 EVIDENCE = {"arc-tangent", "quaternion-norm", "25", "42", "43"}
 SAMPLE = 6
-"""Stride of the sample: every sixth entry that holds is decided here; `make check` decides all."""
+"""Stride of the sample: tests decide every sixth entry that holds; `make check` decides all."""
 
 
 @pytest.fixture(scope="module")
@@ -90,4 +90,4 @@ def test_corrections(results, number: str, fragment: str) -> None:
 
 def test_second_inverse_reading_closes_the_bracket_before_the_identity(results) -> None:
     first, second = results["30"].verdicts
-    assert (first.true, second.true) == (True, False)  # true readings come first
+    assert (first.true, second.true) == (True, False)  # true readings precede false ones

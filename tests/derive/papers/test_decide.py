@@ -1,4 +1,4 @@
-"""Computed statuses, and refusal of entries that contradict the computation."""
+"""Computed statuses of entries, and refusal of entries that contradict their computed status."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inventories: each line with a display or claim names the entries that decide it."""
+"""Inventories of the papers: each line with a displayed formula or a claim names the entries that decide it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
 LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
 WITHOUT_NUMBERS = {"7"}
-"""Numbered equations whose formula is missing in the extracted text."""
+"""Numbered equations with no formula in the extracted text."""
 
 
 @pytest.fixture(params=PAPERS, ids=lambda paper: paper.short)

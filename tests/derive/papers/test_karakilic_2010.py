@@ -1,4 +1,4 @@
-"""Tests of K10: statuses, single entries, and entries that use single components."""
+"""Tests of K10: statuses, single entries, and entries with separate components."""
 
 from __future__ import annotations
 

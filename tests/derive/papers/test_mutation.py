@@ -1,4 +1,4 @@
-"""Mutants of statements and domains: enumeration, and refutation by evaluation."""
+"""Mutants of statements and of their domains: enumeration, and refutation by evaluation."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
 u, v, p = Symbol("u", "dual vector"), Symbol("v", "dual vector"), Symbol("p", "proposition")
 SQUARE = equal((a + b) ** 2, a**2 + 2 * (a * b) + b**2)
 EVERY = 97
-"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` samples from all."""
+"""Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
 
 
 def entry(statement: Term = SQUARE, **rest: object) -> Equation:

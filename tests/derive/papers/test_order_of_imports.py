@@ -14,14 +14,14 @@ ENTRIES = ("equation", "result")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
 )  # fmt: skip
-"""Import order: each subpackage or module may import itself and earlier ones; the empty name is the package itself."""
+"""Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""
 
 IN_A_PAPER = ("symbols", "operators", "definitions", "sections", "inventory")
-"""Import order inside the package of a paper; its ``__init__`` imports only its symbols."""
+"""Import order inside the package of a paper; its ``__init__`` imports only the module of symbols."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
-    """Return pairs of importing and imported module; each is a tuple of name parts below derive.papers."""
+    """Return pairs of importing and imported modules, as tuples of name parts below derive.papers."""
     pairs = ((name, module) for name, file in sources(*BASE) for module in imported(file))
     return [(name, module[2:]) for name, module in pairs if module[:2] == BASE]
 
@@ -42,7 +42,7 @@ def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool
     if not name:
         return False
     if importer[0] == name[0] == "sections":
-        return name < importer  # alphabetical order is printed order
+        return name < importer  # alphabetical order is the order of sections
     return IN_A_PAPER.index(name[0]) <= IN_A_PAPER.index(importer[0])
 
 

@@ -1,4 +1,4 @@
-"""Denominators of a formula, and multiples of their symbols at which they vanish."""
+"""Poles of formulas: denominators, and multiples of their symbols at which they vanish."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from derive.papers.decide import decide
 ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}
 THEOREMS = ("theorem-11-onto", "theorem-12-branches")
 QUATERNIONS = [(Fraction(3, 5), Fraction(4, 5)), (Fraction(-12, 13), Fraction(5, 13)), (Fraction(0), Fraction(-1))]
-"""Scalar part and coefficient of the vector part."""
+"""Scalar part, and coefficient of the vector part, of a quaternion."""
 
 
 @pytest.mark.smoke
@@ -57,7 +57,7 @@ def test_argument_needs_an_identity() -> None:
 
 @pytest.mark.parametrize(("c", "s"), QUATERNIONS)
 def test_number_of_real_roots_by_sturm_sequences(c: Fraction, s: Fraction) -> None:
-    """Count the roots with SymPy's Sturm sequences; compare the signs of G at the roots."""
+    """Compare with the number of roots by SymPy's Sturm sequences, and with the signs of G at the roots."""
     t = sympy.Symbol("t")
     F, G = sympy.Integer(0) - sympy.Rational(s), sympy.Integer(0) + sympy.Rational(c)
     for n in range(1, 9):

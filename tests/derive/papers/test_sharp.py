@@ -1,4 +1,4 @@
-"""Sharpness of conditions, shown by denominators that are always evaluated."""
+"""Sharpness of conditions, shown by denominators that every evaluation meets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equation numbers of theorems: they match the paper's entries with the same formulas."""
+"""Equation numbers of theorems: the paper's entry of that number contains the same formula."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SYMBOLS = {
     "scalar": m.scalar, "vector": m.vector, "b": m.b, "b1": m.b_1, "b2": m.b_2,
     "sigma": m.sigma, "sigma1": m.sigma_1, "sigma2": m.sigma_2, "j": m.j, "infinity": sympy.oo,
 }  # fmt: skip
-"""Symbols of the theorems, by the name of the paper's symbol."""
+"""Symbols of the theorems, by name in the paper."""
 
 FUNCTIONS = {
     "skew": m.skew, "transpose": m.transpose, "rate": m.rate, "det": m.det, "vect": m.vect,
@@ -43,11 +43,11 @@ FUNCTIONS = {
 
 
 class OtherWordsError(Exception):
-    """Error for a formula with symbols or operators unknown to the theorems."""
+    """Exception for a formula with symbols or operators unknown to the theorems."""
 
 
 def converted(term: Term) -> Any:
-    """Return a printed formula in the symbols of the theorems."""
+    """Return a printed formula rewritten in the symbols of the theorems."""
     if isinstance(term, Number):
         return sympy.Integer(term.value)
     if isinstance(term, Symbol):
@@ -76,7 +76,7 @@ def sandwich(_: Term, quaternion: Term) -> Any:
 
 
 def _is_bound(term: Apply, argument: Term) -> bool:
-    """Return whether an argument is the upper bound of a sum; later terms vanish."""
+    """Return whether an argument is the upper bound of a sum; terms beyond it vanish."""
     return term.operator.name == "sum" and argument is term.arguments[2]
 
 
@@ -101,7 +101,7 @@ def _applied(head: str, a: list[Any]) -> Any:
 
 
 def chains(statement: Term) -> Iterator[list[Any]]:
-    """Yield the convertible members of every chain of equalities."""
+    """Yield, for every chain of equalities, its members that can be converted."""
     if isinstance(statement, Apply) and statement.operator.name in ("both", "remark"):
         for part in statement.arguments:
             yield from chains(part)
@@ -124,11 +124,11 @@ CHAINS = {
     for entry in PAPERS[0].entries() if entry.number.isdecimal()
 }  # fmt: skip
 RENAMED = {m.R_dual: m.R}
-"""Tensor at a dual vector; the paper calls it R."""
+"""Tensor of a dual vector, named R in the paper."""
 
 
 def says(number: int, equation: Equation) -> bool:
-    """Return whether the entry of that number contains the equation."""
+    """Return whether the entry with this number contains the equation."""
     sides = {sympy.expand(side.xreplace(RENAMED)) for side in (equation.left, equation.right)}
     return any(sides <= members for members in CHAINS[number])
 
@@ -152,7 +152,7 @@ def test_numbers_of_theorems_match_entries(equation: Equation) -> None:
 
 @cache
 def further() -> list[Equation]:
-    """Return the numbered equations about single orders, about every φ and about growing n."""
+    """Return the numbered equations on single orders, on every φ and on growing n."""
     found = [e for _, claim, premises in STATEMENTS for e in (*claim, *(premise.equation for premise in premises))]
     found += [e for t in (*ANY_PHI, *GROWING_ORDER) for e in (*t.claim, *_definitions(t))]
     return [equation for equation in found if equation.numbers]
@@ -183,7 +183,7 @@ QUANTITIES = {
 @pytest.mark.parametrize("n", range(1, 8))
 @pytest.mark.parametrize("name", QUANTITIES)
 def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
-    """Compare the number of the general equation, and of the equation at order n if printed."""
+    """Compare the numbers of the general equation and, if printed, of the equation at order n."""
     printed = {entry.title: int(entry.number) for entry in PAPERS[0].entries() if entry.number.isdecimal()}
     at_order = printed.get(f"{QUANTITIES[name]}, n = {n}")
     assert getattr(Cayley(n), name).equations == (*EQUATIONS[name], *([] if at_order is None else [at_order]))

@@ -16,7 +16,7 @@ FIELD = Decimal60()
 
 
 SEEDED = ["-0.8848645", "0.8416006", "0.53936883", "0.6785535"]
-"""First numbers of a seed; reported counterexamples depend on them."""
+"""First numbers of a seed; published counterexamples depend on them."""
 
 
 @pytest.fixture(autouse=True)

@@ -1,4 +1,4 @@
-"""Powers with exponent a n + b for every order n at once: exponents add up."""
+"""Powers with exponent a n + b, for every order n at once: products add exponents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tests of both fields in which formulas are evaluated: 60-digit numbers and rational functions."""
+"""Both fields in which formulas are evaluated: 60-digit numbers and rational functions."""
 
 from __future__ import annotations
 

@@ -76,15 +76,15 @@ SPECIAL = {
     "orthogonal tensor": {"translation": (3, 3), "identity": (3, 3), "half turn": (-1, -1),
                           "beyond a half turn": TURNED},
 }  # fmt: skip
-"""Bounds on `size` of each special value."""
+"""Lower and upper bound of `size`, by kind of quantity and name of the special value."""
 REAL = {("angle", "0"), ("dual number", "0"), ("dual number", "real"), ("dual vector", "0"), ("dual vector", "real"),
         ("orthogonal tensor", "identity")}  # fmt: skip
-"""Special values whose dual part is 0 although the quantity is dual."""
+"""Special values with dual part 0, among dual quantities."""
 FUNCTIONS = {"smooth function"}
 
 
 def size(value):
-    """Return the real part of a number, squared vector, scalar part of a quaternion or trace of a tensor."""
+    """Return the real part of a number, a squared vector, a quaternion's scalar part or a tensor's trace."""
     if isinstance(value, Vector):
         value = value.dot(value)
     return real_part(

@@ -126,7 +126,7 @@ def test_latex_sheet_compiles(report, tmp_path: Path) -> None:
     sheet = FORMATS["latex"](report)
     assert sheet.count("{") == sheet.count("}")
     compiler = shutil.which("pdflatex")
-    if compiler is None:  # TeX is optional; brackets are checked above
+    if compiler is None:  # needs TeX; brackets are checked above without it
         return
     (tmp_path / "errata.tex").write_text(sheet, encoding="utf-8")
     command = [compiler, "-interaction=nonstopmode", "-halt-on-error", "errata.tex"]

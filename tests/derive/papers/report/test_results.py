@@ -1,4 +1,4 @@
-"""Result as data, in a notebook, as a table row, and in words."""
+"""Presentation of a result: as data, in a notebook, as a table row, and in words."""
 
 from __future__ import annotations
 

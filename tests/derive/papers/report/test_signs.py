@@ -1,4 +1,4 @@
-"""Formulas as one line of Unicode, and text escaped for LaTeX: signs, scripts and accents."""
+"""Formulas in one line of Unicode, and text escaped for LaTeX: symbols, sub- and superscripts, accents."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SIGNS = {
     "\\lambda": "GREEK SMALL LETTER LAMDA", "\\Delta": "GREEK CAPITAL LETTER DELTA", "\\mu": "GREEK SMALL LETTER MU",
 }  # fmt: skip
 WORDS = {"arctan", "cos", "cot", "det", "exp", "lim", "log", "sin", "tan"}
-"""Commands replaced by their own names."""
+"""LaTeX commands shown as their own names."""
 
 
 @pytest.mark.parametrize("name", GREEK)
