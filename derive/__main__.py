@@ -16,7 +16,7 @@ INTERRUPTED = 130
 def main() -> int:
     """Run the command line and return its exit code: 3 if libraries are missing, except for help and version."""
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # in any locale; names of files may not be UTF-8
+        if isinstance(stream, io.TextIOWrapper):  # independent of the locale; file names may be invalid UTF-8
             stream.reconfigure(encoding="utf-8", errors="surrogateescape")
     try:
         missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]

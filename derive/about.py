@@ -1,4 +1,4 @@
-"""Facts about the toolkit, which help, `list` and completion show without loading anything else.
+"""Facts about the toolkit for help, `list` and completion, which load no other module to show them.
 
 Tests compare these names with the tables that define them.
 """
@@ -20,7 +20,7 @@ FAMILIES = (
 """Families whose modules are committed."""
 
 MAX_ORDER = 64
-"""Largest order generated without --max-n, since proof times beyond it are not measured."""
+"""Largest order generated without --max-n; proof times of higher orders were not measured."""
 
 TARGETS = ("numpy", "array-api", "numba", "c", "native")
 """Keys of `derive.codegen.targets.TARGETS`."""

@@ -18,7 +18,7 @@ class Provable:
     def prove(self: Any) -> Listing[Proof]:
         """Decide every statement about this chart and return the proofs.
 
-        A Cayley map has statements for all n, and by components at its n.
+        A Cayley map has statements for all n, and statements in components at its order.
 
         Examples
         --------
@@ -38,9 +38,9 @@ class Cayley(Provable, maps.Cayley):
 def family(name: str) -> Any:
     """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
 
-    The name is listed by `dualcay list`; in a numbered family it includes the order n. The chart has the formulas
-    ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as ``edge``,
-    ``singular_angles`` and ``prove()``. An unknown name is a ValueError.
+    The command `dualcay list` shows all names; a numbered family has the order n at the end of its name. The chart has
+    the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as
+    ``edge``, ``singular_angles`` and ``prove()``. Raise ValueError for an unknown name.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
     Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits``
-    of T and T⁻¹ at 0, and ``inverse``. A refused φ is a `PhiError`, a ValueError that says why.
+    of T and T⁻¹ at 0, and ``inverse``. Raise `PhiError`, a ValueError with the reason, for a φ that is refused.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Worker processes, which end with the main process.
 
-Only the standard library is loaded here, since a worker must be ready to end before it loads other libraries.
+This module loads only the standard library: a worker must be ready to end before it loads other libraries.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def cores() -> int:
 
 
 def each(function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], processes: int) -> Iterator[Result]:
-    """Yield the results of calls in their order, computed in other processes as soon as arguments are available.
+    """Yield the results of calls in order; other processes compute each call as soon as its arguments are available.
 
     With one process, the calls run in the main process, one by one. If several calls fail, the first error is raised.
     """
@@ -45,7 +45,7 @@ def each(function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], proc
 
 @contextmanager
 def workers(count: int) -> Iterator[ProcessPoolExecutor]:
-    """Provide a pool of processes that all end with the block: done, failed, interrupted or killed.
+    """Provide a pool of processes that end with the block, even if this process fails, is interrupted or is killed.
 
     Processes are spawned, not forked: a fork may copy a lock held by a thread of JAX or of a progress bar. The death
     of a worker raises ChildProcessError.
@@ -70,7 +70,7 @@ def workers(count: int) -> Iterator[ProcessPoolExecutor]:
 
 def _begin(watched: Connection, scratch: str) -> None:
     """Prepare a worker to end at any moment; the main process removes its temporary folder."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal sends it to all; the main process ends the workers
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal signals all processes; the main process ends the workers
     tempfile.tempdir = scratch
     threading.Thread(target=_end_with, args=(watched,), daemon=True).start()
 

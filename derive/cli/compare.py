@@ -30,7 +30,7 @@ ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
 MEASURED = ("pose", "tangent", "from_pose")
 TIMED = ("pose", "from_pose")
-"""Functions whose operations are counted, whose errors and whose times were measured."""
+"""Functions with counted operations, functions with measured errors, and functions with measured times."""
 
 MEASUREMENTS = "docs/parameterizations.json"
 """File of measurements in a checkout."""
@@ -41,7 +41,7 @@ PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float
     "across, 2 sin(α/2)/φ (by that at 0)": (lambda found, at_0: found.across / at_0, (0, 1.5)),
     "condition of Re T": (lambda found, at_0: found.condition, (0.9, 30)),
 }
-"""Function of the stretch and the singular value at 0, and limits of the axis, by title of a panel of the plot."""
+"""Panels of the plot by title: a function of the stretch and the singular value at 0, and the limits of the axis."""
 
 Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
 """Headings, and a row for each chart."""
@@ -84,7 +84,7 @@ class Compared:
     def measured(self) -> Mapping[str, Any] | None:
         """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
 
-        ``python -m benchmarks.charts`` writes them in a checkout.
+        The command ``python -m benchmarks.charts`` writes these measurements in a checkout.
         """
         root = about.checkout()
         return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None

@@ -1,4 +1,4 @@
-"""Progress on stderr, and differences."""
+"""Progress on stderr, and differences of files on stdout."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from ..output import Difference
 
 FIRST_PAUSE = 10.0
-"""Seconds before the first line of progress without a terminal; each further pause is twice as long."""
+"""Seconds before the first line of progress without a terminal; each further pause is twice the previous one."""
 
 PAUSE_MAX = 60.0
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
-    """Show a progress bar on a terminal, or occasional lines elsewhere; each call names the step that begins."""
+    """Provide a function that reports the next step: in a progress bar on a terminal, in occasional lines elsewhere."""
     if not sys.stderr.isatty():
         yield _lines(total)
         return
@@ -50,7 +50,7 @@ def _lines(total: int) -> Callable[[str], None]:
 
 
 def differences(found: list[Difference], command: str) -> None:
-    """Print each difference as a diff, and the command that accepts them."""
+    """Print each difference as a diff, then the command that accepts all differences."""
     for difference in found:
         reason = f" ({difference.reason})" if difference.reason else ""
         click.echo(f"{difference.kind}: {difference.path}{reason}")

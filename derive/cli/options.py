@@ -1,4 +1,4 @@
-"""Parsed options: lists of orders and names, files and folders, the cap on orders."""
+"""Parsers of options: lists of orders and names, files and folders, and the cap on orders."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
 
 
 class Place(click.Path):
-    """File or folder to write; an empty name is refused, since an unset variable gives one."""
+    """File or folder to write; an empty name, as from an unset variable, is refused."""
 
     def __init__(self, **kind: bool) -> None:
         super().__init__(path_type=Path, **kind)
@@ -72,7 +72,7 @@ max_n = click.option(
 
 
 def require_cap(chosen: tuple[int, ...], cap: int) -> None:
-    """Refuse an order above the cap, and name the option that raises it."""
+    """Raise a usage error, which names --max-n, for an order above the cap."""
     if chosen and chosen[-1] > cap:
         raise click.BadParameter(f"order {chosen[-1]} is above the cap {cap}; raise it with --max-n", param_hint="-n")
 
@@ -98,5 +98,5 @@ def program() -> str:
 
 
 def without_check() -> str:
-    """Return the command line without ``--check``, which writes the compared files."""
+    """Return the command line without ``--check``: it writes the files that were compared."""
     return f"{program()} {shlex.join(argument for argument in sys.argv[1:] if argument != '--check')}"

@@ -6,7 +6,7 @@ lowering     recipes of the geometry programs that all charts share, and of a ch
 rows         one row of the table of kernel functions: arrays, recipe, names, and its real part
 signatures   the tables of kernel functions: for poses, and for rotations alone
 lowered      all programs of a proved chart
-validation   results expected from the formulas alone, compared with those of the files on disk
+validation   expected results from the formulas alone, compared with results of the files on disk
 package      texts of a package, and the data of a chart for its templates
 targets      languages: a printer and a template folder each
 catalogue    existing charts, and reserved names

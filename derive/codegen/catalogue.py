@@ -35,8 +35,8 @@ def charts(
 ) -> list[Chart]:
     """Return the charts of the orders or the chart of φ, then the charts of the families, without duplicates.
 
-    If φ is given, the order is the value of n in it. Raise ValueError or TypeError for an order or a family that does
-    not exist, a φ that is refused, or a reserved name.
+    The order of a given φ is the value of n in it. Raise ValueError or TypeError for an unknown order or family,
+    a refused φ, or a reserved name.
     """
     named, given = [*map(family, dict.fromkeys(families))], sorted(set(orders))
     if phi is None:
@@ -111,7 +111,7 @@ def _reserved(target: Target) -> Iterator[str]:
 
 
 def _globals(table: symtable.SymbolTable) -> Iterator[str]:
-    """Yield every global name of a module, with built-in functions: a submodule of that name would hide it."""
+    """Yield the global names of a module and used built-in functions: a submodule of such a name would hide it."""
     module = table.get_type() == "module"
     yield from (symbol.get_name() for symbol in table.get_symbols() if module or symbol.is_global())
     for inner in table.get_children():

@@ -40,7 +40,7 @@ def printed_geometry(table: Table = POSES) -> Mapping[str, Program]:
 
 
 def shared_with_poses(table: Table) -> frozenset[str]:
-    """Return the names of helper programs that a table shares with poses, which define them; empty for poses."""
+    """Return the names of helper programs that are equal for a table and for poses; empty for poses."""
     found, poses = printed_geometry(table), printed_geometry(POSES)
     same = (name for name in found.keys() - table.kernels.keys() if found[name] == poses.get(name))
     return frozenset() if table is POSES else frozenset(same)
@@ -50,7 +50,7 @@ def shared_with_poses(table: Table) -> frozenset[str]:
 class Lowered:
     """Scalar programs of one chart that the functions of a ``table`` call.
 
-    ``operations`` counts the operations of every function that the chart has, including its scalars.
+    ``operations`` counts the operations of each function of the chart, its scalars included.
     """
 
     table: Table

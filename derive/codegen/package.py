@@ -200,7 +200,7 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
 
 
 def fingerprint(facts: Facts, lowered: Lowered) -> str:
-    """Return a digest of a chart's programs and the geometry: packages with equal digests compute the same."""
+    """Return a digest of a chart's programs and the geometry: packages with equal digests compute equal results."""
     lines = [*_program_lines(geometry(lowered.table)), *_program_lines(lowered.scalars)]
     lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
@@ -239,7 +239,7 @@ class Target(Protocol):
     imports_bases: bool
 
     def shared(self) -> Mapping[str, Data]:
-        """Return the files that every package of the target holds, each from the template of its name."""
+        """Return the data of the files in every package of the target; each file has the template of its own name."""
 
     def module(self, facts: Facts) -> Data:
         """Return the data for the module of a chart."""
@@ -254,7 +254,7 @@ class Target(Protocol):
         """Execute the chart's own functions, or with ``geometry`` all; return the number of calls that agree."""
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Call the same functions on floats; return the number of calls that agree with the formula."""
+        """Call the functions of `validate` on floats; return the number of calls that agree with the formulas."""
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
@@ -290,7 +290,7 @@ def module_texts(facts: Facts, target: Target) -> dict[str, str]:
 
 
 def notices(charts: Sequence[Chart], target: Target) -> dict[str, str]:
-    """Render the entry file that a package has while its other files are replaced, by name."""
+    """Render the temporary entry file of a package, by name: it stands there while the other files are replaced."""
     template, made_by = f"interrupted/{target.entry}.j2", command(target.name, *charts)
     header = "\n".join(f"{_mark(target.entry, target)} {line}" for line in head(made_by, template))
     return {target.entry: render(template, header=header, command=made_by)}

@@ -122,7 +122,7 @@ def check(
     """Prove and print the expected files of a folder and return the differences; no kernel is executed.
 
     The folder should hold the modules of the given orders and families, by default the committed modules. Each further
-    module with our header is printed by its own command, unless its order is above ``cap``.
+    module with the generated header is printed by its own command, unless its order is above ``cap``.
     """
     asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return check_charts(folder, *expected(folder, asked, target, cap), target, progress)
@@ -131,7 +131,7 @@ def check(
 def expected(
     folder: Path, asked: Iterable[Chart], target: str, cap: int = about.MAX_ORDER
 ) -> tuple[list[Chart], dict[str, str]]:
-    """Return the charts that a folder should hold, and reasons by file name why other modules are not compared."""
+    """Return the charts that a folder should hold, and by file name the reasons for modules that are not compared."""
     chosen, wanted = _target(target), {chart.name: chart for chart in with_bases(list(asked), target)}
     further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
     reason = f"is above the cap {cap}, so not compared; raise it with --max-n"

@@ -64,12 +64,12 @@ class Function:
     recipe : callable, optional
         Function that traces its program; None if it ``shares`` the program of another function.
     exact, branch, real, public : bool
-        True if its expected result is exact on elements of a ring, otherwise it has 50 digits; if a branch is its last
-        argument; if it selects branches or angles and so takes no complex numbers; if users call it.
+        Flags in this order: an exact expected result on ring elements, otherwise one of 50 digits; a branch as last
+        argument; a selection of branches or angles, hence no complex numbers; a function for users.
     constants, keywords : tuple of str
         Components of its program's argument ``table``, if equal for all charts; further keyword parameters.
     at_rest : str
-        Function that replaces it for a turn by no branch; empty if the argument is then returned unchanged.
+        Function for a turn by zero branches; empty if such a turn returns the argument unchanged.
     aliases : tuple of str
         Further names in the modules of Cayley maps; with dexp for dcay, also in the module of the exponential.
     remainder : float
@@ -77,7 +77,7 @@ class Function:
     rotation : str, optional
         Name among the functions of rotations alone; empty for the same name, None if there is no such function.
     pose : Function, optional
-        For a function of rotations: the function of poses that it is the real part of, at dual parts 0.
+        Function of poses for a function of rotations, which is the real part of it at dual parts 0.
     """
 
     name: str
@@ -127,7 +127,7 @@ class Function:
 
     @property
     def kept(self) -> tuple[int, ...]:
-        """Return the places of the results that rotations alone have, among all results joined."""
+        """Return the places, among all joined results, of the components that rotations alone have."""
         starts = itertools.accumulate((array.size for array in self.results), initial=0)
         return tuple(start + place for array, start in zip(self.results, starts) for place in array.places)
 
@@ -180,7 +180,7 @@ class Table:
         return cls(name, functions, kernels, public, {row.source: row for row in functions.values()})
 
     def require_complete(self, where: str, found: Iterable[str]) -> None:
-        """Raise ValueError if functions of a text are not the public ones; the message names them."""
+        """Raise ValueError unless the functions found are the public ones; the message names the differences."""
         names = set(found)
         if names != self.public.keys():
             missing = ", ".join(sorted(self.public.keys() - names)) or "none"

@@ -1,7 +1,7 @@
-"""Table of kernel functions, a row each; exports, prototypes, recipes and validation derive from it.
+"""Table of kernel functions with one row each, the source of exports, prototypes, recipes and validation.
 
-A new function needs a row here, a recipe in ``lowering``, an expectation in ``cases`` and a docstring in the templates
-of the interface; without one of them nothing is generated.
+A new function needs a row here, a recipe in ``lowering``, an expected value in ``validation`` and a docstring in the
+templates of the interface; generation stops if any of these is missing.
 """
 
 from __future__ import annotations

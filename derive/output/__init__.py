@@ -1,4 +1,4 @@
-"""Output of texts: templates, files written all or none or compared, tables and lists of results.
+"""Output of texts: rendered templates, files written together or compared, tables, and lists of results.
 
 This package contains no mathematics and imports no other package of the toolkit.
 """

@@ -1,4 +1,4 @@
-"""Replace files of a folder so that a process killed at any moment leaves the old ones, the new ones, or a notice.
+"""Replace files of a folder; a process killed at any moment leaves the old files, the new files, or a notice.
 
 All new files are staged first. One rename marks them ready; then they move to their places one by one. After a kill,
 the next run that finds ready files moves the rest. Meanwhile a notice replaces the file that a user of the folder
@@ -42,7 +42,7 @@ def locked(folder: Path) -> Iterator[None]:
 
 
 def exchange(folder: Path, texts: Mapping[str, str], notices: Mapping[str, str]) -> None:
-    """Replace files of a locked folder; ``notices`` stand in for some files until all others are in place."""
+    """Replace files of a locked folder; ``notices`` are temporary texts of some files until all others are in place."""
     body = {name: text for name, text in texts.items() if name not in notices}
     staged = folder / STAGED
     try:

@@ -1,4 +1,4 @@
-"""Write generated texts to disk, all or none, or compare them with the files there."""
+"""Write generated texts to disk, all or none, or compare the texts with the files on disk."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MARK = re.compile(r"\S{1,2} (python -m derive generate\b.*)")
 
 
 class RefusedError(Exception):
-    """Error: a file in the way is not generated, or a folder cannot be written."""
+    """Error of a refused write: an existing file is not generated, or a folder cannot be written."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,11 +58,11 @@ def _read(path: Path) -> str | None:
 def write(
     folder: Path, texts: Mapping[str, str], force: bool = False, notices: Mapping[str, str] | None = None
 ) -> list[Path]:
-    """Write files into a folder, all or none, and return those whose text changed; other files stay.
+    """Write files into a folder, all or none, and return the changed ones; other files stay.
 
     A run waits for any other run in the same folder, and finishes the work of a killed run. The folder is made if
-    missing; a symbolic link is followed. ``notices`` stand in for some files while the others are replaced. Without
-    notices, a kill may leave some files old and some new. `RefusedError` is raised if `refuse` raises it, or the
+    missing; a symbolic link is followed. ``notices`` are temporary texts of some files while the others are replaced.
+    Without notices, a kill may leave some files old and some new. Raise `RefusedError` if `refuse` does, or if the
     folder cannot be written.
     """
     try:
@@ -111,7 +111,7 @@ def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
 def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:
     """Yield the differences between a folder and texts; any other file is foreign, except caches of Python.
 
-    ``unmade`` maps the name of a file without a text to the reason.
+    ``unmade`` gives the reason for each file without a text, by name.
     """
     for name, text in texts.items():
         path = folder / name

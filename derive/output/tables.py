@@ -13,7 +13,7 @@ from rich.measure import Measurement
 from rich.table import Table
 
 WIDTH = 120
-"""Largest width of a table, and its width in files and pipes."""
+"""Largest width of a table, and the width in files and pipes."""
 
 class Column(NamedTuple):
     """Column of a table, aligned to the right for numbers; its width is fixed, or a share (``ratio``) of the rest."""
@@ -27,8 +27,8 @@ class Column(NamedTuple):
 class Grid(NamedTuple):
     """Table without a fixed width; the first cell of a row is the name of the row.
 
-    Below the width ``least``, by default the width of its longest words, the table becomes lines. ``ruled`` puts rules
-    between rows. Rows named in ``remarks`` comment on the row before, and their cells get no heading.
+    The table becomes lines on a screen narrower than ``least``, by default the width of the longest words. ``ruled``
+    puts rules between rows. Rows named in ``remarks`` comment on the row before, and their cells get no heading.
     """
 
     title: str

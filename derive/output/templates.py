@@ -43,7 +43,7 @@ def render(name: str, /, **data: Any) -> str:
 
 @cache
 def holes(name: str) -> frozenset[str]:
-    """Return the names used by a template and the templates it refers to, without macros it defines for them."""
+    """Return the names that a template and its referenced templates use, without macros that the template defines."""
     tree = environment().parse((folder() / name).read_text(encoding="utf-8"), name)
     names = set(meta.find_undeclared_variables(tree))
     defined = {node.name for node in tree.body if isinstance(node, nodes.Macro)}

@@ -95,7 +95,7 @@ def rate_jacobian(trace: Geometry) -> Results:
     (side,) = trace.inputs(TABLE, ("side",))
     half_side = trace.name("hs", side * HALF)
     hi, fiy, hiy = point.lifted("tangent_inv_dot_scalars", ("hi", "fiy", "hiy"))
-    # halve w, not the scalars: in some charts they are integers
+    # halve w, not the scalars, which are integers in some charts
     v, half = point.v, trace.vector("wh", w * HALF)
     along = trace.name("vwh", v.dot(half))
     image = trace.vector("b", trace.name("fh", hi + fiy) * half + trace.name("ht", hiy * along) * v)

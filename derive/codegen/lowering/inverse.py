@@ -1,7 +1,7 @@
 """Inverse maps and composition.
 
-Each inverse map computes only Re v: with T = Re dcay at Re v, the dual part is v° = T⁻¹ ρ. Signs follow the principal
-quaternion: its scalar part is >= 0; if the scalar part is 0, the given vector part is kept.
+Each inverse map computes Re v; the dual part follows as v° = T⁻¹ ρ, with T = Re dcay at Re v. Signs follow the
+principal quaternion, which has a scalar part >= 0. A scalar part 0 leaves the given vector part unchanged.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Tangent operator and its inverse: as dual tensors, and applied to rates and twists in either frame.
 
-Both have the form ``a I + skew(s) + c v⊗v`` with s a multiple of v; dual parts of the scalars are slopes times
-y = v·v°. Body forms are the transposes, which differ only in the sign of s: the constant ``side`` gives that sign.
+Both operators have the form ``a I + skew(s) + c v⊗v``, where s is a multiple of v. The dual part of a scalar is its
+slope times y = v·v°. Body forms are the transposes, which differ only in the sign of s, given by ``side``.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def tangent_inverse_at(trace: Geometry) -> Results:
     fi, hi, fiy, hiy = trace.numbers("fi", "hi", "fiy", "hiy")
     point = trace.point()
     fi, hi = point.lift("fi", fi, fiy), point.lift("hi", hi, hiy)
-    # halve v, not fi or hi: in some charts they are integers
+    # halve v, not fi or hi, which are integers in some charts
     half = trace.vector("half", point.v / 2)
     (c1, c2, c3), (v1, v2, v3) = trace.vector("hv", point.v * hi), point.v
     _, second, third = half

@@ -1,7 +1,7 @@
 """Screw-linear motion from one vector to another, on the continuously followed branch.
 
-Its quaternion ``exp(t δ/2) q̂(v1)`` equals ``cos(α/2) + sin(α/2) u`` at every t. Between two whole turns
-``sin(α/2)`` keeps the sign that it has at v1, and α stays within the turn. Only a motion about v1's own axis passes
+The quaternion of the motion, ``exp(t δ/2) q̂(v1)``, equals ``cos(α/2) + sin(α/2) u`` at every t. Between two whole
+turns ``sin(α/2)`` keeps its sign from v1, and α stays within the turn. Only a motion about the axis of v1 passes
 through whole turns.
 """
 
@@ -15,11 +15,11 @@ from .point import LAYOUTS, Geometry, Point, Results
 from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
-"""Angle in rad: a motion about any axis that begins below it and ends before a whole turn reaches no whole turn."""
+"""Angle in rad: a motion about any axis reaches no whole turn if it begins below this angle and ends before one."""
 
 OWN_AXIS = 64
-"""Limit of δ × v in units of |v| eps/2: smaller values count as 0, since rounding of two quaternions and their
-product stays below it."""
+"""Limit of δ × v in units of |v| eps/2. Smaller values count as 0: the rounding of two quaternions and their product
+stays below this limit."""
 
 
 def interpolate(trace: Geometry) -> Results:
@@ -85,7 +85,7 @@ class _Followed:
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
         turned = size / name("nosine", where(still, 1 + sine, sine))
         factor = name("factor", where(still, least, turned))
-        # near whole turns take v1's own axis; elsewhere the axis of z is as good and has the slope of the motion
+        # near whole turns take the axis of v1; elsewhere the axis of z is as accurate and has the slope of the motion
         clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
         re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))

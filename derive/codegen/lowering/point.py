@@ -1,9 +1,9 @@
-"""Traces of geometry: programs that call scalar programs and one another, and the vectors in them.
+"""Traces of geometry programs, which call scalar programs and one another, and the vectors of a trace.
 
-A recipe is a function of a trace that returns the results of a program: a mapping if they have names of their own,
-else named by `LAYOUTS`. Its name is the program's name, and its docstring the program's contract: the first paragraph
-describes the whole result, the second one the dual part. Names that end in ``o`` are dual parts, marked ° in formulas.
-Other dual parts are given names that end in °, which is not printed: ``rho1°`` becomes ``rho1``.
+A recipe is a function of a trace that returns the results of a program. A mapping gives the names of the results; other
+results are named by `LAYOUTS`. The recipe's name is the program's name, and its docstring the program's contract. The
+first paragraph describes the whole result, the second one the dual part. Names of dual parts end in ``o``, marked ° in
+formulas, or in °, which is not printed: ``rho1°`` becomes ``rho1``.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ LAYOUTS = {
 """Suffixes of component names: vector, quaternion, dual vector, tensor, dual tensor, matrix."""
 
 REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
-"""Names of programs for rotations by their name for poses; other programs keep their name."""
+"""Names of programs for rotations, by name of the program for poses; all other names are equal for both."""
 
 TABLE = "table"
 """Argument that holds constants, which have no dual part."""
@@ -81,7 +81,7 @@ class Geometry(Trace):
         return Point(self, self.components(argument, letter or argument, 6))
 
     def real_vector(self, argument: str, letter: str = "", dual: str = "") -> Vector:
-        """Declare a vector of three numbers; ``dual`` is the mark ° if they are dual parts, 0 for rotations alone."""
+        """Declare a vector of three numbers; with ``dual="°"`` they are dual parts, 0 for rotations alone."""
         return Vector(*self.inputs(argument, [f"{letter or argument}{i}{dual}" for i in (1, 2, 3)]))
 
     def inputs(self, argument: str, names: Sequence[str]) -> tuple[Number, ...]:
@@ -113,10 +113,10 @@ class Found(NamedTuple):
 
 
 class RealGeometry(Geometry):
-    """Trace of rotations alone, by a recipe of poses: dual parts are the constant 0.
+    """Trace of a pose recipe for rotations alone: dual parts are the constant 0.
 
-    Operations on dual parts fold away or no result reads them, so the recipe needs no change. A program with the name
-    ``function`` keeps the results at the places ``kept``; others keep all except dual parts, constants and arguments.
+    The recipe needs no change: operations on dual parts fold away or are not read. The program of a ``function`` keeps
+    the results at the places ``kept``. Other programs keep all results except dual parts, constants and arguments.
     """
 
     real = True
@@ -212,7 +212,7 @@ def _program(trace: Geometry, recipe: Recipe) -> Program:
 
 
 def narrowed(statement: Statement) -> Statement:
-    """Return a call with its scalar program replaced by the smallest one that has all results that are read."""
+    """Return a call that asks the smallest scalar program with all results that are read."""
     if not isinstance(statement, Call) or statement.result:
         return statement
     row = SCALARS[statement.function]

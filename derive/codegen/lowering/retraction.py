@@ -1,6 +1,6 @@
-"""Steps δ by the exponential: the vector that a step leads to, and the step from one vector to another.
+"""Steps δ by the exponential: the vector after a step, and the step from one vector to another.
 
-The exponential's own scalars are the same in every chart.
+All charts share the scalars of the exponential.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def nearest(trace: Geometry) -> Results:
     share = trace.where(resting, 0, own / r)
     along = trace.name("along", share * point.re.dot(e.vector) / length)
     sine = trace.name("sine", trace.where(still, ss, length))
-    # an angle within half a turn has all digits near the identity, for e as for −e
+    # an angle within half a turn has all digits near the identity, for both signs of e
     falling = trace.name("falling", trace.less(e.scalar, 0))
     cosine = trace.name("cosine", trace.where(falling, -e.scalar, e.scalar))
     half = trace.atan2(sine, cosine)

@@ -54,13 +54,13 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "coefficient": ("r = phi(alpha) and phi'", "", ()),
     "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
-"""Formulas by scalar program: for every chart, in addition for order n, and the maps whose equations are cited."""
+"""Formulas by scalar program: a formula for every chart, one for order n, and the maps with cited equations."""
 
 TABLE = ("limit", "cos", "sin")
 """Names of the numbers in one row of the table of returns."""
 
 SQUARES = ("v11", "v22", "v33")
-"""Terms of x, passed to maps and operators: their sum alone hides its rounding error. Inverse maps take x itself."""
+"""Terms of x, passed to maps and operators, since x alone hides its rounding error. Inverse maps take x itself."""
 
 
 def _at_x(chart: Chart, trace: Trace, *terms: Number) -> Any:
@@ -73,7 +73,7 @@ def _at_angle(chart: Chart, trace: Trace, x: Number, fe: Number, angle: Number) 
 
 @dataclass(frozen=True, slots=True)
 class Scalar:
-    """Function of few numbers: its parameters and results; ``truths`` are results that are truth values.
+    """Function of a few numbers: parameters and results; ``truths`` names the results that are truth values.
 
     ``compute`` returns a tuple of the results, or the chart's `Scalars`, which have them as attributes.
     """
@@ -104,7 +104,7 @@ def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Numb
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
-    """Return an angle α ≥ 0, reduced by whole turns if beyond the edge: the nearest angle of its pose in the chart."""
+    """Return an angle α ≥ 0; an angle beyond the edge is reduced by whole turns to the nearest one in the chart."""
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
         raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")
@@ -162,7 +162,7 @@ def table_names(chart: Chart) -> tuple[str, ...]:
 def scalar_programs(chart: Chart) -> dict[str, Program]:
     """Return the scalar programs of a chart by name.
 
-    `beyond` is left out if every v is principal, and `turned` if a pose has one v, since nothing calls them.
+    Uncalled programs are left out: `beyond` if every v is principal, and `turned` if each pose has only one v.
     """
     idle = {name for name, called in (("beyond", chart.returns()), ("turned", chart.branches != 1)) if not called}
     return {name: scalar_program(name, chart) for name in SCALARS if name not in idle}
@@ -171,8 +171,8 @@ def scalar_programs(chart: Chart) -> dict[str, Program]:
 def scalar_program(name: str, chart: Chart) -> Program:
     """Return a scalar program of a chart.
 
-    Constant fractions are computed from the first argument to take its type, and so is a size that `gain_product`
-    divides by. Other integers are returned unchanged, since nothing divides them.
+    Constant fractions, and a constant size that `gain_product` divides by, take the type of the first argument. Other
+    integers are returned unchanged, since no program divides them.
     """
     row, trace = SCALARS[name], Trace()
     arguments: list[Any] = []

@@ -27,7 +27,7 @@ def shadow(trace: Geometry) -> Results:
     point = trace.point()
     cosine, sine = trace.inputs(TABLE, ("cos", "sin"))
     axis = _axis(trace, point)
-    # take the length from the axis, not from x: its gradient is finite at Re v = 0
+    # take the length from the axis, not from x: only then the gradient is finite at Re v = 0
     (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
     return _turned(trace, point, axis, cosine, point.name("sn", sign * sine))
 
@@ -103,7 +103,7 @@ def axis_of(trace: Geometry) -> Results:
 
 
 def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
-    """Return |v| and v/|v| where ``selected``, for Re v ≠ 0; elsewhere unused numbers that spoil no gradient."""
+    """Return |v| and v/|v| where ``selected``, with Re v ≠ 0; elsewhere return unused numbers with finite gradients."""
     size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
     u = trace.vector("u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
@@ -175,7 +175,7 @@ def from_exponential(trace: Geometry) -> Results:
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether the length is 0, its square, and the length; both become 1 at 0, to avoid the root of 0."""
+    """Return whether the length is 0, then its square and itself; both are 1 at length 0, to avoid the root of 0."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
     return resting, square, trace.name("length", trace.sqrt(square))

@@ -1,4 +1,4 @@
-"""Straight-line programs: formulas are lowered to them (see ``trace``), and printers turn them into source."""
+"""Straight-line programs, lowered from formulas (see ``trace``) and turned into source by printers."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ class Step:
 class Call:
     """Call of another program, which gives several values at once: ``f, g, h = pose(x)``.
 
-    A value that is not read has the name ``_``; ``truths`` are the values that are truth values. The components of the
-    caller's argument ``rest``, of any length, follow ``args``. For a geometry program, ``lists`` are the lengths of
-    list arguments in ``args``, 0 for a number. ``result`` then names the list of all values, and ``context`` gives the
-    leading arguments among ``m`` and ``c``.
+    Unread values have the name ``_``; ``truths`` names the values that are truth values. The components of the caller's
+    argument ``rest``, of any length, follow ``args``. Calls of geometry programs have three more fields. ``lists`` are
+    the lengths of list arguments in ``args``, 0 for a number. ``result`` names the list of all values, and ``context``
+    gives the leading arguments among ``m`` and ``c``.
     """
 
     names: tuple[str, ...]
@@ -62,7 +62,7 @@ class Program:
     """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
 
     ``corrected`` values are corrected afterwards, so their rounding makes no difference. ``called`` are the called
-    geometry programs. ``results`` are the output names, for a program that others call. ``contract`` describes them.
+    geometry programs. ``results`` are the output names, for a program that others call. ``contract`` describes outputs.
     """
 
     name: str
@@ -76,7 +76,7 @@ class Program:
 
     @property
     def context(self) -> str:
-        """Names of the needed arguments: number functions ``m`` and the chart's scalars ``c``, ``m`` alone, or none."""
+        """Needed leading arguments: ``m`` (number functions) with ``c`` (the chart's scalars), ``m`` alone, or none."""
         if any(not call.result or "c" in call.context for call in self.calls):
             return "m, c"
         functions = {*FUNCTIONS, "where"}.intersection(self.operations)

@@ -63,7 +63,7 @@ class Trace(Folding):
         return name
 
     def name_rest(self, letter: str) -> None:
-        """Set the letter that, with a number, names unnamed values that are used more than once."""
+        """Set the letter for numbered names of values that are used more than once but have no name."""
         self._rest = letter
 
     def _rename(self, value: Value, name: str) -> None:
@@ -200,7 +200,7 @@ def _shown(number: Number) -> str:
 # ---- called programs written out ---------------------------------------------------------------------------------
 
 METHODS = {"lt": "less", "eq": "equal", "and": "both", "or": "either"}
-"""Methods of `Trace` for operations with another name."""
+"""Methods of `Trace` by operation, if their names differ."""
 
 
 def written_out(program: Program) -> Program:

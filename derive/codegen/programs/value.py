@@ -72,7 +72,7 @@ def _recorded(op: str) -> Callable[..., Number]:
 
 
 class Folding(Arithmetic, ABC):
-    """Arithmetic with which formulas are lowered; subclasses record its operations."""
+    """Arithmetic that folds constants while formulas are lowered; subclasses record the other operations."""
 
     @abstractmethod
     def record(self, op: str, *operands: Number) -> Value:

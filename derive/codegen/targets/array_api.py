@@ -16,7 +16,7 @@ STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
 class ArrayApi(PythonTarget):
-    """Target that imports no array library and takes the arrays of each."""
+    """Target that imports no array library and accepts the arrays of any."""
 
     name = "array-api"
     options = "axis: int = -1"

@@ -1,9 +1,9 @@
 """C: headers for C99 and C++, with straight-line code that compilers can vectorize.
 
-``geometry.h`` holds what all charts share and is included once per chart, after the chart's scalars and macros. Macros
-give the chart's name in names of functions (``DUALCAY_NAME``) and scalars (``DUALCAY_CHART``), its branches, and the
-functions that it needs of ``math.h``. Rotations have a geometry in a folder of their own; a chart's header there uses
-the scalars of the chart's header for poses.
+``geometry.h`` holds the shared functions and is included once per chart, after the chart's scalars and macros. Macros
+put the chart's name into names of functions (``DUALCAY_NAME``) and scalars (``DUALCAY_CHART``). Other macros give its
+branches and the functions of ``math.h`` that it needs. Rotations have a geometry in a folder of their own; a chart's
+header there uses the scalars of the chart's header for poses.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from . import c99
 
 GEOMETRY = "geometry.h"
 LEVELS = {"abs": 1, "sqrt": 1, "tan": 2, "atan2": 2, "expm1": 2, "log1p": 2}
-"""Level of ``math.h`` that an operation needs: 0 none, 1 functions that compilers vectorize, 2 all others."""
+"""Level of ``math.h`` that an operation needs: 0 no function, 1 functions that compilers vectorize, 2 all others."""
 
 NAMES = {"R": "tensor", "T": "pose"}
-"""Replacements of array names whose capital letters may collide with other people's macros."""
+"""Replacements of array names in capital letters, which may collide with macros of other libraries."""
 
 IDLE: Mapping[str, Program] = {
     name: Program(name, tuple((a, (a,)) for a in SCALARS[name].arguments if a != "table"), (), outputs)

@@ -40,18 +40,18 @@ class Printed:
 
 
 def real(text: str) -> str:
-    """Return a text; cast an integer to the real type, since nothing else would make it real."""
+    """Return a text; an integer, which nothing else would make real, is cast to the real type."""
     return f"({REAL}){text}" if text.lstrip("-").isdigit() else text
 
 
 C99 = Dialect(OPERATORS, {name: f"dualcay_{name}" for name in FUNCTIONS}, _EXACT_IN_FLOAT, passed=real)
-"""C dialect: beside an operand of the real type, integer constants convert to it exactly."""
+"""C dialect: an integer constant beside a real operand converts exactly to the real type."""
 
 
 def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
     """Return the core of a geometry program, which stores its results in the arrays ``made``.
 
-    Its parameters are the arguments, the numbers of the chart's table that have no decimals in ``table``, and arrays.
+    Its parameters are the arguments, the numbers of the chart's table without decimals in ``table``, and the arrays.
     """
     program = _lower_case(program)
     lists, given, read, loads = Lists(program), list[str](), list[str](), list[str]()

@@ -1,7 +1,7 @@
 """Printer of a program's steps as expressions, with a dialect for each language that has infix operators.
 
-A dialect gives the notation and the binding strength of operators, which determine the brackets. An operand keeps its
-brackets if the language would read, round or warn otherwise without them.
+A dialect gives the notation and the binding strength of operators, which determine the brackets. An operand has
+brackets wherever their absence would change the meaning or the rounding, or cause a warning.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ class Dialect:
 class Lists:
     """Lists of components in a program, from arguments or geometry programs, passed on or returned as a whole.
 
-    ``whole`` names the lists that are used as a whole, by their components; among the ``outputs``, they form one tuple.
+    ``whole`` gives the names of lists used as a whole, by their components; each is one tuple among the ``outputs``.
     ``read`` are the components that are used one by one. ``returned`` is the last call, if its results are the outputs.
     """
 

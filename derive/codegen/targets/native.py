@@ -1,8 +1,8 @@
-"""NumPy functions in C: headers of the target `c`, with a NumPy loop around every core.
+"""NumPy functions in C: the headers of the target `c`, with a NumPy loop around every core.
 
 The package is a separate distribution, ``dualcay-native``, with an extension module per chart; an inner folder holds
-the modules for rotations alone. Modules of the target `numpy` check arguments and choose branches. If these functions
-are installed, they replace the array operations of those modules. Their last array holds the numbers of the table.
+the modules for rotations alone. Modules of the target `numpy` check arguments and choose branches. The compiled
+functions, if installed, replace the array operations of those modules; their last array holds the table's numbers.
 """
 
 from __future__ import annotations

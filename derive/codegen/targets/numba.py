@@ -44,7 +44,7 @@ class Loops:
 
 
 def loops(row: Function, program: Program) -> Loops:
-    """Return the loops of a kernel function; parts of equal size stay together, such as the rows of Q, then rho."""
+    """Return the loops of a kernel function; parts of equal size are adjacent, e.g. all rows of Q, then rho."""
     sizes = [array.parts[part] for array in row.results for part in array.part_of]
     order = sorted(range(len(sizes)), key=lambda index: sizes.index(sizes[index]))
     groups = (order[first : first + MOST_OUTPUTS] for first in range(0, len(order), MOST_OUTPUTS))
@@ -133,5 +133,5 @@ class Numba(PythonTarget):
             raise RefusedError(f"cannot validate what was printed: {error}") from error
 
     def libraries(self) -> Sequence[Library]:
-        """Return no libraries during generation: compiling all loops takes a minute for a chart."""
+        """Return no libraries, and so no replay: compiling all loops of a chart takes a minute."""
         return ()

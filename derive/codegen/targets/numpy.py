@@ -1,4 +1,4 @@
-"""NumPy: the committed kernels, with one plain text per program; batches run a recording (``_recorder.py``)."""
+"""NumPy: the committed kernels, with programs as plain Python; batches run recorded programs (``_recorder.py``)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Numpy(PythonTarget):
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
 
     def programs(self, facts: Facts) -> Data:
-        """Return the scalar programs; for a multiple, its base, the factor, and the base's programs of integers."""
+        """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
         base = facts.chart.base
         scalars = [] if base else printed_scalars(facts)
         inherited = lower_chart(base, POSES).scalars.values() if base else ()

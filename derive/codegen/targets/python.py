@@ -60,7 +60,7 @@ class PythonTarget:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """Functions that take no arrays and so have no row in the table; some make arrays, if kernels have ``out``."""
+        """Functions without array arguments, which have no row in the table; makers of arrays need ``out``."""
         return ("singular_angles", "identity", "random") if "out" in self.keywords else ("singular_angles",)
 
     def shared(self) -> dict[str, Data]:
@@ -188,7 +188,7 @@ def described(facts: Facts, table: Table) -> Data:
 
 
 def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
-    """Return the parameters of a geometry program; all that users call take ``m`` and ``c``."""
+    """Return the parameters of a geometry program; every program that users call takes ``m`` and ``c``."""
     context = "m, c" if kernel else program.context
     given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
     return (*(f"{name}: Any" for name in context.split(", ") if name), *given)

@@ -29,7 +29,7 @@ def compiler() -> list[str] | None:
 
 
 def test(folder: Path, chart: Chart) -> int | None:
-    """Run the differential test of a chart in both real types; return the agreeing calls, or None if no compiler."""
+    """Run the differential test of a chart in both real types; return the agreeing calls, None without a compiler."""
     command = compiler()
     if command is None:
         return None

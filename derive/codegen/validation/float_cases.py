@@ -2,8 +2,8 @@
 
 Arguments are exact floats or numbers that round to floats. Expected results come from the formula to 50 digits. Each
 real or dual part of a result has an error scale: its norm or, if larger, its change when arguments change by their own
-size. Forward maps are linear in dual components: each of these is varied, and each further argument as a whole. For
-inverse maps each component is varied. The angle is varied, too, if the program computes a vector from it.
+size. Forward maps are linear in dual components: these are varied one by one, each further argument as a whole. Inverse
+maps have every component varied. The angle is varied, too, if the program computes a vector from it.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ ORDINARY = 4
 JACOBIANS = ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians")
 
 SHORTER = 2
-"""Divisor that shortens the steps of step Jacobians: near the edge they amplify the rounding of α."""
+"""Divisor of steps whose Jacobians are tested: near the edge, Jacobians amplify the rounding of α."""
 
 EDGE_MARGIN = 0.1
 """Least margin to the edge, as defined by `Vectors.finite`: its inverse amplifies the rounding of the principal v."""

@@ -37,7 +37,7 @@ def _numbers(screw: Screw) -> Flat:
 
 
 def _own_screw(chart: Vectors, v: Flat) -> Screw:
-    """Return the axis of v with the angle of its branch."""
+    """Return the screw of v: the axis of v, and the angle on the branch of v."""
     length, u = polar(dual(v))
     return Screw(chart.angle(length), u)
 

@@ -58,7 +58,7 @@ class _Loader(SourceFileLoader):
 
 
 class _Finder:
-    """Finder of one package in a folder, and of its modules in the usual way."""
+    """Finder of one package in a folder; modules of the package are found as usual, but compiled once."""
 
     def __init__(self, package: str, folder: Path) -> None:
         self._package, self._folder = package, folder

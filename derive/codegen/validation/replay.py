@@ -35,16 +35,16 @@ from .run import own_functions
 Array: TypeAlias = NDArray[Any]
 
 FEW = 20
-"""Default size of the largest batch that runs pose by pose, for targets without this limit."""
+"""Size of the largest batch that runs pose by pose; default for targets without this limit."""
 
 BLOCK = 7
 """Block size of a replay: small, so that test batches fill several blocks and end with a shorter one."""
 
 CASES_MAX = 4
-"""Largest number of cases of a function and branch: one for each row from which a quaternion is read."""
+"""Largest number of cases of a function and branch: one for each matrix row from which a quaternion may be read."""
 
 TOLERANCE = 1 / 2
-"""Share of the digits of a type to which well-conditioned results must agree: a replay tests wiring, not rounding."""
+"""Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
 
 GATE = 16
 """Largest error of any result, in units of the machine epsilon times the scale of the case."""

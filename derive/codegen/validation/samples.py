@@ -78,7 +78,7 @@ def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
 
 
 def margin(chart: Vectors) -> float:
-    """Return the least margin to the edge; wider if φ′ = 0 there, as scalars then grow like its inverse cube."""
+    """Return the least margin to the edge; wider if φ′ = 0 there, since scalars then grow like (1/margin)³."""
     return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
 
 
@@ -119,7 +119,7 @@ def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
 
 
 def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
-    """Yield cases at all screws and exact half turns on the principal branch, and at some on the other branches."""
+    """Yield cases at all screws and exact half turns on the principal branch, and at some of them on other branches."""
     yield from _identity(chart)
     small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
@@ -204,8 +204,8 @@ def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
 def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
     """Yield cases at exact half turns: all half turns on the principal branch, one on each other branch.
 
-    Axes u and −u give one rotation there, the scalar part is exactly 0, and the rotation matrix is symmetric. Inverse
-    maps of quaternions keep the sign of the vector part; those of matrices make its first non-zero component positive.
+    Axes u and −u then give one rotation, the scalar part is exactly 0, and the rotation matrix is symmetric. Maps from
+    quaternions keep the sign of the vector part; maps from matrices make its first non-zero component positive.
     """
     for screw in [screws[branch % len(screws)]] if branch else screws:
         if not chart.finite(screw, branch, margin(chart)):

@@ -29,7 +29,7 @@ DIGITS_CANCELLED = 250
 
 BRANCHES_MAX = 8
 SOME_BRANCHES = (0, 1, -1, 2)
-"""Branches of cases: the first `BRANCHES_MAX` of finitely many, or `SOME_BRANCHES` of infinitely many."""
+"""Branches of cases in a chart with infinitely many; other charts have cases on the first `BRANCHES_MAX` branches."""
 
 EDGE_UNITS = 2**20
 """Relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)."""
@@ -164,7 +164,7 @@ class Vectors:
         return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
-        """Return v on a branch from ±q with non-negative scalar part; if the scalar part is 0, from q as given."""
+        """Return v on a branch from q or −q, with scalar part >= 0; a scalar part 0 selects q itself."""
         return self.at(screw_of_quaternion(q), branch)
 
     def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
@@ -221,7 +221,7 @@ _vectors = lru_cache(maxsize=4)(Vectors)
 
 
 def screw_of_quaternion(q: Quaternion) -> Screw:
-    """Return the screw of ±q with non-negative scalar part; if the scalar part is 0, of q as given."""
+    """Return the screw of q or −q, with scalar part >= 0; a scalar part 0 selects q itself."""
     q = q * orientation(real_part(q.scalar))
     length, u = polar(q.vector)
     return Screw(2 * atan2(length, q.scalar), u)

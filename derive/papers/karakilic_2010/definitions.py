@@ -96,7 +96,7 @@ def projected(env: Env, x: Vector, axis: Vector) -> Vector:
 
 
 def distance(env: Env, a: Vector, b: Vector) -> Any:
-    """Return the shortest distance of two pose."""
+    """Return the shortest distance of two lines."""
     normal = a.re.cross(b.re)
     if env.field.same(normal.dot(normal), 0):
         return pose.distance_of_parallels(a, b, env.field)
@@ -116,7 +116,7 @@ def angle_between(env: Env, a: Vector, b: Vector) -> Any:
 
 
 def special_axes(axis: Symbol) -> Callable[[Draw], dict[str, dict[Symbol, Any]]]:
-    """Return further points for ``also``: unit dual vectors with one or two real components zero."""
+    """Return further points for ``also``: unit dual vectors with one or two zero real components."""
 
     def points(draw: Draw) -> dict[str, dict[Symbol, Any]]:
         found = {}

@@ -1,4 +1,4 @@
-"""Inventory of the lines of the text besides those of entries: which entries decide each, or why it claims nothing.
+"""Inventory of further lines of the text, with the entries that decide them or the reason for no claim.
 
 Blank lines, lines added by the journal and the reference list are omitted.
 """

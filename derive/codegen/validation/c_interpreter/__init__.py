@@ -38,7 +38,7 @@ class Unit:
     called: set[str]
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Call a function with pointers and numbers; a `CError` gives the line whose behaviour C does not define."""
+        """Call a function with pointers and numbers; raise `CError` with the line whose behaviour is undefined in C."""
         if name not in self.functions:
             raise CError(f"there is no function {name}")
         try:

@@ -28,7 +28,7 @@ class Pointer:
         return cls(cells, 0, 0, len(cells))
 
     def moved(self, by: int) -> Pointer:
-        """Return the pointer ``by`` cells further, which must lie in its array or one past the end."""
+        """Return the pointer ``by`` cells further; it must stay in its array or one cell past the end."""
         index = self.index + by
         if not self.low <= index <= self.high:
             raise CError(f"a pointer moves to cell {index - self.low} of {self.high - self.low}")

@@ -20,7 +20,7 @@ from .orders import cayley
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:
-    """Return the definition of a claim: theorems for every order state these equations and are proved."""
+    """Return the definition of the claim that proved theorems for every order state these equations."""
     return lambda env: set(numbers) <= _proved_among(numbers)
 
 
@@ -101,7 +101,7 @@ def constant(env: Env, value: Any) -> Callable[[Any], Any]:
 
 
 def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the definition of a symbol printed as a function of v; the function is constant with the defined value."""
+    """Return the definition of a symbol printed as a function of v: the constant function with the defined value."""
     return lambda env, *arguments: constant(env, definition(env, *arguments))
 
 
@@ -111,7 +111,7 @@ def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
 
 
 def modified_root(env: Env, n: Any, a: Any, v: Vector) -> Any:
-    """Return the map (59); the sign is ± unless n is an even integer."""
+    """Return the map (59), with both signs ± unless n is an even integer."""
     q = modified(env, n, a, v)
     return q if isinstance(n, int) and n % 2 == 0 else values.Either(q, -q)
 
@@ -141,7 +141,7 @@ def member(family: Family) -> Callable[..., Vector]:
 
 
 def at_fraction(family: Callable[[int], Family]) -> Callable[..., Vector]:
-    """Return the definition of the vector of a family's order 1 at α/n: ``tan(α/2n) u`` for `rodrigues`."""
+    """Return the definition of a family's order-1 vector at the angle α/n, e.g. ``tan(α/2n) u`` for `rodrigues`."""
     return lambda env, n, alpha, u: family(1).vector(values.divide(alpha, n), u, env.field)
 
 

@@ -13,7 +13,7 @@ from ...language.evaluation import Env
 from ...language.values import dualise
 
 Frame = Callable[[int], Vector]
-"""Function from the numbers 1 to 3 to the vectors of a basis."""
+"""Vectors of a basis by number, 1 to 3."""
 
 # ---- dual numbers ---------------------------------------------------------------------------------------------------
 
