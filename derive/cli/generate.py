@@ -1,4 +1,4 @@
-"""``dualcay generate``: write kernels, or check those on disk."""
+"""``dualcay generate``: write kernels, or check the kernels on disk."""
 
 from __future__ import annotations
 

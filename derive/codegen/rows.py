@@ -16,7 +16,7 @@ from .programs.program import Program
 class Array:
     """Named array of components; ``part_of`` gives the part (real, dual and so on) of each component.
 
-    For rotations alone, the array keeps its first ``real`` components along every axis, named ``real_name`` if given.
+    The array of rotations alone keeps the first ``real`` components along every axis, named ``real_name`` if given.
     ``real`` is None if rotations have no such array.
     """
 
@@ -77,7 +77,7 @@ class Function:
     rotation : str, optional
         Name among the functions of rotations alone; empty for the same name, None if there is no such function.
     pose : Function, optional
-        Function of poses for a function of rotations, which is the real part of it at dual parts 0.
+        Function of poses whose real part, at dual parts 0, is this function of rotations; None for poses.
     """
 
     name: str

@@ -1,7 +1,7 @@
 """Table of kernel functions with one row each, the source of exports, prototypes, recipes and validation.
 
 A new function needs a row here, a recipe in ``lowering``, an expected value in ``validation`` and a docstring in the
-templates of the interface; generation stops if any of these is missing.
+templates of the interface. Generation stops if any of these is missing.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ SHARE = _array("t", (), 1, real=())
 ANGLE = _array("angle", (2,), 1, 1, real=())
 
 SPACE, BODY = ("1",), ("-1",)
-"""Side of T: 1 selects T (space), −1 its transpose (body). For T⁻¹, half the side follows."""
+"""Side of T: 1 selects T (space), −1 its transpose (body). The constants of T⁻¹ are the side and half the side."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
 
 CHECK, SCALAR_FIRST = "check", "scalar_first"

@@ -94,7 +94,7 @@ class Program:
 
     @property
     def operations(self) -> Counter[str]:
-        """Count each operation, without those inside calls."""
+        """Count each operation, without operations inside calls."""
         return Counter(step.op for step in self.steps)
 
     @property

@@ -1,6 +1,6 @@
 """Traced numbers, and their arithmetic: constants are folded, and other operations are recorded.
 
-Fractions divide by their denominators, so that exact types stay exact. Signs move outwards to be absorbed by sums.
+A fraction becomes a division by its denominator, so that exact types stay exact. Signs move outwards into sums.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ ARITHMETIC = {
     "mul": Operator("*", 5, 5, 6),
     "div": Operator("/", 5, 5, 6),
 }
-"""Operators of all languages here; a right operand of equal strength has brackets: a * (b * c) rounds differently."""
+"""Operators of every dialect; a right operand of equal strength has brackets, since a * (b * c) rounds differently."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 The package is a separate distribution, ``dualcay-native``, with an extension module per chart; an inner folder holds
 the modules for rotations alone. Modules of the target `numpy` check arguments and choose branches. The compiled
-functions, if installed, replace the array operations of those modules; their last array holds the table's numbers.
+functions, if installed, replace the array operations of the modules; their last array holds the table's numbers.
 """
 
 from __future__ import annotations

@@ -28,9 +28,9 @@ SEED = 1863
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
     """Run the headers of a chart, one for each table; return the number of calls that equal the formula.
 
-    Algebraic functions run on symbols, others on numbers of 50 digits. With ``geometry`` all functions are called, also
-    with results that overlap arguments. Otherwise only `own_functions` are called. `ValidationFailed` names the
-    function, or the line that divides integers, leaves the bounds of an array or reads an unset cell.
+    Algebraic functions run on symbols, others on numbers of 50 digits. All functions are called with ``geometry``, also
+    with results that overlap arguments, otherwise only `own_functions`. `ValidationFailed` names the function, or the
+    line that divides integers, leaves the bounds of an array or reads an unset cell.
     """
     headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:

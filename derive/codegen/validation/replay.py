@@ -70,8 +70,8 @@ class Machinery:
     """Features of the run-time parts of a target.
 
     ``out`` tells whether functions take an argument ``out``. ``silent`` tells whether singular points give IEEE results
-    without a warning. ``few`` is the constant, as ``module.NAME``, that holds the size of the largest batch that runs
-    pose by pose. ``block`` is the constant that holds the size of the largest block.
+    without a warning. ``few`` names the constant (``module.NAME``) with the size of the largest batch that runs
+    pose by pose. ``block`` names the constant with the size of the largest block.
     """
 
     out: bool = True
@@ -91,8 +91,8 @@ def replay(
 ) -> int:
     """Call the functions of a package on floats; return the number of calls that agree with the formulas of a chart.
 
-    ``source`` is a folder or the name of a package that can be imported. With ``geometry`` all functions are called,
-    and one of each kind also in all array layouts. Otherwise only the functions in `own_functions` are called.
+    ``source`` is a folder or the name of a package that can be imported. All functions are called with ``geometry``,
+    and one of each kind also in all array layouts, otherwise only `own_functions`.
     `ValidationFailed` names the first wrong component.
     """
     if not libraries:
@@ -138,7 +138,7 @@ class Group:
 
 
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
-    """Return the cases of all functions and branches; without ``geometry``, of `own_functions` on branches 0 and 1."""
+    """Return the cases of all functions and branches; without ``geometry``, `own_functions` on branches 0 and 1."""
     names = table.public if geometry else own_functions(chart, table)
     found: dict[tuple[str, int | None], list[Case]] = {}
     for case in cases(chart, table):

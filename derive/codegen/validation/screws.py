@@ -1,8 +1,8 @@
 """Seeded screws on which kernels take every side of every selection.
 
-Kernels read the quaternion of a rotation matrix from one of four rows: the row of the largest component. For each row
-one screw makes this component largest, with axes of both signs and angles below and beyond a quarter turn. Another
-screw makes all other components small: the other rows lose their digits, so a wrong row selection shows.
+Kernels read the quaternion of a rotation matrix from one of four rows: the row of the largest component. One screw
+for each row makes the row's component largest, with axes of both signs and angles below and beyond a quarter turn.
+Another screw makes all other components small: the other rows lose their digits, which reveals a wrong selection.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def covering(draw: random.Random, small: float) -> Iterator[Screw]:
 
 
 def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
-    """Yield one screw for each row, whose other components are small and grow by ``ratio`` from one to the next.
+    """Yield one screw for each row; its other components are small, each ``ratio`` times the one before.
 
     The first screw has a tiny angle and no translation along its axis, which would swamp the digits of the axis.
     """

@@ -176,8 +176,8 @@ class Vectors:
     def screw(self, v: Vector) -> tuple[Screw, int]:
         """Return the screw of the pose of v, with 0 ≤ Re α ≤ π, and the branch of v.
 
-        At odd multiples of π the axis has the direction of ``sin(α/2) u``, the vector part of v's own quaternion. At
-        even multiples it has the direction of the translation.
+        The axis at odd multiples of π has the direction of ``sin(α/2) u``, the vector part of v's own quaternion.
+        The axis at even multiples has the direction of the translation.
         """
         length, u = polar(v)
         angle = self.angle(length)

@@ -44,7 +44,7 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
 
 
 def angles_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Return the condition on the rotation angle of R about its axis times `sign`."""
+    """Return the condition on the rotation angle of R about `sign` times its axis."""
     Q = R.map(real_part)
     _, axis = invariants(env, Q)
     return values.Solution(lambda angle: values.equal(env.field, screw_tensor(env, angle, sign * axis), Q))
@@ -66,7 +66,7 @@ def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
 
 
 def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on the moment of an axis along Re u: the displacement by α is unchanged."""
+    """Return the condition on the moment of an axis along Re u: its displacement by α equals the one about u."""
     R = screw_tensor(env, alpha, u)
 
     def is_moment(m: Vector) -> bool:

@@ -1,25 +1,25 @@
 r"""Number of preimages of q and −q under the Cayley map of order n, for every n, without formula (49).
 
 Let q = c + s u be a unit quaternion with s ≠ 0 (Re s ≠ 0 if q is dual). Each preimage of ±q is a multiple v = t u,
-since the vector part of :math:`(1 + v)^n` is a multiple of v. With
+since the vector part of :math:`(1 + v)^n` is a multiple of v. Define
 
 .. math:: H_n(t) = (1 + it)^n (c - is) = G_n + i F_n
 
-t u is a preimage of q or −q if :math:`F_n(t) = 0`. Then :math:`H_n` is real; it is positive for q, negative for −q.
-So the preimages are the real roots of a polynomial. Their number is its degree, since all roots are real and simple:
+The vector t u is a preimage of q or −q if :math:`F_n(t) = 0`. Then :math:`H_n` is real, positive for q and negative
+for −q. The preimages are thus the real roots of :math:`F_n`. All roots are real and simple, so the degree counts them:
 
 * real: :math:`F_n(t) = 0` means :math:`(1 + it)^n (c - is) = (1 - it)^n (c + is)`, so |1 + it| = |1 − it|. The
   difference of the squares is −4 Im t, so Im t = 0;
-* simple: :math:`F_n' = n G_{n-1}` and :math:`F_n = F_{n-1} + t G_{n-1}`. So at a double root
-  :math:`F_{n-1}^2 + G_{n-1}^2 = (1 + t^2)^{n-1} (c^2 + s^2)` is 0, which is impossible for real t. A simple root of
-  the real parts extends to exactly one dual root, by Taylor's formula;
-* degree: the coefficient of :math:`t^n` is ±s for even n and ±c for odd n. It is 0 if and only if Re q² = (−1)ⁿ; then
-  the degree is n − 1, otherwise n;
+* simple: :math:`F_n' = n G_{n-1}` and :math:`F_n = F_{n-1} + t G_{n-1}`. A double root would be a root of
+  :math:`F_{n-1}^2 + G_{n-1}^2 = (1 + t^2)^{n-1} (c^2 + s^2)`, which has no real root. A simple root of the real parts
+  extends to exactly one dual root, by Taylor's formula;
+* degree: the coefficient of :math:`t^n` is ±s for even n and ±c for odd n. The coefficient is 0 if and only if
+  Re q² = (−1)ⁿ; then the degree is n − 1, otherwise n;
 * signs: :math:`G_n F_n' - F_n G_n' = n (F_{n-1}^2 + G_{n-1}^2) > 0`. Between successive simple roots
   :math:`F_n'` changes its sign, and so does :math:`G_n`: one root gives q, the next −q.
 
-For Re s = 0 (translations), v may be taken along the displacement, and :math:`F_n` has nonzero roots from order 3 on.
-At order 1 the only root has the sign of c; at order 2 the two roots give q and −q if s ≠ 0.
+Translations have Re s = 0: v may be taken along the displacement, and :math:`F_n` has nonzero roots from order 3 on.
+The only root at order 1 has the sign of c; the two roots at order 2 give q and −q if s ≠ 0.
 
 The module checks the polynomial identities on which these steps and the induction on n depend.
 """
@@ -53,7 +53,7 @@ def _identities(step: Step) -> Mapping[str, bool]:
     """Return the truth of each identity by name; n and the polynomials of order n − 1 are symbols."""
     field = RationalFunctions(["n", "t", "F", "G", "c", "s", "x", "y"])
     n, t, F, G, c, s, x, y = (field.symbol(name) for name in ("n", "t", "F", "G", "c", "s", "x", "y"))
-    F_1, G_1 = step(F, G, t)  # of order n, from those of order n − 1
+    F_1, G_1 = step(F, G, t)  # polynomials of order n, from order n − 1
     slope_F, slope_G = n * G, -n * F  # induction hypothesis at order n
     size = F * F + G * G
     return {

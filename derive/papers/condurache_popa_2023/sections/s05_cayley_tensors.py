@@ -132,7 +132,7 @@ def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
 
 
 def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Equation, ...]:
-    """Return entries on when the Cayley transform of an order is a rotation, a translation, or neither.
+    """Return the entries about Cayley transforms of an order that are rotations, translations, or neither.
 
     `slope` is the vector ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` divided by ``v · v⁰ v``.
     """

@@ -15,7 +15,7 @@ MOVED = (let(X, image, A, x),)
 FROM_A = (*MOVED, let(B, plain(rodrigues.cayley_matrix), A), let(b_ij, plain(rodrigues.cayley_matrix), A))
 skew_rodrigues = plain(lambda A: Tensor.skew(rodrigues.rodrigues_vector(A)))
 INVARIANT = (let(B, skew_rodrigues, A), let(B_bare, skew_rodrigues, A))
-"""B̂ by the invariants of Â, without the inverse of Â + I."""
+"""Definitions of B̂ by the invariants of Â, without the inverse of Â + I."""
 no_half_turn = nonzero(Re(det(A + I)))
 
 
