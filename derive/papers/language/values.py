@@ -144,7 +144,10 @@ def equal(field: Field, a: Any, b: Any) -> bool:
 
 
 def coefficients(a: Any) -> Iterator[Any]:
-    """Yield the plain numbers of a value, component by component; of ±, use the first value."""
+    """Yield the plain numbers of a value, all real parts before the dual parts; for ±, use the first value."""
+    if isinstance(a, Structure) and any(isinstance(component, Dual) for component in a):
+        yield from (number for part in (re, du) for component in a for number in coefficients(part(component)))
+        return
     parts = _parts(a)
     if not parts:
         yield a

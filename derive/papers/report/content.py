@@ -130,7 +130,7 @@ def _numbers(parts: list[str]) -> str:
     """Return the real parts, then the dual parts after ε, as one string."""
     short = [part[: DIGITS + 2] for part in parts]
     half = len(short) // 2
-    return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8) else _tuple(short)
+    return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8, 18) else _tuple(short)
 
 
 def _tuple(parts: list[str]) -> str:

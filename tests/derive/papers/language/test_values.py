@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from derive.algebra import Tensor, Vector
+from derive.algebra import Dual, Tensor, Vector
 from derive.maps.pose import Pose
 from derive.papers.explore import shown
-from derive.papers.language.values import equal
+from derive.papers.language.values import coefficients, equal
 from derive.papers.numbers.fields import Decimal60
 
 IDENTITY = Tensor(((1, 0, 0), (0, 1, 0), (0, 0, 1)))
@@ -21,3 +21,9 @@ def test_poses_are_equal_by_rotation_and_by_displacement() -> None:
 
 def test_all_components_of_a_pose_are_shown() -> None:
     assert [float(text) for text in shown(Pose(TURNED, Vector(4, 5, 6)))] == [0, -1, 0, 1, 0, 0, 0, 0, 1, 4, 5, 6]
+
+
+def test_numbers_of_a_dual_vector_have_the_real_part_first() -> None:
+    v = Vector(Dual(1, 4), Dual(2, 5), Dual(3, 6))
+    assert list(coefficients(v)) == [1, 2, 3, 4, 5, 6]
+    assert list(coefficients(Dual(v.dot(v).re, 7))) == [14, 7]
