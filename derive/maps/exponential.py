@@ -1,9 +1,9 @@
-r"""Exponential: of tensors and quaternions, and the chart ``v = α u``, whose inverse map is the logarithm.
+r"""Exponential of tensors and quaternions, and the chart ``v = α u`` with the logarithm as inverse map.
 
 .. math:: \exp\tilde a = I + \frac{\sin|a|}{|a|}\,\tilde a + \frac{1 - \cos|a|}{|a|^2}\,\tilde a^2 \qquad
     \text{CP23 (17), (25)}
 
-T of the chart is dexp. With Stumpff functions c_k and ``x = α²``:
+The tangent operator T of the chart is dexp. With Stumpff functions c_k and ``x = α²``:
 
 .. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x)
 """
@@ -62,13 +62,13 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Stumpff functions of the half angle by series; beyond the limit unused, at angle 0."""
+        """Stumpff functions of the half angle by series; beyond the limit unused values at angle 0."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
     _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
 
-    # α² beyond the limit; for x below the limit, a stand-in beyond it
+    # α² beyond the limit; for x below the limit, an unused value beyond it
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
@@ -96,7 +96,7 @@ class ExponentialScalars(DependentScalars):
     def _left(self) -> Coefficient:
         """Difference ``α² − root²``, by terms that are exact up to α = 8.
 
-        Beyond 8 it is set to 0: the error may be a large angle, and a corrected R would not be a rotation.
+        Beyond 8 the result is 0: the error may be a large angle, and a corrected R would be no rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside

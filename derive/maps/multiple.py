@@ -1,7 +1,7 @@
-r"""Multiples of a base chart: ``v = K w`` with w the vector of the base chart.
+r"""Multiples ``v = K w`` of a base chart with vector w.
 
-``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is the scalar of w at ``x/K²``, divided by a
-power of K (`POWERS`). Inverse maps and branches come from the base chart:
+The chart ``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is the scalar of w at ``x/K²``,
+divided by a power of K (`POWERS`). Inverse maps and branches come from the base chart:
 
 .. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
     f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}

@@ -5,10 +5,10 @@ notation               symbols and operators of statements, as SymPy expressions
 statement              `Equation` and `Premise`
 identity               `Proof` and `decide`: all residues must be 0, all multipliers nonzero
 theorem                `Theorem`: claim, premises and method
-methods                decision as an identity, by induction on n, or by a differential equation
+methods                decisions by identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
 evaluation             values of expressions, given the values of their symbols
-setting                a differential ring in which the premises of a theorem hold
+setting                a differential ring with the premises of a theorem as relations
 differential_ring      rational functions with relations and a derivation; n stays a symbol
 formulas               coefficients of R, dcay and its inverse in the theorems
 polynomial_theorems    theorems for all n on p_n and q_n

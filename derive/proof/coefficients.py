@@ -1,8 +1,8 @@
 r"""Comparison of power series in x, whose coefficients are sums of binomials, for all n and j.
 
 A series is a polynomial plus tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplication by x shifts the index, so the
-recurrence of p_n and q_n applies to series too. Two series are equal if their general coefficients agree, and also
-each single coefficient below the start of a tail.
+recurrence of p_n and q_n applies to series too. Two series are equal if their general coefficients agree, and every
+coefficient below the start of a tail agrees.
 
 A sum of binomials is decided with :math:`\binom{n}{k} = \frac{n!}{k!\,(n-k)!}` and 1/m! = 0 for m < 0. Terms whose
 factorials differ only by integers have a common factor
@@ -41,7 +41,7 @@ BINOMIAL = definition(
 
 
 class NotDecidedError(ArithmeticError):
-    """Error: a coefficient is not a sum of binomials."""
+    """Error for a coefficient that is not a sum of binomials."""
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ def _zero(label: str, series: Series, first: int) -> Checks:
     if general.has(n) or not series.tails:
         yield f"{label}, general coefficient", residue(general, first)
         last = max([begun, *series.head])
-    else:  # n is a number, so only finitely many coefficients are not 0
+    else:  # n is a number: only finitely many coefficients are nonzero
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
     for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
         yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), first)
@@ -203,7 +203,7 @@ class _Term:
 
     @property
     def kind(self) -> Any:
-        """Key shared by all terms that have a common factor of factorials."""
+        """Key of the terms that have a common factor of factorials."""
         return self.alternating, *(tuple(h for h, _ in part) for part in (self.above, self.below))
 
 

@@ -47,7 +47,7 @@ def theorems() -> tuple[Proof, ...]:
 
 
 class ProofFailed(Exception):
-    """Error: a statement about a formula is not proved.
+    """Error for statements about a formula that are not proved.
 
     Attributes
     ----------
@@ -70,8 +70,8 @@ class Proved:
     formulas : Chart
         The proved chart.
     proofs : tuple of Proof
-        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. Every algebraic
-        chart has proofs that its scalars agree with its formulas and its φ. Any other chart has proofs that its
+        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. An algebraic
+        chart has proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its
         formulas in α are instances of the theorems on every φ.
     """
 
