@@ -24,7 +24,7 @@ class AngleField(RationalFunctions):
         super().__init__(names, {name: self._reference(i, name) for i, name in enumerate(names)})
 
     def _reference(self, index: int, name: str) -> Fraction:
-        """Return a positive reference value; a tangent ``tan(angle/2M)`` has nearly its true value."""
+        """Return a positive reference value; the values of an angle and its ``tan(angle/2M)`` nearly agree."""
         if name == "pi":
             return Fraction(355, 113)
         if name in self.angles:
@@ -40,7 +40,7 @@ class AngleField(RationalFunctions):
         return self._circle(a)[1]
 
     def atan2(self, y: Element, x: Element) -> Element:
-        """Return the angle of the point (x, y), if it is k/M times an angle of the field with |k| ≤ 2M; else raise."""
+        """Return the angle of the point (x, y) as k/M times an angle of the field, |k| ≤ 2M, or raise NotExactError."""
         for name, steps in self.angles.items():
             for k in range(-2 * steps, 2 * steps + 1):
                 multiple = self.symbol(name) * Fraction(k, steps)

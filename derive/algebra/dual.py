@@ -157,7 +157,7 @@ class Dual:
         return Dual(self.re**exponent, exponent * self.re ** (exponent - 1) * self.du)
 
     def __abs__(self) -> Dual:
-        """Return the magnitude ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0; the square of the number is unchanged."""
+        """Return the magnitude ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0; its square equals the number's."""
         if self.re == 0:
             return Dual(self.re, abs(self.du))
         magnitude = abs(self.re)

@@ -124,12 +124,12 @@ class Cayley(BranchesOfOrder):
 
     @cached_property
     def tangent(self) -> IsotropicMap:
-        """Tangent operator dcay_n, CP23 (88): space twist from v̇."""
+        """Tangent operator dcay_n, CP23 (88); it takes v̇ to the space twist."""
         return self._isotropic(closed_forms.tangent)
 
     @cached_property
     def tangent_inv(self) -> IsotropicMap:
-        """Inverse tangent operator dcay_n⁻¹, CP23 (89): v̇ from the space twist."""
+        """Inverse tangent operator dcay_n⁻¹, CP23 (89); it takes the space twist to v̇."""
         return self._isotropic(closed_forms.tangent_inv)
 
     def _isotropic(self, closed_form: Callable[[int, Any], Isotropic]) -> IsotropicMap:
@@ -201,7 +201,7 @@ class Cayley(BranchesOfOrder):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
 
-        For p = 0 return the sign of q; for q = 0 return the sign of the translation along v.
+        The result is the sign of q where p = 0, and the sign of the translation along v where q = 0.
         """
         sign, _ = self._direction(self.scalars(x, m), y, r, m)
         return sign

@@ -70,7 +70,7 @@ class Jet:
         return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
 
     def named(self, m: Arithmetic, letter: str) -> Jet:
-        """Return the jet with named coefficients; for the letter p the names are p, p_x, p_xx, p_xxx."""
+        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx, for the letter p."""
         suffixes = "", "_x", "_xx", "_xxx"
         return Jet(*(m.name(letter + suffix, term) for suffix, term in zip(suffixes, self.terms, strict=True)))
 

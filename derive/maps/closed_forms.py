@@ -46,7 +46,7 @@ def tangent(n: int, at: Coefficient) -> Isotropic:
         \mathrm{dcay}_n = \frac{2 p_n q_n}{(1+x)^n}\,I + \frac{2 q_n^2}{(1+x)^n}\,\tilde v
             + \frac{2 c_n}{(1+x)^n}\,v \otimes v, \qquad x\,c_n = n (1+x)^{n-1} - p_n q_n
 
-    The operator is defined for every v. It loses rank at ``q_n = 0``: at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
+    The operator is defined for every v. Its rank drops at ``q_n = 0``: at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
     """
     at_x = scalars(n, at)
     return Isotropic(at_x.f, at_x.g, at_x.h, at)

@@ -62,13 +62,13 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Stumpff functions of the half angle by series; beyond the limit unused values at angle 0."""
+        """Stumpff functions of the half angle by series; beyond the limit, unused values at angle 0."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
     _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
 
-    # α² beyond the limit; for x below the limit, an unused value beyond it
+    # α² if beyond the limit, else an unused value beyond the limit
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
@@ -85,11 +85,11 @@ class ExponentialScalars(DependentScalars):
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
         sine = self.m.name("sine", 2 * t / below)
-        # near half a turn the derivative of 2 tt/below is a difference of terms as large as t
+        # near half a turn, terms as large as t would cancel in the derivative of 2 tt/below
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    # (α² − root²)/2α, with α² the exact sum of the given squares
+    # (α² − root²)/2α, with the rounded root of x, and α² as the exact sum of squares before rounding to x
     _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
 
     @property

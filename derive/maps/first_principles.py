@@ -56,7 +56,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
-    """Return the coefficient with its rate as dual part; for a dual number, both parts get their rates."""
+    """Return the coefficient with its rate as dual part; each part of a dual number gets its rate."""
     if not isinstance(c, Dual):
         return Dual(c, rate)
     return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))

@@ -31,7 +31,7 @@ POWERS = {
     "rate": 1, "ratey": 3, "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
     "fyy": 5, "gyy": 6, "hyy": 7, "fiyy": 3, "hiyy": 5,
 }  # fmt: skip
-"""Power of K by which each scalar of the base chart is divided; a slope adds two."""
+"""Powers of K that divide the scalars of the base chart; each slope adds two."""
 
 
 def divided(value: Coefficient, factor: Fraction, m: Arithmetic, power: int = 1) -> Coefficient:
@@ -102,7 +102,7 @@ class Multiple(Chart):
 
     @cached_property
     def _values(self) -> Any:
-        """Scalars from the formulas of the base chart, which are in lowest terms."""
+        """Scalars from the formulas of the base chart, already in lowest terms."""
         if not self.algebraic:
             return super()._values
         factor = sympy.Rational(self.factor)

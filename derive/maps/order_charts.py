@@ -1,4 +1,4 @@
-"""Charts of order n with θ = α/2n: gains of quaternions, and branches, which differ by turns ``kπ/n`` of θ."""
+"""Charts of order n with θ = α/2n: gains of quaternions, and branches at turns ``kπ/n`` of θ."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
     first, *others = table[::3]
-    # up to rounding, v at half a turn is on the first branch
+    # v at half a turn counts as principal despite rounding
     limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]

@@ -18,7 +18,7 @@ from ..algebra import Tensor, Vector, functions
 def cayley_matrix(A: Tensor) -> Tensor:
     """Return ``B = (A − I)(A + I)⁻¹``, K10 section 2: skew-symmetric where A is orthogonal.
 
-    At a half turn and for every reflection ``A + I`` is exactly singular, which raises ZeroDivisionError.
+    A half turn or a reflection A raises ZeroDivisionError, since ``A + I`` is exactly singular.
     """
     unit = Tensor.identity()
     B: Tensor = (A - unit) @ (A + unit).inverse()

@@ -124,7 +124,7 @@ class QuaternionChart(Chart):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of sin α on the branch of v.
 
-        For sin α = 0 return the sign of w at half a turn, or the sign of the translation along v at a whole turn.
+        The sign for sin α = 0 is the sign of w at half a turn, or of the translation along v at a whole turn.
         """
         return self._direction(self.scalars(x, m), y, m)
 

@@ -1,8 +1,8 @@
 r"""Sine charts, ``v = sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
 
 Let θ = α/2n, ``x = sin² θ``, ``c = √(1 − x)``, and S, W, H, B be polynomials in x. For even n ``cos nθ = S`` and
-``sin nθ/sin θ = c W``; for odd n ``cos nθ = c S`` and ``sin nθ/sin θ = W``. The two forms
-of h_i are for even n and for odd n:
+``sin nθ/sin θ = c W``; for odd n ``cos nθ = c S`` and ``sin nθ/sin θ = W``. The two forms of
+h_i are for even n and for odd n:
 
 .. math::
     h = \frac{H}{c} \quad x H = 2 n - 2 (1 - x) S W \qquad \rho = \frac{2 n}{c} \qquad

@@ -8,7 +8,7 @@ theorem                `Theorem`: claim, premises and method
 methods                decisions by identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
 evaluation             values of expressions, given the values of their symbols
-setting                a differential ring with the premises of a theorem as relations
+setting                a differential ring in which the premises of a theorem hold
 differential_ring      rational functions with relations and a derivation; n stays a symbol
 formulas               coefficients of R, dcay and its inverse in the theorems
 polynomial_theorems    theorems for all n on p_n and q_n

@@ -87,7 +87,7 @@ class Coefficients(Method):
     """
 
     first: int = 1
-    """Least n, at which recurrences start."""
+    """Least n, the start of recurrences."""
 
     @property
     def title(self) -> str:
@@ -160,7 +160,7 @@ class _Reader:
 
 
 def _zero(label: str, series: Series, first: int) -> Checks:
-    """Yield the residues of all coefficients of a series, which must be zero."""
+    """Yield the residues of all coefficients of a series that must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
@@ -253,7 +253,7 @@ def _between(form: sympy.Expr, low: int, high: int) -> Any:
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:
-    """Return the sum of terms of one `kind`, divided by their common factorials, which must exist at all n >= first."""
+    """Return the sum of terms of one `kind`, divided by their common factorials; these must exist for n >= first."""
     least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
     greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
     for (form, _), a in zip(terms[0].above, least, strict=True):

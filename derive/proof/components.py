@@ -1,10 +1,10 @@
-r"""The componentwise road: proofs at one order from the definition, independent of the theorems.
+r"""Componentwise road: proofs at one order from the definition, independent of the theorems.
 
 :math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols. Then :math:`\hat q = z/|z|` (CP23
 (46)), R is the sandwich ``q̂ r q̂*`` (24), and ω = vect(R' Rᵀ) (68), with R' as the derivative along v'. The
 formulas under test are functions of x, expanded at the dual number :math:`x = v \cdot v` by
 :math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials modulo v·v = x, with x° = 2 v·v°. Denominators
-and |z|² are multiplied out; a check ensures that their real parts are not zero. No proof for every order is used.
+and |z|² are multiplied out; a check ensures that their real parts are not zero. No theorem for all n is used.
 Each statement is also evaluated as printed, at a rational point.
 """
 

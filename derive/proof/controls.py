@@ -1,7 +1,7 @@
-"""Controls: theorems with one deliberate error each, whose proof must fail.
+"""Controls: theorems with one deliberate error each; every control must fail.
 
 Controls alter each equation of a claim, each integer in it, each premise, each free symbol and each multiplier. At one
-order they alter each formula, claim, premise and definition of the componentwise road. If a control is proved, then a
+order, controls alter each formula, claim, premise and definition of the componentwise road. If a control is proved, a
 check cannot fail, a premise is unused, or a theorem claims too little.
 """
 

@@ -9,8 +9,8 @@ certified
   relation may hold between these symbols, since two relations together may have zero divisors;
 * if its value at the origin (x = 0, p_n = 1, q_n = n) is a polynomial in n without a positive integer root.
 
-A decided identity holds between rational functions of x at every n. It holds wherever both sides are defined, even
-where a factor vanishes, and for dual x and v.
+A decided identity holds between rational functions of x at every n. The identity holds wherever both sides are defined,
+even where a factor vanishes, and for dual x and v.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class DifferentialRing(RationalFunctions):
         self.cleared_by.append(difference.denominator)
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
-        """Return the factors by which a difference with this denominator is multiplied."""
+        """Return the factors of the denominator of a difference, as its multipliers."""
         factors = ((self.expression(f), f, power) for f, power in self.library.factors(denominator))
         return tuple(
             Multiplier(expression, power, expression != self.zeroed and self._certified(factor))

@@ -40,7 +40,7 @@ class Multiplier:
 
 
 class Residue(NamedTuple):
-    """Label of a check, and left side minus right side, which is 0 exactly when the sides are equal."""
+    """Label of a check, and left side minus right side; the value is 0 exactly if the sides are equal."""
 
     label: str
     value: Any

@@ -135,7 +135,7 @@ class ScalarProofs:
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """Values of the symbols: scalars as the chart computes them, their derivatives, and lifted coefficients."""
+        """Values of the symbols: scalars as the chart computes them, their derivatives, and the stated coefficients."""
         at_x = self.ring.x
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}

@@ -6,7 +6,7 @@ The left side of a premise decides its use:
 * a value ``Shifted(p, x, 0) = 1`` at the origin certifies multipliers;
 * a power ``(1 + x)^n = …`` is replaced; if its square root occurs, a new generator stands for the root;
 * a relation ``v . v = x``, ``i^2 = -1`` reduces polynomials;
-* any other equation defines a symbol or a term, which is replaced by its right side.
+* any other equation defines a symbol or a term; the right side replaces it.
 """
 
 from __future__ import annotations

@@ -120,7 +120,7 @@ def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool
 def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:
     """Return whether replaced terms are terms of the same sequences at the replaced index.
 
-    If an index changes, no other symbol that depends on it, such as dcay_n, may occur.
+    If an index changes, the equation may not contain other symbols with this index, such as dcay_n.
     """
     known = {*notation.TERMS, *notation.INDICES, notation.x, notation.j}
     if changes.keys() & notation.INDICES and not equation.symbols <= known:

@@ -28,7 +28,7 @@ class Ring(RationalFunctions):
         Integer k of the generator s = sqrt(1 + x/k), in which the ring expresses x. Odd powers of 1 + x/k then have a
         square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
-        Library for the polynomials; by default python-flint where it is installed.
+        Library for the polynomials; by default python-flint if installed.
     """
 
     def __init__(self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None) -> None:

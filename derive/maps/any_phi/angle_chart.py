@@ -1,6 +1,6 @@
 r"""Branches and inverse maps of charts that compute the angle α from ``|v|``, such as the exponential.
 
-Branch k is ``v_k = φ(α + 2πk) u``. It exists where ``|α + 2πk|`` is less than the edge, and is NaN elsewhere.
+Branch k is ``v_k = φ(α + 2πk) u``. The branch exists where ``|α + 2πk|`` is less than the edge, and is NaN elsewhere.
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.e
 
 
 def fold(size: Any) -> Variable:
-    """Return the variable ``z = √(1 − x/X)``, in which the angle is analytic at a fold."""
+    """Return the variable ``z = √(1 − x/X)``, for which the angle is analytic at a fold."""
 
     def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         share = _share(x, size, m)
@@ -201,7 +201,7 @@ def _square(phi: sympy.Expr, angle: Any) -> Any:
 def _steps(phi: sympy.Expr, edge: Edge, start: Guess, first: Any) -> int:
     """Return the largest number of Newton steps needed, over many angles up to the edge and near it.
 
-    The tolerance is relative to the distance to the edge; for a cut, to the angle.
+    The tolerance is relative to the distance to the edge, or to the angle if the edge is a cut.
     """
     slope, most, end = phi.diff(alpha), 0, start.edge
     shares = [mpmath.mpf(k) / 97 for k in range(97)] + [1 - mpmath.mpf(10) ** -k for k in range(2, 9)]

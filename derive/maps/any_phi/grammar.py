@@ -37,7 +37,7 @@ def syntax_tree(text: str) -> ast.expr:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", SyntaxWarning)  # as for "1if"
+            warnings.simplefilter("ignore", SyntaxWarning)  # Python warns about "1if"
             tree = ast.parse(text, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise PhiError(f"phi is no expression: {text!r}") from error

@@ -137,7 +137,7 @@ class Lowering:
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
 
-        The operation `atan2` takes no complex numbers, which complex steps through forward maps need.
+        The operation `atan2` takes no complex numbers, but complex steps through forward maps need them.
         """
         m = self.m
         short = m.less(a * a, 1)
@@ -196,13 +196,13 @@ class Lowering:
         return pair
 
     def _tanh(self, argument: sympy.Expr) -> Coefficient:
-        """Return the hyperbolic tangent ``−E/(2 + E)`` from ``E = e^(−2|a|) − 1``, which does not overflow."""
+        """Return the hyperbolic tangent ``−sgn(a) E/(2 + E)`` from ``E = e^(−2|a|) − 1``; E cannot overflow."""
         size, below = self._side(argument)
         less = self.m.expm1(-2 * size)
         return self.m.where(below, less, -less) / (2 + less)
 
     def _log(self, argument: sympy.Expr) -> Coefficient:
-        """Return ``log(1 + (a − 1))``; for a < 1/2, where this loses digits, ``−log(1 + (1 − a)/a)``."""
+        """Return log a as ``log(1 + (a − 1))``, or as ``−log(1 + (1 − a)/a)`` for a < 1/2 to keep all digits."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
         small = m.less(2 * a, 1)
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
