@@ -1,7 +1,7 @@
 """Dual numbers, vectors, tensors and quaternions over any commutative coefficients, and the algebra {I, skew(v), v⊗v}.
 
-The classes are immutable values. ``Dual`` coefficients make a vector, tensor or quaternion a dual one, with parts
-``.re`` and ``.du``.
+The classes are immutable values. A vector, tensor or quaternion with ``Dual`` coefficients is dual, with parts ``.re``
+and ``.du``.
 
 ================== ====================================================================
 dual               `Dual`: ``a + ε a°``, its inverse, powers, magnitude and ``f(a) + ε a° f'(a)``
@@ -9,11 +9,11 @@ functions          sin, cos, tan, cot, atan, atan2, sqrt, expm1, log1p and other
 structures         `Vector` (dot, cross, magnitude), `Tensor` (skew, dyad, vect, trace, det, transpose, inverse),
                    `Quaternion` (conjugate, norm, inverse, sandwich), with sums and products
 isotropic          `Isotropic`: ``a I + b skew(v) + c v⊗v`` as an algebra over functions of ``x = v · v``
-mixed              sums and products across numbers, vectors, quaternions and tensors, as the papers write them
+mixed              sums and products between numbers, vectors, quaternions and tensors, as in the papers
 element, exact     `Element` and its ring: rational functions over Q, modulo relations
 angles             exact sine and cosine of multiples of given angles
 polynomial_backend polynomials over Q by python-flint or SymPy
-arithmetic         operations of formulas beyond + − ×, on numbers; traces override them
+arithmetic         operations of formulas other than + − ×, on numbers; traces override the operations
 ================== ====================================================================
 """
 

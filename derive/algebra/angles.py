@@ -1,4 +1,4 @@
-"""Exact sine and cosine of rational multiples of given angles, through the tangent of a fraction of each angle."""
+"""Exact sine and cosine of rational multiples of given angles, by the tangent of a fraction of each angle."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from .exact import RationalFunctions
 
 
 class AngleField(RationalFunctions):
-    """Field Q(names, angles, …, π), given independent symbols and an integer M for each angle symbol.
+    """Field Q(names, angles, tangents, π), with independent generators and an integer M for each angle.
 
-    Sine and cosine of multiples of angle/M are elements. An angle and its tangent ``tan(angle/2M)`` are two
+    Sines and cosines of integer multiples of angle/M are elements. An angle and its tangent ``tan(angle/2M)`` are
     algebraically independent generators.
     """
 
@@ -24,7 +24,7 @@ class AngleField(RationalFunctions):
         super().__init__(names, {name: self._reference(i, name) for i, name in enumerate(names)})
 
     def _reference(self, index: int, name: str) -> Fraction:
-        """Return a positive reference value; the values of an angle and of its tangent nearly agree."""
+        """Return a positive reference value; the values of an angle and its ``tan(angle/2M)`` nearly agree."""
         if name == "pi":
             return Fraction(355, 113)
         if name in self.angles:
@@ -40,7 +40,7 @@ class AngleField(RationalFunctions):
         return self._circle(a)[1]
 
     def atan2(self, y: Element, x: Element) -> Element:
-        """Return the angle of the point (x, y), which must be a multiple k/M of an angle of the field, |k| ≤ 2M."""
+        """Return the angle of the point (x, y) as k/M times an angle of the field, |k| ≤ 2M, or raise NotExactError."""
         for name, steps in self.angles.items():
             for k in range(-2 * steps, 2 * steps + 1):
                 multiple = self.symbol(name) * Fraction(k, steps)
@@ -62,7 +62,7 @@ class AngleField(RationalFunctions):
         raise NotExactError(f"no rational multiple of an angle: {a!r}")
 
     def _turned(self, name: str | None, steps: int, quarters: int) -> tuple[Element, Element]:
-        """Return cosine and sine of `steps` steps of an angle plus `quarters` quarter turns."""
+        """Return cosine and sine of ``steps · angle/M`` plus `quarters` quarter turns."""
         c, s = self.constant(1), self.constant(0)
         if steps:
             t = self.symbol(f"tan_{name}")

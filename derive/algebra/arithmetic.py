@@ -1,7 +1,7 @@
-"""Operations of formulas beyond + − ×: exact division, roots, comparison, selection, names.
+"""Operations of formulas other than + − ×: exact division, roots, comparison, selection, names.
 
-Formulas that compute values and also record programs take an `Arithmetic`. The class itself computes with numbers. A
-trace (``codegen.programs``) overrides every operation, to record it with the names of intermediate values.
+A formula with an `Arithmetic` argument computes values or records a program. The class itself computes with numbers. A
+trace (``codegen.programs``) overrides every operation and records it, with the names of intermediate values.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ class Arithmetic:
         return value
 
     def name_rest(self, letter: str, /) -> None:
-        """Name all further values by a letter and a number, where single letters do not suffice."""
+        """Set the letter that, with a number, names all further values."""
 
     def corrected(self, value: Coefficient, /) -> Coefficient:
-        """Return a named value whose rounding error a later Newton step corrects."""
+        """Mark a value whose rounding error a later Newton step corrects, and return the value."""
         return value
 
     def rounded_off(self, value: Coefficient, /) -> Coefficient:
@@ -33,7 +33,7 @@ class Arithmetic:
         return 0
 
     def div(self, a: Coefficient, b: Coefficient, /) -> Coefficient:
-        """Return a/b, exact where both are exact."""
+        """Return a/b, as an exact fraction for integers."""
         return Fraction(a, b) if isinstance(a, int) and isinstance(b, int) else a / b
 
     abs = staticmethod(abs)

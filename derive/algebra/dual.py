@@ -16,7 +16,7 @@ Coefficient: TypeAlias = Any
 
 
 class ZeroDivisorError(ZeroDivisionError):
-    """Error: inverse, quotient or square root of a zero divisor, a dual number with real part zero."""
+    """Error for inverting, dividing by or taking the root of a zero divisor, a dual number with real part zero."""
 
 
 class Structure:
@@ -45,7 +45,7 @@ class Structure:
         return self.from_components(components)
 
     def _matches(self, other: object) -> bool:
-        """Return whether the other can be added."""
+        """Return whether the other value can be added to this one."""
         return type(other) is type(self)
 
     def map(self, f: Callable[[Any], Any]) -> Self:
@@ -85,9 +85,9 @@ class Structure:
 class Dual:
     """Dual number ``re + ε du``.
 
-    Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is; otherwise it is a
-    zero divisor, and dividing by it raises `ZeroDivisorError`. Quotients follow the coefficients: ``int / int`` is a
-    ``float`` in Python, so exact work takes ``Fraction`` or SymPy coefficients.
+    Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is invertible. Division
+    by a zero divisor raises `ZeroDivisorError`. Quotients use the ``/`` of the coefficients. Since ``int / int`` is a
+    ``float`` in Python, exact results need ``Fraction`` or SymPy coefficients.
 
     Nested dual numbers (second derivatives) work as long as all operands have the same depth.
     """
@@ -147,7 +147,7 @@ class Dual:
         return Dual(quotient, -quotient * self.du / self.re)
 
     def __pow__(self, exponent: int) -> Dual:
-        """Return the power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative exponent inverts first, which refuses zero divisors."""
+        """Return the power ``aⁿ + ε n aⁿ⁻¹ a°``; a negative power of a zero divisor raises `ZeroDivisorError`."""
         if isinstance(exponent, bool) or not isinstance(exponent, int):
             return NotImplemented
         if exponent < 0:
@@ -157,7 +157,7 @@ class Dual:
         return Dual(self.re**exponent, exponent * self.re ** (exponent - 1) * self.du)
 
     def __abs__(self) -> Dual:
-        """Return the magnitude, with the same square as the number: ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0."""
+        """Return the magnitude ``|a| + ε sgn(a) a°``, or ``ε |a°|`` at a = 0; its square equals the number's."""
         if self.re == 0:
             return Dual(self.re, abs(self.du))
         magnitude = abs(self.re)

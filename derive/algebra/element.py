@@ -1,4 +1,4 @@
-"""Elements of an exact ring: numbers with exact arithmetic and decided equality."""
+"""Elements of an exact ring: numbers with exact arithmetic and exact tests of equality."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ Result = TypeVar("Result")
 
 
 class NotExactError(ArithmeticError):
-    """Error: the result lies outside the field, such as the root of a non-square."""
+    """Error for a result outside the field, such as the square root of a non-square."""
 
 
 def _of_ring(operation: Callable[[Element, Element], Result]) -> Callable[[Element, object], Result]:
-    """Return an operator that takes its other operand into the ring, or leaves the operation to that operand."""
+    """Return an operator that converts a number to an element of the ring first; other types are NotImplemented."""
 
     def found(self: Element, other: object) -> Result:
         if not isinstance(other, Element | Number):
@@ -29,11 +29,11 @@ def _of_ring(operation: Callable[[Element, Element], Result]) -> Callable[[Eleme
 
 
 class Element:
-    """Rational function that behaves as a number. Its ring makes it, not the caller.
+    """Rational function that behaves like a number. Methods of its ring create it.
 
     An element supports ``+ - * /``, integer powers, ``==``, ``abs``, ``<`` and ``.sqrt()``, which ``numpy.sqrt`` calls
-    on object arrays. Other operands may be int, Fraction and NumPy integers. A float raises TypeError, since no rounded
-    constant is part of an exact identity.
+    on object arrays. The other operand may be an int, a Fraction or a NumPy integer. A float raises TypeError, since
+    exact identities contain no rounded constants.
     """
 
     __slots__ = ("denominator", "numerator", "ring")
@@ -108,7 +108,7 @@ class Element:
 
     @_of_ring
     def __lt__(self, other: Element) -> bool:
-        """Compare at the reference point, for kernels that select by comparison."""
+        """Compare the values at the reference point; kernels select by such comparisons."""
         return (self - other).sign() < 0
 
     @_of_ring
@@ -131,14 +131,14 @@ class Element:
         return int(value > 0) - int(value < 0)
 
     def sqrt(self) -> Element:
-        """Return the square root that is positive at the reference point; only squares have one."""
+        """Return the square root that is positive at the reference point; a non-square raises NotExactError."""
         root = self.ring.library.square_root(self.numerator * self.denominator)
         if root is None:
             raise NotExactError(f"not a perfect square in the exact ring: {self!r}")
         return abs(self.ring.fraction(root, self.denominator)) if root else self
 
     def derivative(self, rates: Mapping[int, Element]) -> Element:
-        """Return the derivative, given derivatives of generators by index; other generators are constant."""
+        """Return the derivative, from the `rates` of generators by index; other generators are constant."""
         rate = self._derived(self.numerator, rates)
         if self.denominator == self.ring.library.one:
             return rate

@@ -1,7 +1,7 @@
 """Exact numbers: rational functions of named generators over Q, modulo relations between the generators.
 
-Formulas and kernels accept them like floats. Equality is decided exactly, so an identity that holds here
-holds for all values of the generators. The polynomials come from python-flint where it is installed, else from SymPy.
+Formulas and kernels accept exact numbers like floats. Equality is decided exactly: an identity between exact numbers
+holds for all values of the generators. The polynomials come from python-flint if installed, otherwise from SymPy.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ class RationalFunctions:
     Parameters
     ----------
     names : sequence of str
-        Generators, in lexicographic order. A relation is solved for the first generator in it.
+        Generators, in lexicographic order. A relation eliminates its first generator.
     point : mapping of str to Fraction, optional
-        Reference point that decides signs, also of square roots; by default distinct positive numbers.
+        Reference point for signs, including signs of square roots; by default distinct positive numbers.
     backend : {"flint", "sympy"}, optional
     lowest_terms : bool
-        True to reduce products and quotients to lowest terms. If False, denominators show every divisor.
+        True to reduce products and quotients to lowest terms. False keeps every divisor in the denominators.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class RationalFunctions:
         return Element(self, self.library.generators[self.index(name)], self.library.one)
 
     def index(self, name: str) -> int:
-        """Return the place of a generator."""
+        """Return the index of a generator."""
         if name not in self.names:
             raise ValueError(f"no symbol {name!r} in a ring of {', '.join(self.names)}")
         return self.names.index(name)
@@ -69,7 +69,7 @@ class RationalFunctions:
     def lift(self, expression: Any, values: Mapping[Any, Element | Rational | int]) -> Element:
         """Return a SymPy expression (or an exact number) as an element, given the values of its symbols.
 
-        It may contain sums, products, integer powers and half-integer powers, which use `Element.sqrt`.
+        The expression may contain sums, products and integer powers. Half-integer powers use `Element.sqrt`.
         """
         if isinstance(expression, int | Fraction):
             return self.constant(expression)
@@ -105,7 +105,7 @@ class RationalFunctions:
         return a
 
     def reduced(self, a: Polynomial) -> Polynomial:
-        """Return the form in which a product is stored."""
+        """Return the form of a product that is stored: by default its normal form."""
         return self.normal_form(a)
 
     def fraction(self, above: Polynomial, below: Polynomial) -> Element:
@@ -120,7 +120,7 @@ class RationalFunctions:
         return Element(self, above, below)
 
     def cofactors(self, a: Polynomial, b: Polynomial) -> tuple[Polynomial, Polynomial]:
-        """Return the factors that make a and b equal: ``b/g`` and ``a/g``, where g is the greatest common divisor."""
+        """Return ``b/g`` and ``a/g``, the factors of a and b in their least common multiple; g is their gcd."""
         one = self.library.one
         if a == b:
             return one, one
@@ -130,7 +130,7 @@ class RationalFunctions:
         return b / common, a / common
 
     def value(self, a: Polynomial) -> Fraction:
-        """Return the value of a polynomial at the reference point; every generator in it needs a value there."""
+        """Return the value of a polynomial at the reference point; raise NotExactError if a generator has no value."""
         total = Fraction(0)
         for exponents, coefficient in self.library.terms(a).items():
             for name, power in zip(self.names, exponents, strict=True):

@@ -15,16 +15,16 @@ from .dual import Coefficient, Dual, ZeroDivisorError, dual_part, real_part
 
 
 def namespace(*values: Coefficient) -> Any:
-    """Return the module whose functions fit the values: SymPy before mpmath before NumPy before `math`."""
+    """Return the library of the values: the first of SymPy, mpmath and NumPy that has a value, else `math`."""
     libraries = {type(real_part(value)).__module__.partition(".")[0] for value in values}
     for name in ("sympy", "mpmath", "numpy"):
         if name in libraries:
-            return sys.modules[name]  # loaded, since a value is of this library
+            return sys.modules[name]  # already imported, since a value belongs to this library
     return math
 
 
 def _elementary(name: str, slope: Callable[[Any, Any], Any]) -> Callable[[Coefficient], Coefficient]:
-    """Return a function of plain and dual numbers by its name in all libraries.
+    """Return the function of plain and dual numbers with the given name in all libraries.
 
     The derivative at a is ``slope(library, a)``.
     """
@@ -46,18 +46,18 @@ exp = _elementary("exp", lambda library, a: library.exp(a))
 log = _elementary("log", lambda library, a: 1 / a)
 sinh = _elementary("sinh", lambda library, a: library.cosh(a))
 cosh = _elementary("cosh", lambda library, a: library.sinh(a))
-# accurate near 0 to the last digit; not for SymPy, which lacks both
+# full precision near 0; SymPy has neither function
 expm1 = _elementary("expm1", lambda library, a: library.exp(a))
 log1p = _elementary("log1p", lambda library, a: 1 / (1 + a))
 
 
 def tan(value: Coefficient) -> Coefficient:
-    """Return the tangent as a quotient, so that an exact pole is a `ZeroDivisionError`."""
+    """Return the tangent, ``sin/cos``; an exact pole raises `ZeroDivisorError`."""
     return _quotient(sin(value), cos(value), "tan", value)
 
 
 def cot(value: Coefficient) -> Coefficient:
-    """Return the cotangent; an exact pole is a `ZeroDivisionError`."""
+    """Return the cotangent; an exact pole raises `ZeroDivisorError`."""
     return _quotient(cos(value), sin(value), "cot", value)
 
 
@@ -67,7 +67,7 @@ def tanh(value: Coefficient) -> Coefficient:
 
 
 def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
-    """Return the angle of the point (x, y), real part in (−π, π]; dual part ``(x y° − y x°)/(x² + y²)``."""
+    """Return the angle of the point (x, y): real part in (−π, π], dual part ``(x y° − y x°)/(x² + y²)``."""
     a, b = real_part(y), real_part(x)
     angle = namespace(y, x).atan2(a, b)
     if not (isinstance(y, Dual) or isinstance(x, Dual)):
@@ -76,7 +76,7 @@ def atan2(y: Coefficient, x: Coefficient) -> Coefficient:
 
 
 def sqrt(value: Coefficient) -> Coefficient:
-    """Return the square root; it is not differentiable at a real part zero, so a zero divisor is refused.
+    """Return the square root; a zero divisor raises `ZeroDivisorError`, since the root has no derivative at 0.
 
     Elements of an exact ring use their own method ``sqrt``.
     """

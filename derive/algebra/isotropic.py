@@ -1,4 +1,4 @@
-"""The commutative algebra of tensors ``a I + b skew(v) + c v⊗v`` of one vector v, with ``x = v · v``.
+"""Commutative algebra of the tensors ``a I + b skew(v) + c v⊗v`` of one vector v, with ``x = v · v``.
 
 Since ``skew(v)² = v⊗v − x I`` and ``skew(v) v = 0``, products, transposes and inverses stay in the algebra. Their
 coefficients are rational in a, b, c and x, without v. Hence an identity between such tensors is an identity between
@@ -50,7 +50,7 @@ class Isotropic(Structure):
     def inverse(self) -> Isotropic:
         """Return the inverse ``(a I − b skew(v) + (b² − a c)/(a + x c) v⊗v) / (a² + x b²)``.
 
-        Without an inverse, the division raises ZeroDivisionError.
+        A singular tensor raises ZeroDivisionError.
         """
         planar2 = self.planar2
         c = (self.b * self.b - self.a * self.c) / (planar2 * self.axial)
@@ -62,7 +62,7 @@ class Isotropic(Structure):
         return image
 
     def tensor(self, v: Vector) -> Tensor:
-        """Expand at a vector `v` with ``v · v = x``, not checked since it may hold only after simplification."""
+        """Return the tensor at a vector `v`; ``v · v = x`` is not checked, since it may need simplification."""
         expanded: Tensor = Tensor.identity() * self.a + Tensor.skew(v) * self.b + Tensor.dyad(v, v) * self.c
         return expanded
 

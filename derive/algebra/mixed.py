@@ -1,4 +1,4 @@
-"""Sums and products across numbers, vectors, quaternions and tensors, as the papers write them.
+"""Sums and products between numbers, vectors, quaternions and tensors, in the notation of the papers.
 
 A number plus a vector is a quaternion, and two adjacent vectors are multiplied as quaternions. A tensor left of a
 vector or a tensor acts on it.
@@ -13,7 +13,7 @@ from .structures import Quaternion, Tensor, Vector
 
 
 class MeaninglessError(TypeError):
-    """Error: an operation is not defined for these types."""
+    """Error for an operation that is not defined for its operands."""
 
 
 def quaternion(a: Any) -> Quaternion:

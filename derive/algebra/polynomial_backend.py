@@ -1,4 +1,4 @@
-"""Polynomials over Q: one interface, served by python-flint or by SymPy."""
+"""Polynomials over Q, with one interface to python-flint and SymPy."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Polynomial = Any  # fmpq_mpoly or PolyElement; both have + - * ** % == degrees()
 
 
 class Polynomials:
-    """Polynomials over Q of SymPy's sparse ring; the generators are in lexicographic order, the greatest first."""
+    """Polynomials over Q in SymPy's sparse ring, in lexicographic order with the greatest generator first."""
 
     def __init__(self, count: int) -> None:
         self._ring, *generators = sympy.polys.rings.ring([f"g{i}" for i in range(count)], sympy.QQ)
@@ -30,9 +30,10 @@ class Polynomials:
         return a.LC
 
     def gcd(self, a: Polynomial, b: Polynomial) -> Polynomial:
-        """Return the monic greatest common divisor of b and the coefficients of a in the generators that b lacks.
+        """Return the monic greatest common divisor of a and b.
 
-        SymPy's own gcd spends time on every generator, even on absent ones.
+        The method takes the gcd of b and the coefficients of a with respect to generators absent from b. SymPy's own
+        gcd is slower: it treats absent generators too.
         """
         used = [i for i, degree in enumerate(b.degrees()) if degree > 0]
         if not a or not used:
@@ -69,7 +70,7 @@ class Polynomials:
         return list(a.factor_list()[1])
 
     def terms(self, a: Polynomial) -> dict[tuple[int, ...], Fraction]:
-        """Return the coefficients by exponents."""
+        """Return the mapping from exponents to coefficients."""
         return {tuple(e): Fraction(int(c.numerator), int(c.denominator)) for e, c in a.items()}
 
 
@@ -109,7 +110,7 @@ class FlintPolynomials(Polynomials):
 
 
 def polynomials(count: int, backend: str | None = None) -> Polynomials:
-    """Return the ring of polynomials in `count` generators, by default of python-flint where it is installed."""
+    """Return the ring of polynomials in `count` generators; the default is python-flint if installed."""
     backend = backend or ("flint" if importlib.util.find_spec("flint") else "sympy")
     if backend not in ("flint", "sympy"):
         raise ValueError(f"no polynomial backend {backend!r}: expected 'flint' or 'sympy'")

@@ -128,7 +128,7 @@ class Tensor(Structure):
         return first.dot(second.cross(third))
 
     def inverse(self) -> Tensor:
-        """Return the inverse, adjugate over determinant; without one, the division raises ZeroDivisionError."""
+        """Return the inverse, adjugate over determinant; a singular tensor raises ZeroDivisionError."""
         first, second, third = (Vector(*row) for row in self.rows)
         adjugate = Tensor.from_entries((*second.cross(third), *third.cross(first), *first.cross(second))).transpose
         inverse: Tensor = adjugate / self.det()

@@ -1,7 +1,7 @@
 """Definitions of the papers: polynomials p_n and q_n, Cayley maps of order n, their inverses, screws, poses, charts.
 
-CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number. Names are loaded on first use, so
-that the grammar of a user's φ can be checked without SymPy.
+CP23 is Condurache and Popa, Symmetry 15(11) 2011 (2023), cited by equation number. Names are imported on first
+use. The grammar of a user's φ can therefore be checked without SymPy.
 """
 
 from __future__ import annotations

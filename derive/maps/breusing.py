@@ -8,7 +8,7 @@ With ``c = cos θ`` and ``x = (1 − c²)/c`` the quaternion is ``(c − x + 2 �
 
     \frac{dc}{dx} = -\frac{c^2}{1 + c^2}
 
-Division by c + x, instead of multiplication by c, keeps the norm 1 for any rounding error of c.
+The code divides by c + x instead of multiplying by c. The norm is then 1 for any rounding error of c.
 """
 
 from __future__ import annotations
@@ -128,7 +128,7 @@ class Breusing(OrderChart):
         return self._folded(side * m.where(next_to, second, first), m.where(next_to, first, second), m)
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
-        """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow for a v that comes from a quaternion."""
+        """Return f_i and ``h_i = ¾ √(1/c)``; x² does not overflow if v was computed from a quaternion."""
         return fi, m.name("hi", m.sqrt(m.div(9 * twice_secant(x, m), 32)))
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:

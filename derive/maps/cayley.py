@@ -1,7 +1,7 @@
 r"""Cayley map of order n: its formulas in ``x = v · v``, and its chart.
 
-The values are unit dual quaternions, ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), or equally 6x6 adjoint
-matrices. The Cayley map of 4x4 homogeneous matrices has the same rotation but another translation.
+The map takes v to the unit dual quaternion ``q̂ = (1 + v)^(n/2) (1 − v)^(−n/2)`` (CP23 (46)), or to its 6x6 adjoint
+matrix. The Cayley map of 4x4 homogeneous matrices has the same rotation but another translation.
 
 Conventions: real part first; ``v = tan(α/2n) u``; quaternions scalar first; ``ω = dcay v̇`` is the space twist.
 """
@@ -30,7 +30,7 @@ EQUATIONS = {"quaternion": (50, 55), "tensor": (57,), "tangent": (88,), "tangent
 """Numbers of the general equations of each map in CP23."""
 
 _PRINTED = {1: 95, 2: 102, 3: 109, 4: 116, 5: 122}
-"""Number of the first of the four equations (q̂, R, dcay, dcay⁻¹) in CP23, by order."""
+"""CP23 number of the first of four consecutive equations (q̂, R, dcay, dcay⁻¹), by order."""
 
 
 _IDENTITIES = {
@@ -124,12 +124,12 @@ class Cayley(BranchesOfOrder):
 
     @cached_property
     def tangent(self) -> IsotropicMap:
-        """Tangent operator dcay_n, CP23 (88): space twist from v̇."""
+        """Tangent operator dcay_n, CP23 (88); it takes v̇ to the space twist."""
         return self._isotropic(closed_forms.tangent)
 
     @cached_property
     def tangent_inv(self) -> IsotropicMap:
-        """Inverse tangent operator dcay_n⁻¹, CP23 (89): v̇ from the space twist."""
+        """Inverse tangent operator dcay_n⁻¹, CP23 (89); it takes the space twist to v̇."""
         return self._isotropic(closed_forms.tangent_inv)
 
     def _isotropic(self, closed_form: Callable[[int, Any], Isotropic]) -> IsotropicMap:
@@ -201,7 +201,7 @@ class Cayley(BranchesOfOrder):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
 
-        For p = 0 return the sign of q; for q = 0 return the sign of the translation along v.
+        The result is the sign of q where p = 0, and the sign of the translation along v where q = 0.
         """
         sign, _ = self._direction(self.scalars(x, m), y, r, m)
         return sign
@@ -209,7 +209,7 @@ class Cayley(BranchesOfOrder):
     def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:
         """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
 
-        At half a turn p is 0 up to rounding and q > 0; the direction of v is kept then.
+        At half a turn, p is 0 up to rounding and q > 0. The direction is then the direction of v.
         """
         sine = m.name("rq", r * m.abs(at.q))
         either = at.x if self.order == 1 else m.name("either", sine + at.p)
@@ -240,7 +240,7 @@ class Cayley(BranchesOfOrder):
         return m.name("rk", (r * cosine + sine) * inverse), slope, m.name("bend", 2 * (sine * inverse) * slope)
 
     def latex(self) -> str:
-        """Return the polynomials and the four maps as LaTeX, in the paper's letters."""
+        """Return the polynomials and the four maps as LaTeX, in the notation of the paper."""
         return self._aligned(
             *((f"{letter}_{{{self.order}}}", sympy.latex(value, order=LATEX_ORDER)) for letter, value in self.letters)
         )

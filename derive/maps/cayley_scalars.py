@@ -4,16 +4,16 @@ r"""Scalars of the Cayley map of order n at ``x = v · v``, in closed form, with
     f = \frac{2 p q}{N} \quad g = \frac{2 q^2}{N} \quad h = \frac{2 c}{N} \quad
     f_i = \frac{p}{q} \quad h_i = \frac{d}{n q} \qquad N = p^2 + x q^2 = (1 + x)^n
 
-Here c_n and d_n are the brackets of CP23 (88) and (89) divided by x. The type of x decides the result: elements of Q(x)
-give formulas, numbers give values, traced numbers give programs.
+Here c_n and d_n are the brackets of CP23 (88) and (89) divided by x. Elements x of Q(x) give formulas, numbers give
+values, and traced numbers give programs.
 
 A slope, marked y, is ``2 d/dx``: the factor of ``v · v°`` in the dual part, since ``x° = 2 v · v°``. Second slopes are
 marked yy. The slope of N divided by N is ``e = 2n/(1 + x)``. No formula divides by x or uses |v|, so a pure translation
-is no special case.
+needs no special case.
 
-Above `HORNER_LIMIT` p, q, c and d come from a chain of doublings, divided by powers of 1 + x, so that every order
-overflows no sooner than order 4. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p, q and d is D, and the divisor of c, p²
-and x q² is D². In the scalars the divisors cancel.
+Above `HORNER_LIMIT`, p, q, c and d come from a chain of doublings, divided by powers of 1 + x. Every order then
+overflows no sooner than order 4. With ``D = (1 + x)^⌊n/2⌋``, the divisor of p, q and d is D. The divisor of c, p² and
+x q² is D². The divisors cancel in the scalars.
 
 N is computed as ``p² + x q²``, whose rounding error does not grow with n. ``(N/N)/N`` replaces 1/N where N may
 overflow. On overflow the replacement is NaN, while 1/N would be finite and wrong.
@@ -43,7 +43,7 @@ CHAIN_POWER = 4
 
 @dataclass(frozen=True, slots=True)
 class Jet:
-    """Taylor coefficients in x: the value, its first, half its second and a sixth of its third derivative."""
+    """Taylor coefficients in x: the value, the first derivative, half the second and a sixth of the third."""
 
     value: Coefficient
     first: Coefficient = 0
@@ -70,7 +70,7 @@ class Jet:
         return Jet(self.value * self.value, 2 * (self.value * self.first), bend, twist)
 
     def named(self, m: Arithmetic, letter: str) -> Jet:
-        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx."""
+        """Return the jet with its coefficients named p, p_x, p_xx, p_xxx, for the letter p."""
         suffixes = "", "_x", "_xx", "_xxx"
         return Jet(*(m.name(letter + suffix, term) for suffix, term in zip(suffixes, self.terms, strict=True)))
 
@@ -78,8 +78,8 @@ class Jet:
 def chain(order: int, x: Coefficient, shrinking: Coefficient, m: Arithmetic) -> dict[int, tuple[Jet, Jet]]:
     """Return the jets of (p_k, q_k), divided by ``(1 + x)^⌊k/2⌋``, for each k on a chain of doublings up to ``order``.
 
-    Steps are ``p_2k = p² − x q²``, ``q_2k = 2 p q`` and ``p_(k+1) = p − x q``, ``q_(k+1) = p + q``, without alternating
-    sums. Derivatives of p_k and q_k are divided by the same power. Doubling an odd k divides once more by 1 + x.
+    The steps ``p_2k = p² − x q²``, ``q_2k = 2 p q`` and ``p_(k+1) = p − x q``, ``q_(k+1) = p + q`` avoid alternating
+    sums. Derivatives of p_k and q_k are divided by the same power. A doubling of an odd k divides once more by 1 + x.
     """
     argument, two, shrink = Jet(x, 1), Jet(2), Jet(shrinking)
     k, p, q = 1, Jet(1), Jet(1)
@@ -120,7 +120,7 @@ class CayleyScalars:
 
     @cached_property
     def _shrinking(self) -> Coefficient:
-        """Factor ``1/(1 + x)``; NaN where 1 + x to the `CHAIN_POWER` overflows, since second slopes are wrong there."""
+        """Factor ``1/(1 + x)``; NaN where ``(1 + x)^CHAIN_POWER`` overflows, since second slopes are wrong there."""
         square = self.m.name("x2", self._beyond_one * self._beyond_one)
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
@@ -163,7 +163,7 @@ class CayleyScalars:
 
     @cached_property
     def root(self) -> Coefficient:
-        """Root ``(1 + x)^(n/2)`` of the norm; for even n the norm of order n/2, without a square root."""
+        """Root ``(1 + x)^(n/2)`` of the norm; for even n it is the norm of order n/2, without a square root."""
         if self.order % 2:
             return self.m.name("root", self.m.sqrt(self.norm))
         p, q = self._half
@@ -172,7 +172,7 @@ class CayleyScalars:
 
     @cached_property
     def _half(self) -> Pair:
-        """Return p and q of order n/2."""
+        """Values of p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
             p, q = polynomials.ring_pair(half)
@@ -198,7 +198,7 @@ class CayleyScalars:
 
     @property
     def ray(self) -> Triple:
-        """Return (p, q, size): ``p + q v`` is the quaternion times the size; only half-angle formulas use the size."""
+        """Triple (p, q, size), where ``p + q v = size · q̂``; only half-angle formulas use the size."""
         return self.p, self.q, self.root if self.order > 1 and has_ladder(self.order) else 1
 
     # --- R = I + f skew(v) + g skew(v)², T = f I + g skew(v) + h v⊗v, CP23 (57), (88) --------------------------

@@ -1,6 +1,6 @@
 r"""Chart of displacements, ``v = φ(α) u``, given by its scalars at ``x = v · v`` and inverse maps.
 
-All charts share the same geometry and differ in scalars, each regular at x = 0:
+All charts share the formulas below. Charts differ in their scalars, which are regular at x = 0:
 
 .. math::
     \hat q = s + w\,v \qquad R = I + f\,\tilde v + g\,\tilde v^2 \qquad T = f\,I + g\,\tilde v + h\,v \otimes v \qquad
@@ -56,19 +56,19 @@ Scalars: TypeAlias = Any
 """Scalars of a chart at x: s, w, f, g, h, fi, hi, and ``rate = 1/φ′ = f + x h``, the factor of T along the axis.
 
 Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slopes are fyy, gyy, hyy, fiyy and hiyy.
-``ray`` is (a, b, size): ``a + b v`` is the quaternion times the positive size, 1 unless another size is cheaper.
+``ray`` is (a, b, size) with ``a + b v = size · q̂``. The positive size is 1 unless another size costs less.
 """
 
 
 class Chart(ABC):
-    """Parameterization of displacements that can be proved and lowered: an immutable data class."""
+    """Parameterization of displacements, as an immutable data class for proofs and for lowering to programs."""
 
-    name: str  # of the generated module, an identifier
-    selection: tuple[str, str]  # command-line option and its value: -n, 3
+    name: str  # name of the generated module, an identifier
+    selection: tuple[str, str]  # command-line option and its value, such as -n, 3
     order: int  # order n; 1 for a chart without an order
     title: str  # headline, such as "Cayley map of order 3"
-    base: Chart | None = None  # chart with the vectors w in v = factor · w
-    factor: Fraction = Fraction(1)  # 1 without a base chart
+    base: Chart | None = None  # chart of the vector w, with v = factor · w
+    factor: Fraction = Fraction(1)  # factor of the base chart; 1 without one
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields, without cached results."""
@@ -77,7 +77,7 @@ class Chart(ABC):
     @property
     @abstractmethod
     def phi(self) -> sympy.Expr:
-        """Function φ of `families.alpha`: odd, increasing up to the edge."""
+        """Odd function φ of `families.alpha`, increasing up to the edge."""
 
     @property
     @abstractmethod
@@ -87,7 +87,7 @@ class Chart(ABC):
     @property
     @abstractmethod
     def branches(self) -> int:
-        """Number of vectors v_k = φ(α + 2πk) u of a pose, k modulo this number; 0 if every integer k counts."""
+        """Number of distinct vectors v_k = φ(α + 2πk) u of a pose, a period in k; 0 without a period."""
 
     @property
     @abstractmethod
@@ -96,22 +96,22 @@ class Chart(ABC):
 
     @property
     def algebraic(self) -> bool:
-        """Tell whether the formulas contain at most one root, sqrt(1 + x/k) with k an integer."""
+        """Tell whether the formulas are algebraic in x, with at most one root sqrt(1 + x/k), k an integer."""
         return True
 
     @property
     def remainder(self) -> float:
-        """Bound of the approximation error of scalars at any number of digits; 0 for closed formulas."""
+        """Bound of the approximation error of the scalars at any precision; 0 for closed formulas."""
         return 0.0
 
     @property
     def letters(self) -> Sequence[tuple[str, sympy.Expr]]:
-        """Functions of x in the formulas, by letter: p_n and q_n."""
+        """Letters in the formulas and the functions of x for which they stand, such as p_n and q_n."""
         return ()
 
     @property
     def cayley(self) -> Cayley | None:
-        """Chart itself if it is a Cayley map, whose theorems hold at every order; None otherwise."""
+        """Chart itself if it is a Cayley map, with theorems for every order; None otherwise."""
         return None
 
     @property
@@ -123,7 +123,7 @@ class Chart(ABC):
 
     @abstractmethod
     def overflow(self, largest: float) -> tuple[str, float]:
-        """Return why forward maps are NaN for large v, and the limit of Re|v|, for floats up to `largest`."""
+        """Return the reason for NaN at large v, and the limit of Re|v| in forward maps, for floats up to `largest`."""
 
     @abstractmethod
     def scalars(self, x: Coefficient, m: Arithmetic) -> Scalars:
@@ -136,21 +136,21 @@ class Chart(ABC):
     def coefficient_of(self, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic) -> Pair:
         """Return φ and φ′ at the angle of a quaternion.
 
-        Sine ≥ 0 and cosine of half the angle are given up to a common factor. Unlike the rounded angle, they determine
-        the distance to a pole of φ.
+        The arguments `sine` ≥ 0 and `cosine` belong to half the angle, up to a common factor. They give all digits of
+        the distance to a pole of φ; the rounded angle does not.
         """
         return self.coefficient(angle, m)
 
     @abstractmethod
     def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` states that the scalar part is."""
+        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` asserts a positive scalar part."""
 
     @abstractmethod
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         """Return the scalars (f_i, h_i) of T⁻¹ at ``v = gain · vec q``.
 
-        `fi` is the gain times the scalar part of q. For a chart with a fold at its edge, where x hardly changes, it is
-        better than f_i from x. For other charts f_i from x is better: the gain loses digits for small v.
+        The argument `fi` is f_i as the gain times the scalar part of q. Near a fold at the edge, where x hardly
+        changes, `fi` is more accurate than f_i from x. Other charts use f_i from x: the gain loses digits at small v.
         """
 
     @abstractmethod
@@ -178,7 +178,7 @@ class Chart(ABC):
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
         """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
 
-        For a principal v the results are unused but must be numbers; r is then ``sqrt(1 + x)``.
+        For a principal v the caller passes ``r = sqrt(1 + x)`` and ignores the results, which must be numbers.
         """
 
     @abstractmethod
@@ -257,7 +257,7 @@ class Chart(ABC):
 
     @cached_property
     def _values(self) -> Any:
-        """Scalars and x as expressions in x; in α for a chart that is not algebraic."""
+        """Scalars and x, as expressions in x for an algebraic chart, otherwise in α."""
         return self.scalars(x, PLAIN) if self.algebraic else of_angle(self.phi)
 
     def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:

@@ -1,6 +1,6 @@
 r"""Cayley maps of order n in closed form, at ``x = v · v`` of any number type.
 
-Elements of Q(x) give formulas, other numbers give values, `Dual` numbers give values of dual vectors.
+Elements of Q(x) give formulas, other numbers give values, and `Dual` numbers give values at dual vectors.
 Angles: ``v = tan(α/2n) u`` with α the dual angle and u the unit dual vector of the screw axis.
 """
 
@@ -22,7 +22,7 @@ def quaternion(n: int, at: Coefficient) -> Pair:
 
     .. math:: \hat q = \frac{p_n + q_n v}{(1+x)^{n/2}}
 
-    Defined for every v. For v on branch k and even n, the result is ``(−1)ᵏ q̂`` with q̂ of the principal branch.
+    The map is defined for every v. For v on branch k and even n, the result is ``(−1)ᵏ`` times the principal q̂.
     """
     at_x = scalars(n, at)
     return at_x.s, at_x.w
@@ -33,7 +33,7 @@ def tensor(n: int, at: Coefficient) -> Isotropic:
 
     .. math:: R = I + \frac{2 p_n q_n}{(1+x)^n}\,\tilde v + \frac{2 q_n^2}{(1+x)^n}\,\tilde v^2
 
-    Defined for every v. ``ṽ² = v⊗v − x I`` turns the coefficient of I into ``1 − x g``.
+    The map is defined for every v. Since ``ṽ² = v⊗v − x I``, the coefficient of I is ``1 − x g``.
     """
     at_x = scalars(n, at)
     return Isotropic(1 - at * at_x.g, at_x.f, at_x.g, at)
@@ -46,7 +46,7 @@ def tangent(n: int, at: Coefficient) -> Isotropic:
         \mathrm{dcay}_n = \frac{2 p_n q_n}{(1+x)^n}\,I + \frac{2 q_n^2}{(1+x)^n}\,\tilde v
             + \frac{2 c_n}{(1+x)^n}\,v \otimes v, \qquad x\,c_n = n (1+x)^{n-1} - p_n q_n
 
-    Defined for every v. The rank drops at ``q_n = 0``, that is at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
+    The operator is defined for every v. Its rank drops at ``q_n = 0``: at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
     """
     at_x = scalars(n, at)
     return Isotropic(at_x.f, at_x.g, at_x.h, at)
@@ -59,7 +59,7 @@ def tangent_inv(n: int, at: Coefficient) -> Isotropic:
         \mathrm{dcay}_n^{-1} = \frac{p_n}{2 q_n}\,I - \frac12\,\tilde v + \frac{d_n}{2 n q_n}\,v \otimes v,
             \qquad x\,d_n = (1+x)\,q_n - n\,p_n
 
-    Defined where ``Re q_n ≠ 0``; the poles are Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋ (none for n = 1, 2).
+    The operator is defined where ``Re q_n ≠ 0``. The poles are Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋ (none for n = 1, 2).
     """
     at_x = scalars(n, at)
     one = 1 + 0 * at  # at n = 1 all values are int, and int / int would not have the type of `at`

@@ -1,9 +1,9 @@
-r"""Exponential: of tensors and quaternions, and the chart ``v = α u``, whose inverse map is the logarithm.
+r"""Exponential of tensors and quaternions, and the chart ``v = α u`` with the logarithm as inverse map.
 
 .. math:: \exp\tilde a = I + \frac{\sin|a|}{|a|}\,\tilde a + \frac{1 - \cos|a|}{|a|^2}\,\tilde a^2 \qquad
     \text{CP23 (17), (25)}
 
-T of the chart is dexp. With Stumpff functions c_k and ``x = α²``:
+The tangent operator T of the chart is dexp. With Stumpff functions c_k and ``x = α²``:
 
 .. math:: s = c_0(x/4) \quad w = \tfrac12 c_1(x/4) \quad f = c_1 \quad g = c_2 \quad h = c_3(x)
 """
@@ -62,13 +62,13 @@ class ExponentialScalars(DependentScalars):
 
     @cached_property
     def _half(self) -> stumpff.HalfAngle:
-        """Stumpff functions of the half angle by series; beyond the limit unused, at angle 0."""
+        """Stumpff functions of the half angle by series; beyond the limit, unused values at angle 0."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
         return stumpff.HalfAngle(zeta, self.m)
 
     _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
 
-    # α² beyond the limit; for x below the limit, a stand-in beyond it
+    # α² if beyond the limit, else an unused value beyond the limit
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
@@ -85,18 +85,18 @@ class ExponentialScalars(DependentScalars):
         tt = self.m.name("tthalf", t * t)
         below = self.m.name("belowhalf", 1 + tt)
         sine = self.m.name("sine", 2 * t / below)
-        # near half a turn the derivative of 2 tt/below is a difference of terms as large as t
+        # near half a turn, terms as large as t would cancel in the derivative of 2 tt/below
         versine = self.m.name("versine", self.m.where(self.m.less(tt, 16), 2 * tt / below, 2 - 2 / below))
         return sine + self._lost * (1 - versine), versine + self._lost * sine
 
-    # (α² − root²)/2α, with α² the exact sum of the given squares
+    # (α² − root²)/2α, with the rounded root of x, and α² as the exact sum of squares before rounding to x
     _lost = scalar(lambda at: at._left / (2 * at._angle), "lost")
 
     @property
     def _left(self) -> Coefficient:
         """Difference ``α² − root²``, by terms that are exact up to α = 8.
 
-        Beyond 8 it is set to 0: the error may be a large angle, and a corrected R would not be a rotation.
+        Beyond 8 the result is 0: the error may be a large angle, and a corrected R would be no rotation.
         """
         beside = self.m.name("beside", self._angle - 4)
         left = (self._square - 16) - 8 * beside - beside * beside

@@ -6,8 +6,8 @@ r"""Parameterizations ``v = φ(α) u`` of displacements as functions of α: φ a
     T^{-1} &= \frac{\varphi}{2} \cot\frac{\alpha}{2}\,I - \frac12\,\tilde v
         + \frac{\varphi' - (\varphi/2) \cot(\alpha/2)}{\varphi^2}\,v \otimes v
 
-where ``ω = T v̇`` is the space twist. All coefficients are smooth functions of ``x = v · v`` at α = 0.
-``det T = 2 (1 − cos α)/(φ′ φ²)``, so that T loses rank at Re α = 2πk, k ≠ 0, and is not defined where φ′ = 0.
+The space twist is ``ω = T v̇``. All coefficients are smooth functions of ``x = v · v`` at α = 0.
+Since ``det T = 2 (1 − cos α)/(φ′ φ²)``, T loses rank at Re α = 2πk, k ≠ 0. T is not defined where φ′ = 0.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Triple: TypeAlias = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 
 @dataclass(frozen=True)
 class Family:
-    """Parameterization ``v = φ(α) u`` by a name and φ, a function of `alpha`: odd and smooth near 0."""
+    """Parameterization ``v = φ(α) u`` with a name; φ is a function of `alpha`, odd and smooth near 0."""
 
     name: str
     phi: sympy.Expr

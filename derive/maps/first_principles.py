@@ -1,7 +1,7 @@
-"""Motion from first principles: the rotation tensor by its action, the twist ``vect(Ṙ Rᵀ)``, differentials.
+"""Motion from first principles: the rotation tensor by its action on vectors, the twist ``vect(Ṙ Rᵀ)``, and rates.
 
 No closed form of a tangent operator is used: dual numbers differentiate the given map. Twists are in the space frame
-unless stated.
+unless stated otherwise.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficie
 
 
 def _moving(c: Coefficient, rate: Coefficient) -> Dual:
-    """Return the coefficient with its time derivative as dual part; for a dual number, inside each of its two parts."""
+    """Return the coefficient with its rate as dual part; each part of a dual number gets its rate."""
     if not isinstance(c, Dual):
         return Dual(c, rate)
     return Dual(Dual(c.re, real_part(rate)), Dual(c.du, dual_part(rate)))

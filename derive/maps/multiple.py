@@ -1,7 +1,7 @@
-r"""Multiples of a base chart: ``v = K w`` with w the vector of the base chart.
+r"""Multiples ``v = K w`` of a base chart with vector w.
 
-``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is the scalar of w at ``x/K²``, divided by a
-power of K (`POWERS`). Inverse maps and branches come from the base chart:
+The chart ``scaledn`` is 2n times ``cayleyn``, with φ′(0) = 1. Every scalar of v is the scalar of w at ``x/K²``,
+divided by a power of K (`POWERS`). Inverse maps and branches come from the base chart:
 
 .. math:: s(x) = s_w(x/K^2) \qquad f = \frac{f_w}{K} \quad g = \frac{g_w}{K^2} \quad h = \frac{h_w}{K^3} \qquad
     f_i = K f_{i,w} \quad h_i = \frac{h_{i,w}}{K}
@@ -31,7 +31,7 @@ POWERS = {
     "rate": 1, "ratey": 3, "sy": 2, "wy": 3, "fy": 3, "gy": 4, "hy": 5, "fiy": 1, "hiy": 3,
     "fyy": 5, "gyy": 6, "hyy": 7, "fiyy": 3, "hiyy": 5,
 }  # fmt: skip
-"""Power of K by which each scalar of the base chart is divided; a slope adds two."""
+"""Powers of K that divide the scalars of the base chart; each slope adds two."""
 
 
 def divided(value: Coefficient, factor: Fraction, m: Arithmetic, power: int = 1) -> Coefficient:
@@ -102,7 +102,7 @@ class Multiple(Chart):
 
     @cached_property
     def _values(self) -> Any:
-        """Scalars from the formulas of the base chart, which are in lowest terms."""
+        """Scalars from the formulas of the base chart, already in lowest terms."""
         if not self.algebraic:
             return super()._values
         factor = sympy.Rational(self.factor)

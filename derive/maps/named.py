@@ -55,7 +55,7 @@ SYMBOLIC = ("isochoric",)
 """Names of `families` without kernels: their scalars are not elementary functions of x."""
 
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
-"""Charts as functions of the order, by the stem of the name."""
+"""Functions that return the chart of an order, by the stem of the name."""
 
 
 def family(name: str) -> Named:
@@ -74,7 +74,7 @@ def family(name: str) -> Named:
 
 
 def recognized(phi: sympy.Expr) -> Named | None:
-    """Return the known chart of φ, or the multiple of a known chart, by an exact decision; None for another φ."""
+    """Return the known chart of φ, or the multiple of a known chart, by exact comparison; None for another φ."""
     if phi == Breusing().phi:
         return Breusing()
     form = multiple_of_known(phi)

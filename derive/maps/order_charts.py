@@ -1,4 +1,4 @@
-"""Charts of order n with θ = α/2n: gains of quaternions, and branches, which differ by turns ``kπ/n`` of θ."""
+"""Charts of order n with θ = α/2n: gains of quaternions, and branches at turns ``kπ/n`` of θ."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
 def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
     """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
     first, *others = table[::3]
-    # up to rounding, v at half a turn is on the first branch
+    # v at half a turn counts as principal despite rounding
     limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
@@ -85,7 +85,7 @@ def half_cosine(q: Quaternion, m: Arithmetic, positive: bool) -> tuple[Any, Coef
 
 
 def half_sine(q: Quaternion, cosine: Coefficient, m: Arithmetic) -> tuple[Any, Coefficient, Coefficient]:
-    """Return whether the vector part is 0, its square, and its length (a stand-in for a zero vector)."""
+    """Return whether the vector part is 0, its square, and its length (for 0, an unused positive number)."""
     square = m.name("ss", q.vector.dot(q.vector))
     still = m.name("still", m.equal(square, 0))
     # avoid the root of 0: its derivative is infinite, and 0 · ∞ would spoil the gradient
@@ -118,8 +118,8 @@ def near_pole(
 ) -> tuple[Any, Coefficient, Coefficient]:
     """Return whether |α| is near the pole nπ, the distance ``nπ − |α|`` if so or |α| if not, and the sign of α.
 
-    ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor. They give all digits of the distance, by its
-    half tangent ``−tan(α/2)`` for even n, ``cot(α/2)`` for odd n. The rounded angle gives few digits near the pole.
+    The arguments ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor. They give all digits of the
+    distance; the rounded angle does not. The tangent of half of it is ``−tan(α/2)`` for even n, else ``cot(α/2)``.
     """
     side = m.name("sideof", m.where(m.less(angle, 0), -1, 1))
     size = m.name("size", m.abs(angle))
@@ -164,7 +164,7 @@ class BranchesOfOrder(Chart):
 class OrderChart(BranchesOfOrder, QuaternionChart):
     """Chart v = φ(α) u of order n: φ is a function of θ = α/2n with its edge at θ = π/2.
 
-    ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``: CP23 (60) with ``a = cos θ/σ``. Turned θ are reduced to |θ| < π/2.
+    ``q̂ = (cos θ + σ v)ⁿ`` with ``σ = sin θ/|v|``: CP23 (60) with ``a = cos θ/σ``. Turns of θ are reduced to |θ| < π/2.
     """
 
     @abstractmethod

@@ -1,13 +1,13 @@
 r"""Polynomials p_n, q_n of the higher-order Cayley maps, and their laws.
 
-The polynomials satisfy ``(1 + iX)ⁿ = p_n + i X q_n`` with ``x = X²``. CP23 writes p_n(X), q_n(X); both are even, so
-here they are functions of x:
+The polynomials satisfy ``(1 + iX)ⁿ = p_n + i X q_n`` with ``x = X²``. CP23 writes p_n(X), q_n(X). Both are even
+in X; here they are functions of x:
 
 .. math::
     p_1 = q_1 = 1, \quad p_{n+1} = p_n - x\,q_n, \quad q_{n+1} = q_n + p_n \qquad \text{CP23 (56)}
 
 The recurrence is the definition. The binomial sums CP23 (51), (52), the addition law and the closed forms of c_n and
-d_n are theorems. Functions here compute these independently.
+d_n are theorems. Functions of this module compute them independently.
 """
 
 from __future__ import annotations

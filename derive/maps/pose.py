@@ -44,7 +44,7 @@ class Pose:
 class Screw:
     """Natural invariants of a pose, CP23 Theorem 3.
 
-    `angle` is the dual angle ``α + ε d`` (rotation, translation along the axis); `axis` is the unit dual vector
+    `angle` is the dual angle ``α + ε d`` (rotation, translation along the axis). `axis` is the unit dual vector
     ``u + ε u°`` of the Mozzi-Chasles axis (direction, moment about the space origin).
     """
 

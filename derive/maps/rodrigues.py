@@ -18,7 +18,7 @@ from ..algebra import Tensor, Vector, functions
 def cayley_matrix(A: Tensor) -> Tensor:
     """Return ``B = (A − I)(A + I)⁻¹``, K10 section 2: skew-symmetric where A is orthogonal.
 
-    At a half turn and for every reflection ``A + I`` is exactly singular, which raises ZeroDivisionError.
+    A half turn or a reflection A raises ZeroDivisionError, since ``A + I`` is exactly singular.
     """
     unit = Tensor.identity()
     B: Tensor = (A - unit) @ (A + unit).inverse()
@@ -35,7 +35,7 @@ def cayley_formula(b: Vector) -> Tensor:
 def rodrigues_vector(A: Tensor) -> Vector:
     """Return b with ``A x − x = b × (A x + x)`` for all x, from the invariants: ``b = 2 vect A / (1 + tr A)``.
 
-    No inverse is taken, so the result is independent of `cayley_matrix`. Singular at half turns.
+    No inverse is taken, so the result is independent of `cayley_matrix`. It is singular at half turns.
     """
     b: Vector = A.vect() * 2 / (1 + A.trace())
     return b

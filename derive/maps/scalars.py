@@ -1,4 +1,4 @@
-r"""Scalars of every chart that follow from s, w, and from h and ``ρ = 1/φ′`` with their slopes.
+r"""Scalars of every chart, computed from s, w, and from h and ``ρ = 1/φ′`` with their slopes.
 
 .. math::
     f = 2 s w \quad g = 2 w^2 \quad f + x h = \rho \qquad
@@ -7,8 +7,8 @@ r"""Scalars of every chart that follow from s, w, and from h and ``ρ = 1/φ′`
     f_i = \frac{s}{w} \quad h_i = \frac{g - f_i h}{\rho} \qquad
     f_{iy} = -\frac{h}{g} \quad h_{iy} = \frac{g_y - f_{iy} h - f_i h_y - h_i \rho_y}{\rho}
 
-and derivatives of these. All follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where two terms
-cancel, a small factor multiplies the difference, so no digits are lost.
+Second slopes are derivatives of these. All follow from ``s² + x w² = 1``, ``2 dα/dx = ρ/φ`` and ``T T⁻¹ = I``. Where
+two terms cancel, a small factor multiplies the difference. No digits are lost.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ from .chart import Chart
 from .polynomials import Pair, Triple
 
 NOISE = 16
-"""Divisor that detects noise: a term is rounding noise if, divided by it, the term leaves a sum unchanged.
+"""Divisor in the test for rounding noise: a term is noise if ``sum + term/NOISE`` equals the sum.
 
-Such a term is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and
-2π eps for ``cot(α/2)``.
+Noise is below 8 eps of the sum. At half a turn, errors are up to 4 eps of the length for v, 4π eps for α, and 2π eps
+for ``cot(α/2)``.
 """
 
 
 class scalar:
     """Scalar of a class with an arithmetic ``m``, computed by its formula from other scalars on first use.
 
-    The name in programs is the name of the attribute by default.
+    Its name in programs is, by default, the name of the attribute.
     """
 
     def __init__(self, formula: Callable[[Any], Coefficient], name: str = "") -> None:
@@ -116,7 +116,7 @@ class QuaternionChart(Chart):
         return fi, self.scalars(x, m).hi
 
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> DependentScalars:
-        """Return scalars with the given f_i and with h_i from it: for any error of f_i, T⁻¹ along the axis is φ′."""
+        """Return scalars with the given f_i, and h_i from f_i; T⁻¹ along the axis is φ′ for any error of f_i."""
         at = self.scalars(x, m)
         at.fi = fi
         return at
@@ -124,12 +124,12 @@ class QuaternionChart(Chart):
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign of sin α on the branch of v.
 
-        For sin α = 0 return the sign of w at half a turn, or the sign of the translation along v at a whole turn.
+        The sign for sin α = 0 is the sign of w at half a turn, or of the translation along v at a whole turn.
         """
         return self._direction(self.scalars(x, m), y, m)
 
     def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
-        # at half a turn s is 0 up to rounding; with w > 0 the direction of v is kept
+        # at half a turn s is 0 up to rounding; for w > 0 keep the direction of v
         kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
         turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))

@@ -1,7 +1,8 @@
 r"""Sine charts, ``v = sin(α/2n) u``: orthographic at n = 1, Lambert's equal-area projection at n = 2.
 
 Let θ = α/2n, ``x = sin² θ``, ``c = √(1 − x)``, and S, W, H, B be polynomials in x. For even n ``cos nθ = S`` and
-``sin nθ/sin θ = c W``; for odd n ``cos nθ = c S`` and ``sin nθ/sin θ = W``. The forms of h_i are for even and odd n:
+``sin nθ/sin θ = c W``; for odd n ``cos nθ = c S`` and ``sin nθ/sin θ = W``. The two forms of
+h_i are for even n and for odd n:
 
 .. math::
     h = \frac{H}{c} \quad x H = 2 n - 2 (1 - x) S W \qquad \rho = \frac{2 n}{c} \qquad
@@ -112,7 +113,7 @@ class SineScalars(DependentScalars):
 class SineAtAngle(SineScalars):
     """Scalars for known f_i and cos θ."""
 
-    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # from f_i: T⁻¹ along the axis stays φ′ for any error of f_i
+    hi, hiy = DependentScalars.hi, DependentScalars.hiy  # computed from f_i: T⁻¹ along the axis is φ′ for any error
 
     def __init__(self, chart: Sine, x: Coefficient, fi: Coefficient, cosine: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart.order, x, m)
@@ -152,7 +153,7 @@ class Sine(OrderChart):
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
-        """Return cos θ and 1; beyond the edge the cosine is an unused stand-in."""
+        """Return cos θ and 1; beyond the edge the cosine is an unused number."""
         return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:

@@ -5,8 +5,8 @@ r"""Stumpff functions: sine and cosine of an angle divided by its powers, withou
     c_0 = \cos\alpha \quad c_1 = \frac{\sin\alpha}{\alpha} \quad c_2 = \frac{1 - \cos\alpha}{\alpha^2} \quad
     c_3 = \frac{\alpha - \sin\alpha}{\alpha^3} \qquad \xi = \alpha^2
 
-They are analytic in ξ, with ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below `LIMIT` a truncated
-series gives the functions of the half angle. Sums of positive terms then give the functions of the angle:
+The functions are analytic in ξ, with ``c_k = 1/k! − ξ c_(k+2)`` and ``2 c_k′ = k c_(k+2) − c_(k+1)``. Below `LIMIT` a
+truncated series gives the functions of the half angle. Sums of positive terms then give the functions of the angle:
 
 .. math::
     c_3(4\zeta) = \tfrac14 (c_3 + c_1 c_2) \quad c_4(4\zeta) = \tfrac18 c_3 (1 + c_1) \quad

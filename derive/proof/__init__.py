@@ -5,7 +5,7 @@ notation               symbols and operators of statements, as SymPy expressions
 statement              `Equation` and `Premise`
 identity               `Proof` and `decide`: all residues must be 0, all multipliers nonzero
 theorem                `Theorem`: claim, premises and method
-methods                decision as an identity, by induction on n, or by a differential equation
+methods                decisions by identity, by induction on n, or by a differential equation
 coefficients           power series with binomial coefficients, decided for all n and j
 evaluation             values of expressions, given the values of their symbols
 setting                a differential ring in which the premises of a theorem hold

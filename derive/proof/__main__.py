@@ -24,7 +24,7 @@ from .proved import proofs, stated
 from .theorem import Theorem, decided
 
 ORDERS = (1, 2, 3, 4, 5)
-"""Orders of the proofs and controls at single orders: even and odd, with and without poles."""
+"""Orders of the proofs and controls at single orders: even and odd orders, with and without poles."""
 
 SHOWN = 3
 """Order whose proofs the page shows."""
@@ -53,12 +53,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def claims() -> tuple[Theorem, ...]:
-    """Return all theorems that are proved once, not at each order."""
+    """Return all theorems that are proved once instead of at each order."""
     return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:
-    """Return the proofs at order n, without the theorems that are proved once."""
+    """Return the proofs at order n, without the theorems of `claims`."""
     once = {theorem.name for theorem in COMPOSITION_AT.values()}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 

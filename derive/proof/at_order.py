@@ -24,12 +24,12 @@ from .vector_ring import Ring
 METHOD = "instance of the theorem for all n, residues in Q(x), for the quaternion in Q(sqrt(1 + x))"
 Function = Callable[..., Any]
 Named = Mapping[str, tuple[sympy.Expr, Callable[[], Sequence[Any]]]]
-"""Symbol in the theorems, and function that returns the coefficients, by name in the code."""
+"""Names in the code, each with its symbol in the theorems and a function that returns the coefficients."""
 
 SYMBOLS = {
     "p": p, "q": q, "c": c, "d": d, "quaternion": q_hat, "tensor": R, "tangent": dcay, "tangent_inv": dcay_inv,
 }  # fmt: skip
-"""Symbol in the theorems of each formula, by its attribute name in a Cayley map."""
+"""Symbols in the theorems, by the attribute of a Cayley map that holds the formula."""
 
 SUMS = ("p_binomial", "q_binomial", "c_binomial", "d_binomial")
 PAIRS = {"multiply": "pq", "pair_by_squaring": "pq", "brackets": "cd"}
@@ -135,12 +135,12 @@ def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> t
 
 
 def _coefficients(found: Any) -> tuple[Any, ...]:
-    """Return the coefficients of a quaternion, tensor or operator; a polynomial is its only coefficient."""
+    """Return the coefficients of a quaternion, tensor or operator; a polynomial counts as one coefficient."""
     return found if isinstance(found, tuple) else tuple(getattr(found, "coefficients", (found,)))
 
 
 def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:
-    """Decide whether sin α/2 = 0 at all singular angles except the last, nπ, and whether tan α/2n are all poles."""
+    """Decide whether sin α/2 = 0 at the singular angles before the last, nπ, and their tan α/2n are the poles."""
     names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
     turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
     claim = (

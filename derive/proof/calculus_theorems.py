@@ -125,7 +125,7 @@ def _image(
 
 
 def _structure(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> tuple[Theorem, ...]:
-    """Return the Maurer-Cartan equation in space, and in the body with a minus sign and J_B(b) a = Rᵀ J(a) b."""
+    """Return the theorems on the Maurer-Cartan equation in space and body; in the body, J_B(b) a = Rᵀ J(a) b."""
     body_of_b = body_jacobian.func("J_B(b)", commutative=False)
     of_a = definition(twist_jacobian, _jacobian(a))
     common = SQUARE, SLOPES.premise(1), ORIGIN_P

@@ -1,8 +1,8 @@
 r"""Comparison of power series in x, whose coefficients are sums of binomials, for all n and j.
 
 A series is a polynomial plus tails :math:`\sum_{j \ge s} e(n, j)\,x^j`. Multiplication by x shifts the index, so the
-recurrence of p_n and q_n applies to series too. Two series are equal if their general coefficients agree, and also
-each single coefficient below the start of a tail.
+recurrence of p_n and q_n applies to series too. Two series are equal if their general coefficients agree, and every
+coefficient below the start of a tail agrees.
 
 A sum of binomials is decided with :math:`\binom{n}{k} = \frac{n!}{k!\,(n-k)!}` and 1/m! = 0 for m < 0. Terms whose
 factorials differ only by integers have a common factor
@@ -41,7 +41,7 @@ BINOMIAL = definition(
 
 
 class NotDecidedError(ArithmeticError):
-    """Error: a coefficient is not a sum of binomials."""
+    """Error for a coefficient that is not a sum of binomials."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ class Coefficients(Method):
     """
 
     first: int = 1
-    """Least n, at which recurrences start."""
+    """Least n, the start of recurrences."""
 
     @property
     def title(self) -> str:
@@ -160,13 +160,13 @@ class _Reader:
 
 
 def _zero(label: str, series: Series, first: int) -> Checks:
-    """Yield the residues of all coefficients of a series, which must be zero."""
+    """Yield the residues of all coefficients of a series that must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:
         yield f"{label}, general coefficient", residue(general, first)
         last = max([begun, *series.head])
-    else:  # n is a number, so only finitely many coefficients are not 0
+    else:  # n is a number: only finitely many coefficients are nonzero
         last = max([begun, *series.head, *map(_last_index, general.atoms(sympy.factorial))]) + 1
     for power in range(min([0, *series.head, *(start for start, _ in series.tails)]), last + 1):
         yield f"{label}, coefficient of x^{power}", residue(series.coefficient(power), first)
@@ -203,7 +203,7 @@ class _Term:
 
     @property
     def kind(self) -> Any:
-        """Key shared by all terms that have a common factor of factorials."""
+        """Key of the terms that have a common factor of factorials."""
         return self.alternating, *(tuple(h for h, _ in part) for part in (self.above, self.below))
 
 
@@ -253,7 +253,7 @@ def _between(form: sympy.Expr, low: int, high: int) -> Any:
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:
-    """Return the sum of terms of one `kind`, divided by their common factorials, which must exist at all n >= first."""
+    """Return the sum of terms of one `kind`, divided by their common factorials; these must exist for n >= first."""
     least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
     greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
     for (form, _), a in zip(terms[0].above, least, strict=True):

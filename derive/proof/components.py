@@ -1,10 +1,10 @@
-r"""The componentwise road: proofs at one order from the definition, independent of the theorems.
+r"""Componentwise road: proofs at one order from the definition, independent of the theorems.
 
 :math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols. Then :math:`\hat q = z/|z|` (CP23
-(46)), R is the sandwich ``q̂ r q̂*`` (24), and ω = vect(R' Rᵀ) (68) with every entry differentiated along v'. The
+(46)), R is the sandwich ``q̂ r q̂*`` (24), and ω = vect(R' Rᵀ) (68), with R' as the derivative along v'. The
 formulas under test are functions of x, expanded at the dual number :math:`x = v \cdot v` by
 :math:`f(x) + \varepsilon x^\circ f'(x)`. All residues are polynomials modulo v·v = x, with x° = 2 v·v°. Denominators
-and |z|² are multiplied out; a check ensures that their real parts are not zero. No proof for every order is used.
+and |z|² are multiplied out; a check ensures that their real parts are not zero. No theorem for all n is used.
 Each statement is also evaluated as printed, at a rational point.
 """
 
@@ -156,7 +156,7 @@ class Components:
         yield from _checks("z (1-v)^n - |z|^2", product - self.identity[0] * self.norm)
 
     def quaternion(self) -> Checks:
-        """Decide q̂ ⊗ q̂ = z ⊗ z / |z|², which fixes the quaternion up to its sign."""
+        """Decide q̂ ⊗ q̂ = z ⊗ z / |z|², an equation that determines q̂ up to its sign."""
         s, t = self.cayley.quaternion.coefficients
         (ss, st, tt), denominator = self._expand((s * s, s * t, t * t))
         yield _multiplier(NORM, self.norm)
@@ -196,7 +196,7 @@ class Components:
                 stated = square * formula[i, direction]
                 yield from _checks(f"omega_{i + 1} along e{direction + 1}", twice * denominator - stated - stated)
             along = np.array([_Dual(self.zero.re, entry.re) for entry in rate.flat]).reshape(3, 3)
-            dual_rate = self._rate(f"d{direction + 1}")  # the rate along ε e_j is ε times the rate along e_j
+            dual_rate = self._rate(f"d{direction + 1}")  # the rate along ε e_j must be ε times the rate along e_j
             yield from _checks(f"rate along eps e{direction + 1}", dual_rate - along)
 
     def _rate(self, name: str) -> Array:
@@ -231,5 +231,5 @@ def _checks(label: str, value: Any) -> Checks:
 
 
 def _multiplier(term: sympy.Expr, value: _Dual, power: int = 1) -> Multiplier:
-    """Return a dual number as a multiplier, which is not a zero divisor if its real part is not zero."""
+    """Return a dual number as a multiplier; a nonzero real part certifies that it is no zero divisor."""
     return Multiplier(term, power, bool(value.re))

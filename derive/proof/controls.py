@@ -1,7 +1,7 @@
-"""Controls: theorems with one deliberate error each, whose proof must fail.
+"""Controls: theorems with one deliberate error each; every control must fail.
 
 Controls alter each equation of a claim, each integer in it, each premise, each free symbol and each multiplier. At one
-order they alter each formula, claim, premise and definition of the componentwise road. If a control is proved, then a
+order, controls alter each formula, claim, premise and definition of the componentwise road. If a control is proved, a
 check cannot fail, a premise is unused, or a theorem claims too little.
 """
 
@@ -36,7 +36,7 @@ class Control:
 
     @property
     def noticed(self) -> bool:
-        """True if the altered theorem failed, and every expression in it has a value."""
+        """Tell whether the altered theorem failed, with a value for every expression in it."""
         return not self.proof.proved and all(residue.label != NO_VALUE for residue in self.proof.residues)
 
     def __str__(self) -> str:
@@ -107,7 +107,7 @@ _FORMULAS: Mapping[str, tuple[int, ...]] = {
     "p": (), "q": (), "c": (), "d": (), "quaternion": (QUATERNION,), "tensor": (TENSOR,), "tangent": (TWIST, INVERSE),
     "tangent_inv": (INVERSE,),
 }  # fmt: skip
-"""Indices of the statements that must fail when a formula is wrong; its instance must fail too."""
+"""Indices of the statements that must fail when a formula is wrong; the instance of the formula must fail too."""
 
 _DEFINITIONS: Mapping[type[Components], tuple[int, ...]] = {
     _Doubled: (DEFINITION, QUATERNION, TENSOR, TWIST),
@@ -151,7 +151,7 @@ def controls_of(chart: Chart) -> Iterator[Control]:
         decided = tuple(ScalarProofs(wrong).proofs())
         for place in (LOWERED, RELATED) if name in VALUES else (DERIVED if name in SLOPES else DERIVED_TWICE,):
             yield Control(decided[place].name, f"{name} + x", decided[place])
-    start = sympy.Rational(3, 4)  # tangent of an angle with rational cosine
+    start = sympy.Rational(3, 4)  # tangent of an angle whose cosine is rational
     altered = {"phi of twice the angle": chart.phi.xreplace({alpha: 2 * alpha})}
     if chart.cayley:  # the tangent of a sum obeys the same differential equation
         altered["phi that begins elsewhere"] = (chart.phi + start) / (1 - start * chart.phi)
@@ -162,7 +162,7 @@ def controls_of(chart: Chart) -> Iterator[Control]:
 
 
 def _altered_statements(cayley: Cayley) -> Iterator[Control]:
-    """Yield the controls with false claims or premises on the componentwise road."""
+    """Yield the controls of the componentwise road with a false claim or a false premise."""
     components = Components(cayley)
     false = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
     for proof in components.proofs(false):

@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 class Coverage(NamedTuple):
     """Validation of one kernel function, names of the theorems behind its formula, and the part without a theorem.
 
-    The validation compares the emitted function with its formula; it is "text" for constants without arguments.
+    Validation compares the emitted function with its formula. "text" means constants, for functions without arguments.
     """
 
     validation: Literal["exact", "50 digits", "text"]

@@ -1,16 +1,16 @@
-r"""The ring in which identities are decided: polynomials over Q modulo relations, localized, with a derivation.
+r"""Ring in which identities are decided: polynomials over Q modulo relations, localized, with a derivation.
 
 The generators of a theorem for every n are n, x, p_n, q_n and the components of vectors. Nothing is cancelled, so the
-denominator of a difference contains every divisor. Each irreducible factor of the denominator must be *certified*: for
-no n is it identically 0. Multiplying by an identically vanishing factor would turn every equation into 0 = 0. A factor
-is certified
+denominator of a difference contains every divisor. Each irreducible factor of the denominator must be *certified* as
+not identically 0 at any n. Multiplication by a vanishing factor would turn every equation into 0 = 0. A factor is
+certified
 
-* if it is a polynomial in freely varying symbols, such as x, or a power of such a polynomial. At most one relation,
-  an irreducible one, may hold between these symbols, since two relations may have zero divisors together;
+* if it is a polynomial in freely varying symbols, such as x, or a power of such a polynomial. At most one irreducible
+  relation may hold between these symbols, since two relations together may have zero divisors;
 * if its value at the origin (x = 0, p_n = 1, q_n = n) is a polynomial in n without a positive integer root.
 
-A decided identity holds between rational functions of x at every n. It holds wherever both sides are defined, even
-where a factor vanishes, and for dual x and v.
+A decided identity holds between rational functions of x at every n. The identity holds wherever both sides are defined,
+even where a factor vanishes, and for dual x and v.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ class DifferentialRing(RationalFunctions):
     Parameters
     ----------
     generators : sequence of Symbol
-        Generators in order: a relation eliminates the first of its symbols.
+        Generators in order; a relation eliminates its first generator.
     free : iterable of Symbol
         Generators that vary independently of everything else, and are 0 at the origin.
     zeroed : Expr, optional
-        Factor treated as 0 where differences are multiplied by it; only controls use it.
+        Factor taken as 0 when differences are multiplied by it; only controls give one.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class DifferentialRing(RationalFunctions):
         self.zeroed = zeroed
         self.origin: dict[sympy.Symbol, Element] = {}
         self.cleared_by: list[Polynomial] = []
-        self.bases: dict[sympy.Expr, Polynomial] = {}  # by symbol of a power with a variable exponent
+        self.bases: dict[sympy.Expr, Polynomial] = {}  # base of each power with a variable exponent, by its symbol
 
     def generator(self, symbol: sympy.Symbol) -> Element:
         """Return the generator of a symbol."""
@@ -68,7 +68,7 @@ class DifferentialRing(RationalFunctions):
         self.cleared_by.append(difference.denominator)
 
     def multipliers(self, denominator: Polynomial) -> tuple[Multiplier, ...]:
-        """Return the factors by which a difference with this denominator is multiplied."""
+        """Return the factors of the denominator of a difference, as its multipliers."""
         factors = ((self.expression(f), f, power) for f, power in self.library.factors(denominator))
         return tuple(
             Multiplier(expression, power, expression != self.zeroed and self._certified(factor))
@@ -76,7 +76,7 @@ class DifferentialRing(RationalFunctions):
         )
 
     def reduced(self, a: Polynomial) -> Polynomial:
-        """Return a product unchanged, because relations stated later would reduce it differently."""
+        """Return a product unchanged: relations stated later could reduce it further."""
         return a
 
     def residue(self, difference: Element) -> Any:
@@ -100,7 +100,7 @@ class DifferentialRing(RationalFunctions):
         return {symbol for symbol, degree in zip(self.symbols, a.degrees(), strict=True) if degree > 0}
 
     def _certified(self, factor: Polynomial) -> bool:
-        """Return whether a factor is certified: for no n is it identically 0."""
+        """Return whether a factor is certified as not identically 0 at any n."""
         factor = self.bases.get(self.expression(factor), factor)
         symbols = self.occurring(factor)
         if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:

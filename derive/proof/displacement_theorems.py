@@ -162,7 +162,7 @@ def _pose(formulas: Formulas) -> Theorem:
 
 
 def branch_step(sign: int) -> tuple[Premise, ...]:
-    """Return cosine and sine of nβ = kπ, for even k with sign 1 and odd k with sign −1, and the value of p at 0."""
+    """Return the premises cos nβ = `sign` and sin nβ = 0 (sign 1 for even branches, −1 for odd), and p at x = 0."""
     cosine = definition(sympy.cos(n * beta), sign, wrong=sympy.Integer(0))
     return cosine, definition(sympy.sin(n * beta), 0), ORIGIN_P
 

@@ -18,7 +18,7 @@ from .statement import Equation
 
 
 class NoValueError(ArithmeticError):
-    """Error: an expression has no value by any premise."""
+    """Error for an expression to which no premise gives a value."""
 
 
 MEANING: Mapping[Any, Callable[..., Any]] = {
@@ -37,7 +37,7 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
     notation.dot: lambda a, b: a.dot(b),
     notation.norm2: lambda a: mixed.quaternion(a).norm2(),
 }
-"""Functions on values of the algebra, by the operator that denotes them."""
+"""Functions on values of the algebra, by their operator in statements."""
 
 
 class Evaluation:
@@ -59,7 +59,7 @@ class Evaluation:
         raise NoValueError("no premise gives a derivative")
 
     def power(self, base: sympy.Expr, exponent: sympy.Expr) -> Any:
-        """Return a power with an exponent that is not an integer number, such as n."""
+        """Return a power whose exponent is not an integer constant, such as n."""
         raise NoValueError(f"no premise defines {notation.text(base**exponent)}")
 
     def value(self, expression: sympy.Expr) -> Any:

@@ -23,7 +23,7 @@ Check = tuple[str, Any]
 class Multiplier:
     """Power of a polynomial by which both sides were multiplied before the comparison.
 
-    It is `nonzero` if it is certified to be no zero divisor at any order. Otherwise the comparison proves nothing.
+    The flag `nonzero` certifies that it is no zero divisor at any order. Otherwise the comparison proves nothing.
     """
 
     expression: sympy.Expr
@@ -40,7 +40,7 @@ class Multiplier:
 
 
 class Residue(NamedTuple):
-    """Label of a check, and left side minus right side, which is 0 exactly when the sides are equal."""
+    """Label of a check, and left side minus right side; the value is 0 exactly if the sides are equal."""
 
     label: str
     value: Any
@@ -104,7 +104,7 @@ class Proof:
 
     @property
     def proved(self) -> bool:
-        """True if the statement is proved."""
+        """Tell whether the statement is proved."""
         return self.status == "proved"
 
     @property

@@ -6,12 +6,12 @@ At order n, let ``v`` be 2n times the vector of the map, and ``ε = 1/(2n)²``. 
     \varphi(\alpha) = \frac{\tan(\sqrt\varepsilon\,\alpha)}{\sqrt\varepsilon} \qquad
     \varphi' = 1 + \varepsilon\,\varphi^2
 
-so that α solves ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, with α = 0 at r = 0. The right side is analytic in ε and r where
-``|ε| r² < 1``, that is for α < nπ/2, half the edge of the chart. The solution and all maps are analytic there too.
+Hence α solves ``dα/dr = 1/(1 + ε r²)``, ``r = |v|``, with α = 0 at r = 0. The right side is analytic in ε and r where
+``|ε| r² < 1``: for α < nπ/2, half the edge of the chart. The solution and all maps are analytic there too.
 
-The theorems state the values of these maps at ε = 0 and their derivatives by ε there, as dual numbers with ``ε² = 0``.
-Quaternion, tensor and T therefore differ from the exponential's by ``1/(4 n²)`` times the term beside ε, plus terms
-of order ``1/n⁴``.
+The theorems state these maps and their derivatives by ε, both at ε = 0, as dual numbers with ``ε² = 0``. Quaternion,
+tensor and T therefore differ from the values of the exponential map by ``1/(4 n²)`` times the coefficient of ε, plus
+terms of order ``1/n⁴``.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ SCOPE = "1/(2n)^2 = epsilon, to first order"
 HALF = sympy.cos(alpha / 2), sympy.sin(alpha / 2)
 OF_LENGTH = sympy.cos(r / 2), sympy.sin(r / 2)
 SPEED = 1 / (1 + epsilon * r**2)
-"""Derivative dα/dr, which is also the factor of T along the axis."""
+"""Derivative dα/dr, equal to the factor of T along the axis."""
 
 SYMBOLS = (OF_LENGTH[1], OF_LENGTH[0], r)
 

@@ -1,7 +1,8 @@
 """Two methods to decide a claim in a ring, and a check that its premises are consistent.
 
 An *identity* is evaluated. A quantity *determined* by a start and a law equals every quantity with the same start and
-law. A sequence has a first term and a recurrence, a function has an initial value and a differential equation.
+law. Sequences start with a first term and obey a recurrence. Functions start with an initial value and obey a
+differential equation.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ class InRing(Method):
 
 @dataclass(frozen=True)
 class Identity(InRing):
-    """Evaluation of both sides."""
+    """Method that evaluates both sides of each equation."""
 
     sides = ("left", "right")
 
@@ -66,7 +67,7 @@ def identity(
 
 @dataclass(frozen=True)
 class Determined(InRing):
-    """Comparison of starts and laws of both sides of each equation.
+    """Method that compares the starts and laws of both sides of each equation.
 
     Attributes
     ----------
@@ -78,7 +79,7 @@ class Determined(InRing):
 
     @property
     def by_steps(self) -> bool:
-        """True if laws are recurrences."""
+        """Tell whether the laws are recurrences."""
         return bool(self.start.left.is_integer)
 
     @property
@@ -143,8 +144,8 @@ def differences(setting: Setting, label: str, equation: Equation) -> Checks:
 def _check_consistency(setting: Setting, premises: Sequence[Premise]) -> Checks:
     """Check that premises are consistent.
 
-    No left side occurs twice. Relations leave no zero divisors and do not contradict each other, their multipliers are
-    certified, and the derivation respects them.
+    No left side may occur twice. Relations may not leave zero divisors or contradict each other. Their multipliers
+    must be certified, and the derivation must respect them.
     """
     ring, lefts = setting.ring, [premise.equation.left for premise in premises]
     yield "left sides that occur twice", len(lefts) - len(set(lefts))

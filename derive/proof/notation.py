@@ -26,7 +26,7 @@ TERMS = {
     p: ("p", n), q: ("q", n), c: ("c", n), d: ("d", n), p_m: ("p", m), q_m: ("q", m), p_sum: ("p", m + n),
     q_sum: ("q", m + n), p_double: ("p", 2 * n), q_double: ("q", 2 * n),
 }  # fmt: skip
-"""Name of the sequence, and index, by term."""
+"""Sequence name and index of each term."""
 
 INDICES = frozenset((n, m))
 
@@ -107,7 +107,7 @@ prime = _operator("prime", "d/dx {0}", r"\frac{{d}}{{dx}} {0}", is_commutative=T
 
 
 class Shifted(sympy.Function):  # type: ignore[misc]
-    """Term of a sequence, or function, at another value of its index or variable: ``Shifted(u, n, n + 1)``."""
+    """Term of a sequence at another index, or function at another value: ``Shifted(u, n, n + 1)``."""
 
     def _eval_is_commutative(self) -> bool:
         return bool(self.args[0].is_commutative)

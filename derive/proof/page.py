@@ -1,4 +1,4 @@
-"""The page of theorems: claims, premises, multipliers, methods and numbers of controls."""
+"""Page of theorems: claims, premises, multipliers, methods and numbers of controls."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ COVERED = """## Kernel functions
 def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
     """Return the page as Markdown, from the proofs for all orders and at one order.
 
-    The numbers of controls are given by `title` of the proof.
+    The mapping `controls` gives the number of controls by the `title` of a proof.
     """
     again = tuple(at_order)
     lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]

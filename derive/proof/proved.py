@@ -30,7 +30,7 @@ def stated(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
-    """Prove the theorems that claim CP23's equations of these numbers, and all theorems they use."""
+    """Prove the theorems that claim the given equations of CP23, after all theorems they use."""
     claimed = stated(Formulas())
     wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
     needed = set(wanted)
@@ -47,7 +47,7 @@ def theorems() -> tuple[Proof, ...]:
 
 
 class ProofFailed(Exception):
-    """Error: a statement about a formula is not proved.
+    """Error for statements about a formula that are not proved.
 
     Attributes
     ----------
@@ -70,8 +70,8 @@ class Proved:
     formulas : Chart
         The proved chart.
     proofs : tuple of Proof
-        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. Every algebraic
-        chart has proofs that its scalars agree with its formulas and its φ. Any other chart has proofs that its
+        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. An algebraic
+        chart has proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its
         formulas in α are instances of the theorems on every φ.
     """
 
@@ -95,7 +95,7 @@ def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
     chart : Chart
         Chart to prove, e.g. ``derive.Cayley(7)``.
     backend : {"flint", "sympy"}, optional
-        Library of polynomials in x; by default python-flint where it is installed.
+        Library of polynomials in x; by default python-flint if installed.
     """
     decided = tuple(_proofs_of_order(chart.cayley, backend)) if chart.cayley else ()
     return (*decided, *(ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)))

@@ -1,4 +1,4 @@
-r"""Proof that the formulas of a chart agree with its φ and, if it is algebraic, with its scalars.
+r"""Proofs that the formulas of a chart agree with its φ and, for an algebraic chart, with its scalars.
 
 A chart with formulas in the angle α is an instance of the theorems on every φ. The functions of an algebraic chart are
 evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formulas contain this root. With
@@ -6,9 +6,9 @@ evaluated at the element x of the exact ring: Q(x), with sqrt(1 + x/k) if formul
 
 .. math:: \omega = 2 s w\,\dot v + 2 w^2\,v \times \dot v + 2 (s w_y - w s_y)\,(v \cdot \dot v)\,v
 
-which gives f, g and h of T = f I + g skew(v) + h v⊗v. For v̇ along v, the twist is ``(f + x h) v̇``, and α̇ = φ̇/φ′.
-Therefore ``(f + x h) φ′ = 1`` at ``x = φ²``, with q̂ = 1 at v = 0 and φ = 0 at α = 0, means
-``q̂ = cos(α/2) + u sin(α/2)`` for ``v = φ(α) u``.
+This gives f, g and h of T = f I + g skew(v) + h v⊗v. For v̇ along v, the twist is ``(f + x h) v̇``, and α̇ = φ̇/φ′.
+Let ``(f + x h) φ′ = 1`` at ``x = φ²``, q̂ = 1 at v = 0, and φ = 0 at α = 0. Then ``q̂ = cos(α/2) + u sin(α/2)`` for
+``v = φ(α) u``.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ FORMULAS = {
 """Coefficients of each map in terms of the scalars."""
 
 STATED = tuple(Equation(e, sympy.Symbol(f"{name}[{i}]")) for name, of in FORMULAS.items() for i, e in enumerate(of))
-"""Equations of the scalars with the coefficients that a chart states."""
+"""Equations between the scalars and the coefficients that a chart states."""
 
 RELATIONS = (
     Equation(s**2 + x * w**2, 1),
@@ -110,7 +110,7 @@ def root_of(expressions: Iterable[sympy.Expr]) -> int:
 
 
 def _divisor(root: sympy.Pow) -> sympy.Integer | None:
-    """Return k if a root is a power of sqrt(a² + a² x/k) with rational a; else None."""
+    """Return k if the root is a power of sqrt(a² + a² x/k) with rational a, else None."""
     start, step = root.base.coeff(x, 0), root.base.coeff(x, 1)
     right = (2 * root.exp).is_Integer and step != 0 and root.base == start + step * x
     if not (right and sympy.sqrt(start).is_Rational and (start / step).is_Integer):
@@ -135,7 +135,7 @@ class ScalarProofs:
 
     @cached_property
     def values(self) -> Mapping[sympy.Expr, Element]:
-        """Values of the symbols: scalars as the chart computes them, their derivatives, and lifted coefficients."""
+        """Values of the symbols: scalars as the chart computes them, their derivatives, and the stated coefficients."""
         at_x = self.ring.x
         at = self.chart.scalars(at_x, PLAIN)
         found = {name: self.ring.element(getattr(at, name)) for name in (*VALUES, *SLOPES, *BENDS)}
@@ -211,7 +211,7 @@ def instance(chart: Chart) -> Iterator[Proof]:
 
 
 def _at_origin(chart: Chart) -> Proof:
-    """Decide whether φ is odd with φ(0) = 0 and φ′(0) ≠ 0; then every scalar is a function of x, analytic at 0."""
+    """Decide whether φ is odd, φ(0) = 0 and φ′(0) ≠ 0: this makes every scalar a function of x, analytic at 0."""
     claim = (Equation(Shifted(phi, alpha, 0), 0), Equation(Shifted(phi, alpha, -alpha), -phi))
 
     def checks() -> Checks:

@@ -1,12 +1,12 @@
 """Values of the symbols of a statement, in a ring where exactly its premises hold.
 
-The form of its left side decides the use of a premise:
+The left side of a premise decides its use:
 
 * a rate ``rate(v) = v'`` or a slope ``prime(p) = …`` (by x) defines the derivation of the ring;
 * a value ``Shifted(p, x, 0) = 1`` at the origin certifies multipliers;
 * a power ``(1 + x)^n = …`` is replaced; if its square root occurs, a new generator stands for the root;
 * a relation ``v . v = x``, ``i^2 = -1`` reduces polynomials;
-* any other equation defines a symbol or a term, which is replaced by its right side.
+* any other equation defines a symbol or a term; the right side replaces it.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from .statement import Equation, Premise
 
 @dataclass(frozen=True)
 class Symbols:
-    """Symbols of a theorem without a definition.
+    """Symbols that a theorem leaves undefined.
 
-    A relation eliminates the first of its scalars. Vectors have three independent components each. Free scalars and
+    A relation eliminates its first scalar. Vectors have three independent components each. Free scalars and
     vectors vary independently and may be 0. All other symbols depend on them or are parameters.
     """
 
@@ -72,7 +72,7 @@ class Setting(Evaluation):
             self.ring.bases[symbol] = self.value(base).numerator
 
     def _assume(self, equation: Equation) -> None:
-        """Make a premise hold."""
+        """Make a premise hold in the ring."""
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
             self._start(left, right)
@@ -127,7 +127,7 @@ class Setting(Evaluation):
 
     @property
     def rates(self) -> dict[Any, Any]:
-        """Derivation by time; a symbol with only a slope by x has the rate slope times rate of x."""
+        """Derivation by time; a symbol with only a slope by x gets the rate ``slope · rate of x``."""
         if self.ring.symbols.get(notation.x) not in self._rates:
             return self._rates
         speed = self._rates[self.ring.symbols[notation.x]]
@@ -141,8 +141,8 @@ class Setting(Evaluation):
     def relation_rates(self) -> list[Element]:
         """Return the differences that must be 0 for the derivations to respect the premises.
 
-        They are the rates and slopes of all relations. A symbol with rate and slope adds its rate minus slope times
-        rate of x. Relations between components have no slope.
+        The list holds rates and slopes of all relations, and ``rate − slope · rate of x`` for each symbol with both.
+        Relations between components have no slope.
         """
         zeros = [Element(self.ring, relation, self.ring.library.one) for relation in self.ring.relations]
         found = [zero.derivative(self.rates) for zero in zeros if self.rates]
@@ -176,7 +176,7 @@ def _is_power(term: sympy.Expr) -> bool:
 def _roots(
     equations: Iterable[Equation], known: Iterable[sympy.Expr]
 ) -> dict[sympy.Expr, tuple[sympy.Symbol, sympy.Rational]]:
-    """Return a new symbol, and its exponent over n, for each base of powers a n + b that no premise defines."""
+    """Return a new symbol for ``base^(step n)`` and the step, by base, for powers that no premise defines."""
     steps: dict[sympy.Expr, sympy.Rational] = {}
     for equation in equations:
         for power in equation.left.atoms(sympy.Pow) | equation.right.atoms(sympy.Pow):

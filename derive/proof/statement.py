@@ -61,7 +61,7 @@ class Equation:
         return Equation(self.left.xreplace(changes), self.right.xreplace(changes), wrong=wrong)
 
     def altered(self) -> Equation:
-        """Return a false equation, whose right side is `wrong`, or doubled, or 1 instead of 0."""
+        """Return a false equation: the right side is `wrong` if given, else doubled, or 1 in place of 0."""
         other = 2 * self.right if self.right != 0 else sympy.Integer(1)
         return replace(self, right=other if self.wrong is None else self.wrong, numbers=())
 
@@ -75,7 +75,7 @@ class Equation:
 
 @dataclass(frozen=True)
 class Premise:
-    """Equation that a theorem assumes: a definition, or proved by another theorem.
+    """Equation that a theorem assumes: a definition, or a claim of another theorem.
 
     The `instance` consists of pairs of a symbol in the other theorem and the expression that replaces it.
     """
@@ -105,7 +105,7 @@ def _increased(expression: sympy.Expr) -> Iterator[sympy.Expr]:
     """Yield copies of the expression, each with one integer increased by one."""
     if expression.is_Integer:
         yield expression + (1 if expression != -1 else 2)  # an exponent of 0 would leave 1
-    if isinstance(expression, Shifted):  # its integer names a value
+    if isinstance(expression, Shifted):  # the integer is a place of evaluation
         return
     for place, argument in enumerate(expression.args):
         named = expression.is_Pow and not expression.exp.is_Integer and not argument.is_commutative  # (1 + v)^n

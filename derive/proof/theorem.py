@@ -1,7 +1,7 @@
 """Theorems, each with a claim, its premises, and the method to decide it.
 
-A premise from another theorem is valid under the conditions of that theorem: for its orders, with terms of sequences at
-the replaced index, and where symbols have the same definitions.
+A premise from another theorem is valid under the conditions of that theorem. Orders and definitions of symbols must
+agree, and terms of sequences are taken at the replaced index.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class Method(ABC):
     """Method to decide a claim under premises."""
 
     sides: ClassVar[tuple[str, ...]] = ("right",)
-    """Sides of an equation that controls alter; a left side that only names the unknown is left out."""
+    """Sides of an equation that controls alter, without a left side that only names the unknown."""
 
     @property
     @abstractmethod
@@ -30,7 +30,7 @@ class Method(ABC):
         """Description of the method."""
 
     def weaker(self) -> Iterator[tuple[str, Method]]:
-        """Yield the name of each hypothesis and the method without this hypothesis, for controls."""
+        """Yield each hypothesis with the method that lacks this hypothesis, for controls."""
         return iter(())
 
     @abstractmethod
@@ -69,7 +69,7 @@ class Theorem:
         return decide(self.name, self.claim, self.method.title, checks, self.scope, self.premises, conditions)
 
     def _cited_definitions(self, known: Mapping[str, Proof]) -> tuple[Equation, ...]:
-        """Return definitions from cited theorems if all their symbols occur here, except definitions repeated here."""
+        """Return definitions from cited theorems whose symbols all occur here, without definitions repeated here."""
         own = {premise.equation.text for premise in self.premises if not premise.theorem}
         here = set().union(*(e.symbols for e in (*self.claim, *(premise.equation for premise in self.premises))))
         there = (e for premise in self.premises if premise.theorem for e in _rests_on(premise, known))
@@ -120,7 +120,7 @@ def _is_proved(premise: Premise, known: Mapping[str, Proof], scope: str) -> bool
 def _keeps_terms(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr]) -> bool:
     """Return whether replaced terms are terms of the same sequences at the replaced index.
 
-    If an index changes, no other symbol that depends on it, such as dcay_n, may occur.
+    If an index changes, the equation may not contain other symbols with this index, such as dcay_n.
     """
     known = {*notation.TERMS, *notation.INDICES, notation.x, notation.j}
     if changes.keys() & notation.INDICES and not equation.symbols <= known:

@@ -24,7 +24,7 @@ def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
 
 
 def _transport(formulas: Formulas, sign: int) -> Theorem:
-    """Return the theorem that a step between branches keeps the twist; its transpose transforms momenta."""
+    """Return the theorem that a step S_k between branches keeps the twist; S_kᵀ transforms momenta."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return identity(
         f"transport, {'even' if sign == 1 else 'odd'} branch",

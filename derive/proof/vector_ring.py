@@ -1,4 +1,4 @@
-r"""The exact ring of rational functions of the components of a vector v, modulo :math:`v \cdot v = x`.
+r"""Exact ring of rational functions of the components of a vector v, modulo :math:`v \cdot v = x`.
 
 Each :math:`v_3^2` is replaced by :math:`x - v_1^2 - v_2^2`. Hence :math:`v_1 v_1 + v_2 v_2 + v_3 v_3` becomes the
 generator :math:`x`, and formulas in x combine with components without expansion.
@@ -25,10 +25,10 @@ class Ring(RationalFunctions):
     extra : sequence of str
         Further independent symbols (dual parts, rates, points).
     root : int
-        Integer k of the generator s = sqrt(1 + x/k), by which the ring expresses x. Odd powers of 1 + x/k then have a
+        Integer k of the generator s = sqrt(1 + x/k), in which the ring expresses x. Odd powers of 1 + x/k then have a
         square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
-        Library for the polynomials; by default python-flint where it is installed.
+        Library for the polynomials; by default python-flint if installed.
     """
 
     def __init__(self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None) -> None:
@@ -55,7 +55,7 @@ class Ring(RationalFunctions):
         if name == "x":
             return element.derivative({last: by_x})
         rates = {self.index(name): self.constant(1)}
-        if name in ("v1", "v2", "v3"):  # x = v·v too: its derivative by v1 is 2 v1
+        if name in ("v1", "v2", "v3"):  # x = v·v depends on v1: its derivative is 2 v1
             rates[last] = 2 * self.symbol(name) * by_x
         return element.derivative(rates)
 

@@ -12,8 +12,8 @@ beyond                    Newton's method finds the angle from ``|v|``. Scalars 
 The modules, in the order of their use:
 
 ====================  ==============================================================================================
-grammar               Check the text against a list of allowed syntax. Nothing is evaluated, SymPy is not loaded.
-expressions           Build the SymPy expression, decide that it is odd, and whether it is a multiple of a named chart.
+grammar               Check the text against a list of allowed syntax, without evaluation and without SymPy.
+expressions           Build the SymPy expression. Decide whether it is odd, or a multiple of a named chart.
 edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ below it.
 near_zero             Interpolate a(x) with a bound of the error, proved by interval arithmetic on a circle.
 first_guess           Choose the start of Newton's method, and count the steps that it needs.

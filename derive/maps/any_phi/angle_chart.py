@@ -1,6 +1,6 @@
 r"""Branches and inverse maps of charts that compute the angle α from ``|v|``, such as the exponential.
 
-Branch k is ``v_k = φ(α + 2πk) u``. It exists where ``|α + 2πk|`` is less than the edge, and is NaN elsewhere.
+Branch k is ``v_k = φ(α + 2πk) u``. The branch exists where ``|α + 2πk|`` is less than the edge, and is NaN elsewhere.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class AngleChart(QuaternionChart):
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
-        """Return the whole turns, then the edge, if any."""
+        """Whole turns, then the edge, if any."""
         turns = TURNS_MAX if self.edge.is_infinite else int(sympy.ceiling(self.edge / (2 * sympy.pi))) - 1
         whole = tuple(2 * sympy.pi * k for k in range(1, turns + 1))
         return whole if self.edge.is_infinite else (*whole, self.edge)
@@ -89,7 +89,7 @@ class AngleChart(QuaternionChart):
         return mpmath.mpf(1), 2 * branch * mpmath.pi
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        """Return one row, x at half a turn with a turn of 0: `beyond` computes the turn back."""
+        """Return one row: x at half a turn, and a turn of 0, since `beyond` computes the turn back."""
         if self.edge <= sympy.pi:
             return ()
         return ((order_charts.square(self.phi, sympy.pi), *self.turn(0)),)

@@ -1,12 +1,12 @@
 r"""Edge of φ, and the inverse φ⁻¹ below the edge: as a number, or in closed form.
 
-There is a closed form for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
+A closed form exists for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
 
 .. math:: \varphi^2 = \frac{\alpha^2 (n_1 + n_2 \alpha^2)}{d_0 + d_1 \alpha^2 + d_2 \alpha^4} \qquad
     \alpha = r \sqrt{\frac{2 d_0}{b + \sqrt{b^2 + 4 a d_0 r^2}}} \qquad
     a = n_2 - d_2 r^2 \quad b = n_1 - d_1 r^2
 
-This root is 0 at r = 0, and loses no digits there.
+This α is 0 at r = 0 and loses no digits there.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .grammar import PhiError
 DIGITS = 60
 """Working digits of numerical decisions."""
 EDGE_MAX = 4
-"""Largest edge in units of π, where charts without an edge are cut."""
+"""Largest edge in units of π; charts without an edge are cut there."""
 GRID_POINTS = 2000
 
 

@@ -19,7 +19,7 @@ FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
 
 EXPRESSIONS_MAX = 256
-"""Limit of cached expressions; reading a tree takes longer than evaluating it."""
+"""Number of cached expressions; reading an expression takes longer than evaluating it."""
 
 Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficient]
 """Function that computes one part of an expression from known parts, the value of the symbol and a library."""
@@ -28,8 +28,8 @@ Step: TypeAlias = Callable[[Sequence[Coefficient], Coefficient, Any], Coefficien
 def evaluate(expression: sympy.Expr, symbol: sympy.Symbol, value: Coefficient, library: Any = functions) -> Coefficient:
     """Return the value of an elementary expression in one symbol; each part is computed once.
 
-    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for powers with exponents whose
-    denominators are above 2. Division by zero raises ZeroDivisionError for every number type. A part that is not
+    `library` provides ``sin``, ``cos``, ``sqrt`` for the numbers, and ``exp``, ``log`` for rational exponents with
+    denominators above 2. Division by zero raises ZeroDivisionError for every number type. A part that is not
     elementary, or contains another symbol, raises ValueError.
     """
     known: list[Coefficient] = []

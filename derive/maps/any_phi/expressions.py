@@ -1,4 +1,4 @@
-r"""SymPy expression of φ: built from a text with checked grammar, its parity, and the decision whether it is known.
+r"""SymPy expression of φ, built from a text with checked grammar; its parity, and the test for a known φ.
 
 A known φ is a multiple of ``α``, ``tan(α/2n)`` or ``sin(α/2n)``, written in any form. Let u be the greatest common
 divisor of the factors of α. Sines, cosines and tangents of multiples of uα are rational functions of
@@ -53,7 +53,7 @@ Form = tuple[Fraction, Any, int]
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`; `order` is the value of n.
 
-    A part that is refused raises `PhiError` with its name.
+    A refused part raises `PhiError` with the name of the part.
     """
     text = text.strip()
     tree = grammar.syntax_tree(text)

@@ -37,7 +37,7 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Guess(ABC):
-    """Angle near φ⁻¹(r), with the number of Newton steps from it to the root.
+    """Angle near φ⁻¹(r), with the number of Newton steps from this angle to the root.
 
     ``edge`` is the edge of the chart as a number.
     """
@@ -76,10 +76,10 @@ class Closed(Guess):
 
 @dataclass(frozen=True)
 class Variable:
-    """Variable z of a fit: the angle, or its distance to the edge, is close to a polynomial in z.
+    """Variable z of a fit, for an angle close to a polynomial ``G(z)``, or to ``edge − z G(z)``.
 
-    ``of`` returns z at x and ``r = √x``, ``back`` returns x from z. If ``from_edge``, the angle is ``edge − z G(z)``
-    instead of ``G(z)``.
+    The function ``of`` returns z at x and ``r = √x``, and ``back`` returns x from z. The flag ``from_edge`` selects
+    ``edge − z G(z)``.
     """
 
     name: str
@@ -96,7 +96,7 @@ LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.e
 
 
 def fold(size: Any) -> Variable:
-    """Return the variable ``z = √(1 − x/X)``, in which the angle is analytic at a fold."""
+    """Return the variable ``z = √(1 − x/X)``, for which the angle is analytic at a fold."""
 
     def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         share = _share(x, size, m)
@@ -166,7 +166,7 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
     """Yield guesses in the order of trial."""
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
-    # near a fold √(1 − x/X) determines the angle better than the length does
+    # near a fold √(1 − x/X) determines the angle more accurately than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
         yield Closed(end, 1, inverse.replace(sympy.asinh, ASINH).replace(sympy.atanh, ATANH), size)
     variables = [LENGTH, LOGARITHM]
@@ -201,7 +201,7 @@ def _square(phi: sympy.Expr, angle: Any) -> Any:
 def _steps(phi: sympy.Expr, edge: Edge, start: Guess, first: Any) -> int:
     """Return the largest number of Newton steps needed, over many angles up to the edge and near it.
 
-    The tolerance is relative to the distance to the edge; for a cut, to the angle.
+    The tolerance is relative to the distance to the edge, or to the angle if the edge is a cut.
     """
     slope, most, end = phi.diff(alpha), 0, start.edge
     shares = [mpmath.mpf(k) / 97 for k in range(97)] + [1 - mpmath.mpf(10) ** -k for k in range(2, 9)]

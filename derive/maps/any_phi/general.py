@@ -92,7 +92,7 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """Value of x beyond the limit; for x below the limit, a stand-in beyond it."""
+        """Value of x if beyond the limit, else an unused value beyond the limit."""
         limit = self.chart.near.limit
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
@@ -152,7 +152,7 @@ class GeneralAtAngle(GeneralScalars):
     def __init__(self, chart: General, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> None:
         super().__init__(chart, x, m)
         self.fi = fi
-        # below the limit, a stand-in angle where all functions are regular
+        # below the limit, an unused angle at which all functions are regular
         beside = plus(angle - angle, chart.far.edge / 2, m, "beside")
         self.far_angle = m.name("far", m.where(self.is_near, beside, m.abs(angle)))
 

@@ -31,13 +31,13 @@ class PhiError(ValueError):
 def syntax_tree(text: str) -> ast.expr:
     """Return the syntax tree of a φ, with every node checked against the allowed syntax.
 
-    A part that is not allowed raises `PhiError` with its name.
+    A forbidden part raises `PhiError` with the text of the part.
     """
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", SyntaxWarning)  # as for "1if"
+            warnings.simplefilter("ignore", SyntaxWarning)  # Python warns about "1if"
             tree = ast.parse(text, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         raise PhiError(f"phi is no expression: {text!r}") from error
@@ -69,7 +69,7 @@ def _require_allowed(node: ast.expr, text: str, depth: int) -> None:
 
 
 def decimal(node: ast.Constant, text: str) -> tuple[int, int]:
-    """Return the digits of a number and its power of ten: 0.1 is (1, −1), a tenth exactly."""
+    """Return the digits of a number and its power of ten: 0.1 is (1, −1), exactly a tenth."""
     digits = source(node, text)
     found = NUMBER.fullmatch(digits)
     if found is None:

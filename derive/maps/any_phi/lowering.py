@@ -1,7 +1,7 @@
 """Values of φ and its derivatives at an angle, in the operations of an arithmetic.
 
 Sines come from the tangent of a quarter of the angle, exponentials from ``e^a − 1``, logarithms from ``log(1 + a)``.
-Arcs come from a series that takes complex numbers. No operation loses digits near 0.
+Arc functions come from a series that takes complex numbers. No operation loses digits near 0.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .real_constants import is_small, plus, times
 
 SQUARE = sympy.Symbol("square", positive=True)
 LEVELS = 5
-"""Levels of a constant (`real_constants`): angles 1e-30 below half a turn must stay below it."""
+"""Levels of a constant (`real_constants`), enough to separate half a turn from angles 1e-30 below it."""
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
 """Coefficients of the arc tangent series, without signs, scaled to integers."""
@@ -137,7 +137,7 @@ class Lowering:
     def _atan(self, a: Coefficient) -> Coefficient:
         """Return the arc tangent, by ``π/2 − atan(1/a)`` beyond 1.
 
-        The operation `atan2` takes no complex numbers, which complex steps through forward maps need.
+        The operation `atan2` takes no complex numbers, but complex steps through forward maps need them.
         """
         m = self.m
         short = m.less(a * a, 1)
@@ -172,7 +172,7 @@ class Lowering:
         return pair
 
     def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
-        """Return |a| and whether a is negative; unlike `abs`, a selection has a derivative at 0."""
+        """Return |a| and whether a is negative; the selection, unlike `abs`, has a derivative at 0."""
         m, a = self.m, self.at(argument)
         below = m.less(a, 0)
         return m.where(below, -a, a), below
@@ -196,13 +196,13 @@ class Lowering:
         return pair
 
     def _tanh(self, argument: sympy.Expr) -> Coefficient:
-        """Return the hyperbolic tangent ``−E/(2 + E)`` from ``E = e^(−2|a|) − 1``, which does not overflow."""
+        """Return the hyperbolic tangent ``−sgn(a) E/(2 + E)`` from ``E = e^(−2|a|) − 1``; E cannot overflow."""
         size, below = self._side(argument)
         less = self.m.expm1(-2 * size)
         return self.m.where(below, less, -less) / (2 + less)
 
     def _log(self, argument: sympy.Expr) -> Coefficient:
-        """Return ``log(1 + (a − 1))``; for a < 1/2, where it loses digits, ``−log(1 + (1 − a)/a)``."""
+        """Return log a as ``log(1 + (a − 1))``, or as ``−log(1 + (1 − a)/a)`` for a < 1/2 to keep all digits."""
         m, a, beside = self.m, self.at(argument), self.at(argument - 1)
         small = m.less(2 * a, 1)
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
@@ -221,7 +221,7 @@ FUNCTIONS: Mapping[Any, Callable[[Lowering, sympy.Expr], Coefficient]] = {
     sympy.exp: Lowering._exp,
     sympy.log: Lowering._log,
 }
-"""Functions that kernels compute, of an expression."""
+"""Functions that kernels compute, with the lowering of each."""
 
 
 def _nested(polynomial: sympy.Expr) -> sympy.Expr:

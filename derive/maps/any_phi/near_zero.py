@@ -5,8 +5,8 @@ principle, α = 0 is the only zero of φ inside. By Rouché's theorem, one pair 
 Hence a is analytic for |x| < m, and |a| is at most ``R/√m``.
 
 The polynomial interpolates a at N + 1 Chebyshev points of [0, X]. Its error is at most ``4 R/√m ρ^(−N)/(ρ − 1)``. Here
-ρ is the sum of the half axes, divided by X/2, of an ellipse inside |x| < m with foci 0 and X. Errors are in units of
-a(0) and X.
+ρ is the sum of the half axes of an ellipse, divided by X/2. The ellipse has foci 0 and X and lies inside |x| < m.
+Errors are in units of a(0) and X.
 """
 
 from __future__ import annotations
@@ -170,7 +170,7 @@ def _arcs(radius: Any) -> Iterator[Any]:
 
 
 def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
-    """Return squares that cover a quarter of the disc."""
+    """Yield squares that cover a quarter of the disc."""
     iv = mpmath.iv
     side = iv.mpf(radius) / parts
     for i in range(parts):

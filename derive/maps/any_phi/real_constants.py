@@ -58,7 +58,7 @@ class Polynomial:
 
     @property
     def _is_long(self) -> bool:
-        """Return whether this is a constant of several levels; its powers of two are too large for float32 integers."""
+        """Tell whether this is a constant with several levels; its powers of two exceed the float32 integers."""
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property
@@ -71,7 +71,7 @@ def polynomial(
     coefficients: Sequence[Any], scale: int = 0, levels: int = LEVELS, centre: Fraction = Fraction(0)
 ) -> Polynomial:
     """Return the polynomial with these coefficients of powers of ``(x − centre)/2^scale``, split into levels."""
-    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # less precision cuts the last level
+    with mpmath.workprec(max(mpmath.mp.prec, BITS * (levels + 1))):  # a lower precision would truncate the last level
         largest = max(map(abs, coefficients))
         shift = BITS - 1 - int(mpmath.ceil(mpmath.log(largest, 2))) if largest else 0
         rest, found = [c * mpmath.mpf(2) ** shift for c in coefficients], []
