@@ -40,6 +40,19 @@ from ._kernel import Result
 ORDER = 3
 
 
+# steps that 4 programs share
+def _shared1(m: Any, x: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    h = 16 * r
+    return p, q, r, f, g, h
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (109)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -62,28 +75,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (111)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, _, _, f, g, h = _shared1(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (111)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -97,14 +96,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -200,14 +192,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 # a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    p, q, _, f, g, h = _shared1(m, x)
     return p, q, 1, f, g, h
 
 

@@ -50,7 +50,7 @@ class ArrayApi(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        return {"scalars": python.printed_scalars(facts)}
+        return python.printed_scalars(facts)
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""

@@ -54,9 +54,9 @@ class Numpy(python.PythonTarget):
         return python.geometry(table)
 
     def programs(self, facts: Facts) -> Data:
-        own = [] if facts.chart.base else python.printed_scalars(facts)
-        names = textwrap.wrap(", ".join(f"_{program.name}" for program in own) + ",", WIDTH - 8)
-        found = {"scalars": own, "names": textwrap.indent("\n".join(names), " " * 8)}
+        own = {"scalars": [], "helpers": []} if facts.chart.base else python.printed_scalars(facts)
+        names = textwrap.wrap(", ".join(f"_{program.name}" for program in own["scalars"]) + ",", WIDTH - 8)
+        found = {**own, "names": textwrap.indent("\n".join(names), " " * 8)}
         return {**found, "programs": fingerprint(facts, facts.lowered), **_multiple(facts.chart)}
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from abc import ABC, abstractmethod
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -19,6 +20,7 @@ from ..lowered import printed_geometry as lowered_geometry
 from ..lowering.scalars import FORMULAS
 from ..package import Data, Facts, comment, numbers
 from ..programs.program import Program
+from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES
 from ..validation import NUMPY, Library, Machinery, replay, validate
@@ -222,17 +224,21 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*context, *given)
 
 
-def printed_scalars(facts: Facts) -> list[Printed]:
-    """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
-    return [
-        Printed(
-            name,
-            tuple(name for _, names in program.inputs for name in names),
-            infix.body(program, alone=True),
-            formula_of(name, facts.chart),
-        )
-        for name, program in facts.lowered.scalars.items()
-    ]
+def printed_scalars(facts: Facts) -> dict[str, list[Printed]]:
+    """Return the scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
+    helpers, programs = with_helpers(facts.lowered.scalars)
+    called = Counter(call.function for program in programs.values() for call in program.calls)
+    formulas = {name: f"# steps that {count} programs share" for name, count in called.items()}
+    return {
+        "helpers": [_printed(program, formulas[name]) for name, program in helpers.items()],
+        "scalars": [_printed(program, formula_of(name, facts.chart)) for name, program in programs.items()],
+    }
+
+
+def _printed(program: Program, formula: str) -> Printed:
+    parameters = tuple(name for _, names in program.inputs for name in names)
+    body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
+    return Printed(program.name, parameters, body, formula)
 
 
 def formula_of(scalar: str, chart: Chart) -> str:
