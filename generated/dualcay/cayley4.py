@@ -53,6 +53,22 @@ def _shared1(m: Any, x: Any, q: Any) -> Result:
     return p, r, f, g, h
 
 
+# steps that 3 programs share
+def _shared2(m: Any, x: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    iq = 1 / q
+    fi = p * iq
+    x_by_8 = 8 * x
+    d = 24 - x_by_8
+    diq = d * iq
+    hi = diq / 4
+    c = (x_by_8 - 16) * x + 40
+    fiy = -(c * (iq * iq))
+    hiy = (8 * diq - 16) * iq / 4
+    return iq, fi, hi, c, fiy, hiy
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (116)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -154,49 +170,19 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    _, fi, hi, _, fiy, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (119)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    _, fi, hi, _, fiy, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    iq, fi, hi, c, fiy, hiy = _shared2(m, x)
     dqiq = -4 * iq
     dc = 16 * x - 16
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq

@@ -71,7 +71,7 @@ def _shared2(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, n
     return C01, C2, sine, versine, lost, f, h
 
 
-# steps that 8 programs share
+# steps that 5 programs share
 def _shared3(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -107,7 +107,11 @@ def _shared4(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
     sy = -(w / 2)
     _, _, _, _, _, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     ww = w * w
@@ -171,7 +175,11 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
     near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
     _, _, sine, versine, lost, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
     fi = s / w
     hi = g - fi * h
     return fe, hi
@@ -251,7 +259,11 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
     _, _, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     return s, w, 1, f, g, h

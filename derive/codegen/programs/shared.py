@@ -12,11 +12,14 @@ from typing import Any
 
 from .program import Call, Program, Statement, Step, results
 
-LEAST_SAVING = 15
-"""Least number of printed lines that a helper saves; a call takes time too."""
+LEAST_SAVING = 10
+"""Least number of printed lines that a helper saves."""
 
 HEAD = 5
 """Number of printed lines of a helper besides its steps: comment, head, result, blank lines."""
+
+OPERATIONS_PER_CALL = 41
+"""Least number of operations for each helper that a program calls beyond two, since a call takes time."""
 
 MOST_PASSED = 12
 """Largest number of arguments of a helper, and of its results."""
@@ -30,11 +33,17 @@ def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], d
     helpers = dict[str, Program]()
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
-        while candidates := list(_candidates(found, f"shared{len(helpers) + 1}", back)):
+        while candidates := list(_candidates(_with_room(found, programs), f"shared{len(helpers) + 1}", back)):
             _, helper, callers = max(candidates, key=lambda made: made[0])
             helpers[helper.name] = helper
             found |= callers
     return helpers, found
+
+
+def _with_room(found: Mapping[str, Program], programs: Mapping[str, Program]) -> dict[str, Program]:
+    """Return the programs that may call another helper, given the original programs too."""
+    most = {name: len(program.steps) // OPERATIONS_PER_CALL for name, program in programs.items()}
+    return {name: program for name, program in found.items() if len(program.calls) < max(most[name], 2)}
 
 
 def _with_inline_zero(program: Program) -> Program:
