@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from math import prod
 from types import SimpleNamespace
@@ -22,6 +23,7 @@ from ._recorder import record
 Table: TypeAlias = tuple[tuple[str, ...], ...]
 
 
+@dataclass(eq=False, repr=False)
 class Chart:
     """Parameterization v = φ(α) u.
 
@@ -45,26 +47,17 @@ class Chart:
         Digest of all programs. Compiled programs are used only if their digest is equal.
     """
 
-    def __init__(
-        self,
-        module: str,
-        branches: int,
-        singular_angles: tuple[float, ...],
-        turns: Table,
-        returns: tuple[str, ...],
-        functions: Mapping[str, Callable[..., Result]],
-        kernels: Mapping[str, Kernel],
-        programs: str,
-    ) -> None:
-        self.module = module
-        self.branches = branches
-        self.singular_angles = singular_angles
-        self.turns = turns
-        self.returns = returns
-        self.functions = functions
-        self.kernels = kernels
-        self.programs = programs
-        self.plain = SimpleNamespace(**functions)
+    module: str
+    branches: int
+    singular_angles: tuple[float, ...]
+    turns: Table
+    returns: tuple[str, ...]
+    functions: Mapping[str, Callable[..., Result]]
+    kernels: Mapping[str, Kernel]
+    programs: str
+
+    def __post_init__(self) -> None:
+        self.plain = SimpleNamespace(**self.functions)
         self._recorded: dict[tuple[str, np.dtype[Any], int], Program] = {}
 
     @cached_property

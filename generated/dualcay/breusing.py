@@ -36,17 +36,40 @@ from ._kernel import Result
 ORDER = 2
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion_scalars(m: Any, x: Any) -> Result:
+# steps that 10 programs share
+def _shared1(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
-    above = c - x
     size = c + x
-    s = above / size
     rootc = m.sqrt(c)
-    w = 2 * rootc / size
     cc = c * c
     over = 1 / (1 + cc)
+    return c, size, rootc, cc, over
+
+
+# steps that 3 programs share
+def _shared2(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) -> Result:
+    above = c - x
+    s = above / size
+    w_by_2 = 2 * w
+    f = s * w_by_2
+    g = 8 * (c / (size * size))
+    h = c * w_by_2 * (2 + over)
+    gy = f * h - g * g
+    decline = 2 * (c * over)
+    share = 4 * (cc * over)
+    weight = 3 + 2 * cc
+    hgrowth = share - 5 - 8 * (cc / weight)
+    hy = h * decline * hgrowth / 2
+    return above, f, g, h, gy, decline, share, weight, hgrowth, hy
+
+
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+def _quaternion_scalars(m: Any, x: Any) -> Result:
+    c, size, rootc, _, over = _shared1(m, x)
+    above = c - x
+    s = above / size
+    w = 2 * rootc / size
     rho = 4 * (w * over)
     sy = -(rho * w / 2)
     h = c * (2 * w) * (2 + over)
@@ -58,18 +81,13 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
+    c, size, rootc, _, over = _shared1(m, x)
     above = c - x
-    size = c + x
     s = above / size
-    rootc = m.sqrt(c)
     w = 2 * rootc / size
     w_by_2 = 2 * w
     f = s * w_by_2
     g = 8 * (c / (size * size))
-    cc = c * c
-    over = 1 / (1 + cc)
     h = c * w_by_2 * (2 + over)
     return f, g, h
 
@@ -77,54 +95,22 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    above = c - x
-    size = c + x
-    s = above / size
-    rootc = m.sqrt(c)
+    c, size, rootc, cc, over = _shared1(m, x)
     w = 2 * rootc / size
-    w_by_2 = 2 * w
-    f = s * w_by_2
-    g = 8 * (c / (size * size))
-    cc = c * c
-    over = 1 / (1 + cc)
-    h = c * w_by_2 * (2 + over)
+    _, f, g, h, gy, _, _, _, _, hy = _shared2(m, c, x, size, w, over, cc)
     rho = 4 * (w * over)
     fy = h - rho * g
-    gy = f * h - g * g
-    decline = 2 * (c * over)
-    share = 4 * (cc * over)
-    weight = 3 + 2 * cc
-    hgrowth = share - 5 - 8 * (cc / weight)
-    hy = h * decline * hgrowth / 2
     return f, g, h, fy, gy, hy
 
 
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    above = c - x
-    size = c + x
-    s = above / size
-    rootc = m.sqrt(c)
+    c, size, rootc, cc, over = _shared1(m, x)
     w = 2 * rootc / size
-    w_by_2 = 2 * w
-    f = s * w_by_2
-    g = 8 * (c / (size * size))
-    cc = c * c
-    over = 1 / (1 + cc)
-    h = c * w_by_2 * (2 + over)
+    _, f, g, h, gy, decline, share, weight, hgrowth, hy = _shared2(m, c, x, size, w, over, cc)
     rho = 4 * (w * over)
     fy = h - rho * g
-    gy = f * h - g * g
-    decline = 2 * (c * over)
-    share = 4 * (cc * over)
-    weight = 3 + 2 * cc
-    hgrowth = share - 5 - 8 * (cc / weight)
-    hy = h * decline * hgrowth / 2
     rhogrowth = share - 3
     rhoy = rho * decline * rhogrowth / 2
     fyy = hy - rhoy * g - rho * gy
@@ -140,13 +126,8 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 # T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    rootc = m.sqrt(c)
-    size = c + x
+    _, size, rootc, _, over = _shared1(m, x)
     w = 2 * rootc / size
-    cc = c * c
-    over = 1 / (1 + cc)
     rho = 4 * (w * over)
     return rho,
 
@@ -169,14 +150,9 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    rootc = m.sqrt(c)
+    c, size, rootc, _, over = _shared1(m, x)
     hi = 3 / (4 * rootc)
-    size = c + x
     w = 2 * rootc / size
-    cc = c * c
-    over = 1 / (1 + cc)
     h = c * (2 * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
@@ -187,17 +163,12 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
+    c, size, rootc, _, over = _shared1(m, x)
     above = c - x
-    rootc = m.sqrt(c)
     rootc_by_2 = 2 * rootc
     fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
-    size = c + x
     w = rootc_by_2 / size
-    cc = c * c
-    over = 1 / (1 + cc)
     h = c * (2 * w) * (2 + over)
     g = 8 * (c / (size * size))
     fiy = -(h / g)
@@ -208,30 +179,14 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    above = c - x
-    rootc = m.sqrt(c)
+    c, size, rootc, cc, over = _shared1(m, x)
     rootc_by_2 = 2 * rootc
-    fi = above / rootc_by_2
     hi = 3 / (4 * rootc)
-    size = c + x
     w = rootc_by_2 / size
-    w_by_2 = 2 * w
-    cc = c * c
-    over = 1 / (1 + cc)
-    h = c * w_by_2 * (2 + over)
-    g = 8 * (c / (size * size))
+    above, _, g, h, gy, decline, share, _, _, hy = _shared2(m, c, x, size, w, over, cc)
+    fi = above / rootc_by_2
     fiy = -(h / g)
-    decline = 2 * (c * over)
     hiy = hi * decline / 2
-    share = 4 * (cc * over)
-    weight = 3 + 2 * cc
-    hgrowth = share - 5 - 8 * (cc / weight)
-    hy = h * decline * hgrowth / 2
-    s = above / size
-    f = s * w_by_2
-    gy = f * h - g * g
     fiyy = -((hy + fiy * gy) / g)
     decliney = decline * decline * (share / 2 - 1)
     hiyy = (hiy * decline + hi * decliney) / 2
@@ -240,19 +195,14 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
+    c, size, rootc, _, over = _shared1(m, x)
     above = c - x
-    rootc = m.sqrt(c)
     b = 2 * rootc
-    size = c + x
     s = above / size
     w = b / size
     w_by_2 = 2 * w
     f = s * w_by_2
     g = 8 * (c / (size * size))
-    cc = c * c
-    over = 1 / (1 + cc)
     h = c * w_by_2 * (2 + over)
     return above, b, size, f, g, h
 
@@ -304,10 +254,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    below = x + m.sqrt(x * x + 4)
-    c = (below - below + 2) / below
-    rootc = m.sqrt(c)
-    size = c + x
+    c, size, rootc, _, over = _shared1(m, x)
     w = 2 * rootc / size
     kept = m.where(w < 0, 0, 16)
     above = c - x
@@ -316,8 +263,6 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
     angle = 2 * m.atan2(r * m.abs(w), m.abs(s))
-    cc = c * c
-    over = 1 / (1 + cc)
     rho = 4 * (w * over)
     return angle, rho, sign
 

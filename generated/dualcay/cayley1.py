@@ -150,8 +150,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
 
 # principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    zero = x - x
-    one = zero + 1
+    one = x - x + 1
     angle = 2 * m.atan2(r * one, 1)
     slope = 2 / (1 + x)
     return angle, slope, one

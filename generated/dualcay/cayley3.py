@@ -40,6 +40,31 @@ from ._kernel import Result
 ORDER = 3
 
 
+# steps that 4 programs share
+def _shared1(m: Any, x: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    h = 16 * r
+    return p, q, r, f, g, h
+
+
+# steps that 4 programs share
+def _shared2(m: Any, x: Any) -> Result:
+    p = 1 - 3 * x
+    q = 3 - x
+    iq = 1 / q
+    fi = p * iq
+    d = 11 - x
+    diq = d * iq
+    hi = diq / 3
+    return iq, fi, diq, hi
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (109)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -62,28 +87,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (111)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, _, _, f, g, h = _shared1(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (111)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -97,14 +108,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -132,13 +136,7 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 # fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89), (112)
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    iq = 1 / q
-    fi = p * iq
-    d = 11 - x
-    diq = d * iq
-    hi = diq / 3
+    _, fi, _, hi = _shared2(m, x)
     return fi, hi
 
 
@@ -154,13 +152,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    iq = 1 / q
-    fi = p * iq
-    d = 11 - x
-    diq = d * iq
-    hi = diq / 3
+    iq, fi, diq, hi = _shared2(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     return fi, hi, fiy, hiy
@@ -168,13 +160,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (112)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    iq = 1 / q
-    fi = p * iq
-    d = 11 - x
-    diq = d * iq
-    hi = diq / 3
+    iq, fi, diq, hi = _shared2(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     return fi, hi, fiy, hiy
@@ -182,13 +168,7 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    iq = 1 / q
-    fi = p * iq
-    d = 11 - x
-    diq = d * iq
-    hi = diq / 3
+    iq, fi, diq, hi = _shared2(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     dqiq = -iq
@@ -200,14 +180,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 # a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
-    p = 1 - 3 * x
-    q = 3 - x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    h = 16 * r
+    p, q, _, f, g, h = _shared1(m, x)
     return p, q, 1, f, g, h
 
 

@@ -40,6 +40,35 @@ from ._kernel import Result
 ORDER = 4
 
 
+# steps that 4 programs share
+def _shared1(m: Any, x: Any, q: Any) -> Result:
+    p = (x - 6) * x + 1
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (8 * x - 16) * x + 40
+    h = c * r
+    return p, r, f, g, h
+
+
+# steps that 3 programs share
+def _shared2(m: Any, x: Any) -> Result:
+    p = (x - 6) * x + 1
+    q = 4 - 4 * x
+    iq = 1 / q
+    fi = p * iq
+    x_by_8 = 8 * x
+    d = 24 - x_by_8
+    diq = d * iq
+    hi = diq / 4
+    c = (x_by_8 - 16) * x + 40
+    fiy = -(c * (iq * iq))
+    hiy = (8 * diq - 16) * iq / 4
+    return iq, fi, hi, c, fiy, hiy
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (116)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -62,30 +91,16 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (118)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (x - 6) * x + 1
     q = 4 - 4 * x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (8 * x - 16) * x + 40
-    h = c * r
+    _, _, f, g, h = _shared1(m, x, q)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (118)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (x - 6) * x + 1
     q = 4 - 4 * x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (8 * x - 16) * x + 40
-    h = c * r
+    _, r, f, g, h = _shared1(m, x, q)
     x1 = 1 + x
     e = 8 / x1
     eg = e * g
@@ -101,15 +116,8 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (x - 6) * x + 1
     q = 4 - 4 * x
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (8 * x - 16) * x + 40
-    h = c * r
+    _, r, f, g, h = _shared1(m, x, q)
     x1 = 1 + x
     e = 8 / x1
     eg = e * g
@@ -162,49 +170,19 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    _, fi, hi, _, fiy, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (119)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    _, fi, hi, _, fiy, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
-    q = 4 - 4 * x
-    iq = 1 / q
-    fi = p * iq
-    x_by_8 = 8 * x
-    d = 24 - x_by_8
-    diq = d * iq
-    hi = diq / 4
-    c = (x_by_8 - 16) * x + 40
-    fiy = -(c * (iq * iq))
-    hiy = (8 * diq - 16) * iq / 4
+    iq, fi, hi, c, fiy, hiy = _shared2(m, x)
     dqiq = -4 * iq
     dc = 16 * x - 16
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
@@ -215,18 +193,11 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 # a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
-    p = (x - 6) * x + 1
     x_by_4 = 4 * x
     q = 4 - x_by_4
+    p, _, f, g, h = _shared1(m, x, q)
     ph = 1 - x
     root = ph * ph + x_by_4
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (8 * x - 16) * x + 40
-    h = c * r
     return p, q, root, f, g, h
 
 

@@ -40,6 +40,38 @@ from ._kernel import Result
 ORDER = 5
 
 
+# steps that 4 programs share
+def _shared1(m: Any, x: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (80 * x - 96) * x + 80
+    h = c * r
+    return p, q, r, f, g, h
+
+
+# steps that 3 programs share
+def _shared2(m: Any, x: Any) -> Result:
+    p = (5 * x - 10) * x + 1
+    q = (x - 10) * x + 5
+    iq = 1 / q
+    fi = p * iq
+    d = (x - 34) * x + 45
+    diq = d * iq
+    hi = diq / 5
+    c = (80 * x - 96) * x + 80
+    fiy = -(c * (iq * iq))
+    x_by_2 = 2 * x
+    dd = x_by_2 - 34
+    dq = x_by_2 - 10
+    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    return iq, fi, diq, hi, c, fiy, dq, hiy
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (122)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -63,30 +95,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (124)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (80 * x - 96) * x + 80
-    h = c * r
+    _, _, _, f, g, h = _shared1(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (124)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (80 * x - 96) * x + 80
-    h = c * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 10 / x1
     eg = e * g
@@ -103,15 +119,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (80 * x - 96) * x + 80
-    h = c * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 10 / x1
     eg = e * g
@@ -164,55 +172,19 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    iq = 1 / q
-    fi = p * iq
-    d = (x - 34) * x + 45
-    diq = d * iq
-    hi = diq / 5
-    c = (80 * x - 96) * x + 80
-    fiy = -(c * (iq * iq))
-    x_by_2 = 2 * x
-    dd = x_by_2 - 34
-    dq = x_by_2 - 10
-    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (125)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    iq = 1 / q
-    fi = p * iq
-    d = (x - 34) * x + 45
-    diq = d * iq
-    hi = diq / 5
-    c = (80 * x - 96) * x + 80
-    fiy = -(c * (iq * iq))
-    x_by_2 = 2 * x
-    dd = x_by_2 - 34
-    dq = x_by_2 - 10
-    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    iq = 1 / q
-    fi = p * iq
-    d = (x - 34) * x + 45
-    diq = d * iq
-    hi = diq / 5
-    c = (80 * x - 96) * x + 80
-    fiy = -(c * (iq * iq))
-    x_by_2 = 2 * x
-    dd = x_by_2 - 34
-    dq = x_by_2 - 10
-    hiy = (2 * dd - 2 * dq * diq) * iq / 5
+    iq, fi, diq, hi, c, fiy, dq, hiy = _shared2(m, x)
     dqiq = dq * iq
     dc = 160 * x - 96
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
@@ -223,15 +195,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 # a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
-    p = (5 * x - 10) * x + 1
-    q = (x - 10) * x + 5
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (80 * x - 96) * x + 80
-    h = c * r
+    p, q, _, f, g, h = _shared1(m, x)
     return p, q, 1, f, g, h
 
 

@@ -40,6 +40,37 @@ from ._kernel import Result
 ORDER = 8
 
 
+# steps that 4 programs share
+def _shared1(m: Any, x: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    qq = q * q
+    N = p * p + x * qq
+    r = 2 * (N / N / N)
+    f = p * q * r
+    g = qq * r
+    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
+    h = c * r
+    return p, q, r, f, g, h
+
+
+# steps that 3 programs share
+def _shared2(m: Any, x: Any, dd: Any) -> Result:
+    p = (((x - 28) * x + 70) * x - 28) * x + 1
+    q = ((56 - 8 * x) * x - 56) * x + 8
+    iq = 1 / q
+    fi = p * iq
+    x_by_16 = 16 * x
+    d = ((272 - x_by_16) * x - 560) * x + 176
+    diq = d * iq
+    hi = diq / 8
+    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
+    fiy = -(c * (iq * iq))
+    dq = (112 - 24 * x) * x - 56
+    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    return iq, fi, diq, hi, c, fiy, dq, hiy
+
+
 # unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
@@ -62,30 +93,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (88)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    h = c * r
+    _, _, _, f, g, h = _shared1(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    h = c * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 16 / x1
     eg = e * g
@@ -102,15 +117,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    h = c * r
+    _, q, r, f, g, h = _shared1(m, x)
     x1 = 1 + x
     e = 16 / x1
     eg = e * g
@@ -165,56 +172,23 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    iq = 1 / q
-    fi = p * iq
-    x_by_16 = 16 * x
-    d = ((272 - x_by_16) * x - 560) * x + 176
-    diq = d * iq
-    hi = diq / 8
-    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    fiy = -(c * (iq * iq))
     dd = (544 - 48 * x) * x - 560
-    dq = (112 - 24 * x) * x - 56
-    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x, dd)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    iq = 1 / q
-    fi = p * iq
-    x_by_16 = 16 * x
-    d = ((272 - x_by_16) * x - 560) * x + 176
-    diq = d * iq
-    hi = diq / 8
-    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    fiy = -(c * (iq * iq))
     dd = (544 - 48 * x) * x - 560
-    dq = (112 - 24 * x) * x - 56
-    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x, dd)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
-    iq = 1 / q
-    fi = p * iq
-    x_by_16 = 16 * x
-    d = ((272 - x_by_16) * x - 560) * x + 176
-    diq = d * iq
-    hi = diq / 8
-    c = (((((x_by_16 - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    fiy = -(c * (iq * iq))
     x_by_48 = 48 * x
     dd = (544 - x_by_48) * x - 560
-    dq = (112 - 24 * x) * x - 56
-    hiy = (2 * dd - 2 * dq * diq) * iq / 8
+    iq, fi, diq, hi, c, fiy, dq, hiy = _shared2(m, x, dd)
     dqiq = dq * iq
     x_by_96 = 96 * x
     dc = ((((x_by_96 - 1120) * x + 9408) * x - 16320) * x + 12000) * x - 2016
@@ -228,18 +202,10 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 # a = p, b = q
 def _ray(m: Any, x: Any) -> Result:
-    p = (((x - 28) * x + 70) * x - 28) * x + 1
-    q = ((56 - 8 * x) * x - 56) * x + 8
+    p, q, _, f, g, h = _shared1(m, x)
     ph = (x - 6) * x + 1
     qh = 4 - 4 * x
     root = ph * ph + x * (qh * qh)
-    qq = q * q
-    N = p * p + x * qq
-    r = 2 * (N / N / N)
-    f = p * q * r
-    g = qq * r
-    c = (((((16 * x - 224) * x + 2352) * x - 5440) * x + 6000) * x - 2016) * x + 336
-    h = c * r
     return p, q, root, f, g, h
 
 

@@ -36,11 +36,10 @@ from ._kernel import Result
 ORDER = 1
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion_scalars(m: Any, x: Any) -> Result:
+# steps that 13 programs share
+def _shared1(m: Any, x: Any) -> Result:
     near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
+    z = m.where(near, x, x - x) / 4
     C7 = (
         (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
         / 93024)))) / 3603600)) / 72 / 5040
@@ -52,12 +51,11 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
     C0 = m.sqrt(1 - z * CC1)
     xx = m.where(near, 6 + x, x)
     alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    sy = -(w / 2)
+    return near, z, C7, C5, C3, C1, CC1, C0, xx, alpha
+
+
+# steps that 7 programs share
+def _shared2(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, near: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     thalf = m.tan(alpha / 2)
@@ -70,6 +68,52 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
     lost = m.where(alpha < 8, left, 0) / (2 * alpha)
     f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
     h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    return C01, C2, sine, versine, lost, f, h
+
+
+# steps that 5 programs share
+def _shared3(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    return s, w
+
+
+# steps that 3 programs share
+def _shared4(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, near: Any, CC1: Any, C3: Any) -> Result:
+    thalf = m.tan(alpha / 2)
+    tthalf = thalf * thalf
+    belowhalf = 1 + tthalf
+    sine = 2 * thalf / belowhalf
+    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
+    beside = alpha - 4
+    v33_in = x - part
+    v22_in = part - v11
+    left = (
+        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
+        - v33_in)))
+    )
+    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
+    C01 = 1 + C0
+    C2 = CC1 / C01
+    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    return f, g, C01, C2, h
+
+
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+def _quaternion_scalars(m: Any, x: Any) -> Result:
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    t = m.tan(alpha / 4)
+    tt = t * t
+    below = 1 + tt
+    s = m.where(near, C0, (1 - tt) / below)
+    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    sy = -(w / 2)
+    _, _, _, _, _, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -79,37 +123,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    f, g, _, _, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     return f, g, h
 
 
@@ -117,37 +132,8 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    f, g, C01, C2, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
@@ -162,37 +148,8 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near = x < 6
-    z = m.where(near, x, x - x) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    v33_in = x - part
-    v22_in = part - v11
-    left = (
-        xx - 16 - 8 * beside - beside * beside + (v11 - (part - v22_in) + (v22 - v22_in) + (part - (x - v33_in) + (v33
-        - v33_in)))
-    )
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
+    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    f, g, C01, C2, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
@@ -215,105 +172,33 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    _, _, sine, versine, lost, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C0 = m.sqrt(1 - z * CC1)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
     fi = s / w
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     return fe, hi
 
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    _, _, sine, versine, lost, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C0 = m.sqrt(1 - z * CC1)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fe * h
     return hi,
 
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C0 = m.sqrt(1 - z * CC1)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fe * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -328,39 +213,11 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    s, w = _shared3(m, alpha, near, C0, C1)
     fi = s / w
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -375,39 +232,11 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    s, w = _shared3(m, alpha, near, C0, C1)
     fi = s / w
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
+    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     hi = g - fi * h
     fiy = -(h / g)
     gy = f * h - g * g
@@ -429,38 +258,14 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    thalf = m.tan(alpha / 2)
-    tthalf = thalf * thalf
-    belowhalf = 1 + tthalf
-    sine = 2 * thalf / belowhalf
-    versine = m.where(tthalf < 16, 2 * tthalf / belowhalf, 2 - 2 / belowhalf)
-    beside = alpha - 4
-    left = xx - 16 - 8 * beside - beside * beside
-    lost = m.where(alpha < 8, left, 0) / (2 * alpha)
-    f = m.where(near, C0 * C1, (sine + lost * (1 - versine)) / alpha)
+    _, _, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
-    C01 = 1 + C0
-    C2 = CC1 / C01
-    h = m.where(near, (C3 + C1 * C2) / 4, (1 - f) / xx)
     return s, w, 1, f, g, h
 
 
@@ -500,26 +305,9 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
 
 # sign of the principal axis u = sign v/r, r = |v|; y = v . v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
+    s, w = _shared3(m, alpha, near, C0, C1)
     kept = m.where(w < 0, 0, 16)
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    s = m.where(near, C0, (1 - tt) / below)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -528,26 +316,9 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, r = |v|
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
+    s, w = _shared3(m, alpha, near, C0, C1)
     kept = m.where(w < 0, 0, 16)
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    s = m.where(near, C0, (1 - tt) / below)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -575,25 +346,8 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
-    near = x < 6
-    zero = x - x
-    z = m.where(near, x, zero) / 4
-    C7 = (
-        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
-        / 93024)))) / 3603600)) / 72 / 5040
-    )
-    C5 = (1 - 120 * (z * C7)) / 120
-    C3 = (1 - 6 * (z * C5)) / 6
-    C1 = 1 - z * C3
-    CC1 = C1 * C1
-    C0 = m.sqrt(1 - z * CC1)
-    xx = m.where(near, 6 + x, x)
-    alpha = m.sqrt(xx)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(near, C0, (1 - tt) / below)
-    w = m.where(near, C1 / 2, 2 * t / below / alpha)
+    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
+    s, w = _shared3(m, alpha, near, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
     back = 2 * m.atan2(side * sine, side * s) - rx

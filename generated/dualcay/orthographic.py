@@ -154,8 +154,7 @@ def _ray(m: Any, x: Any) -> Result:
     c = m.sqrt(cc)
     f = 2 * c
     h = 2 / c
-    zero = x - x
-    one = zero + 1
+    one = x - x + 1
     return c, 1, one, f, 2, h
 
 

@@ -36,17 +36,23 @@ from ._kernel import Result
 ORDER = 3
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion_scalars(m: Any, x: Any) -> Result:
+# steps that 7 programs share
+def _shared1(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
     w = 3 - x_by_4
-    rho = 6 / c
-    sy = -(rho * w / 2)
     h = ((32 * x - 64) * x + 38) / c
     ww = w * w
+    return cc, c, s, w, h, ww
+
+
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+def _quaternion_scalars(m: Any, x: Any) -> Result:
+    _, c, s, w, h, ww = _shared1(m, x)
+    rho = 6 / c
+    sy = -(rho * w / 2)
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
 
@@ -54,30 +60,18 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    _, _, s, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = ((32 * x - 64) * x + 38) / c
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    cc, c, s, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = ((32 * x - 64) * x + 38) / c
     rho = 6 / c
     fy = h - rho * g
     gy = f * h - g * g
@@ -89,15 +83,9 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    cc, c, s, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = ((32 * x - 64) * x + 38) / c
     rho = 6 / c
     fy = h - rho * g
     gy = f * h - g * g
@@ -172,16 +160,10 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    _, c, s, w, h, ww = _shared1(m, x)
     fi = s / w
     below = 3 * w
     hi = 8 * c / below
-    h = ((32 * x - 64) * x + 38) / c
-    ww = w * w
     g = 2 * ww
     fiy = -(h / g)
     wy = s * h / 2 - w * ww
@@ -191,16 +173,10 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    cc, c, s, w, h, ww = _shared1(m, x)
     fi = s / w
     below = 3 * w
     hi = 8 * c / below
-    h = ((32 * x - 64) * x + 38) / c
-    ww = w * w
     g = 2 * ww
     fiy = -(h / g)
     wy = s * h / 2 - w * ww
@@ -219,15 +195,9 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    x_by_4 = 4 * x
-    cc = 1 - x
-    c = m.sqrt(cc)
-    s = c * (1 - x_by_4)
-    w = 3 - x_by_4
+    _, _, s, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = ((32 * x - 64) * x + 38) / c
     return s, w, 1, f, g, h
 
 

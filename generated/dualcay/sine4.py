@@ -36,17 +36,23 @@ from ._kernel import Result
 ORDER = 4
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
-def _quaternion_scalars(m: Any, x: Any) -> Result:
+# steps that 7 programs share
+def _shared1(m: Any, x: Any) -> Result:
     x_by_8 = 8 * x
     s = (x_by_8 - 8) * x + 1
     cc = 1 - x
     c = m.sqrt(cc)
     w = c * (4 - x_by_8)
-    rho = 8 / c
-    sy = -(rho * w / 2)
     h = (((320 - 128 * x) * x - 272) * x + 88) / c
     ww = w * w
+    return s, cc, c, w, h, ww
+
+
+# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+def _quaternion_scalars(m: Any, x: Any) -> Result:
+    s, _, c, w, h, ww = _shared1(m, x)
+    rho = 8 / c
+    sy = -(rho * w / 2)
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
 
@@ -54,30 +60,18 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, _, _, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, cc, c, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
     rho = 8 / c
     fy = h - rho * g
     gy = f * h - g * g
@@ -89,15 +83,9 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, cc, c, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
     rho = 8 / c
     fy = h - rho * g
     gy = f * h - g * g
@@ -174,17 +162,11 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, _, _, w, h, ww = _shared1(m, x)
     fi = s / w
     B = 20 - 24 * x
     below = 4 * w
     hi = B / below
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
-    ww = w * w
     g = 2 * ww
     fiy = -(h / g)
     wy = s * h / 2 - w * ww
@@ -194,17 +176,11 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, cc, c, w, h, ww = _shared1(m, x)
     fi = s / w
     B = 20 - 24 * x
     below = 4 * w
     hi = B / below
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
-    ww = w * w
     g = 2 * ww
     fiy = -(h / g)
     wy = s * h / 2 - w * ww
@@ -223,17 +199,10 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    x_by_8 = 8 * x
-    s = (x_by_8 - 8) * x + 1
-    cc = 1 - x
-    c = m.sqrt(cc)
-    w = c * (4 - x_by_8)
+    s, _, _, w, h, ww = _shared1(m, x)
     f = 2 * (s * w)
-    ww = w * w
     g = 2 * ww
-    h = (((320 - 128 * x) * x - 272) * x + 88) / c
-    zero = x - x
-    one = zero + 1
+    one = x - x + 1
     return s, w, one, f, g, h
 
 

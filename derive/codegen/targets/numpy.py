@@ -23,11 +23,11 @@ class Numpy(PythonTarget):
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
         base = facts.chart.base
-        scalars = [] if base else printed_scalars(facts)
+        own = {"scalars": [], "helpers": []} if base else printed_scalars(facts)
         inherited = lower_chart(base, POSES).scalars.values() if base else ()
         return {
-            "scalars": scalars,
-            "names": items((f"_{program.name}" for program in scalars), " " * 8),
+            **own,
+            "names": items((f"_{program.name}" for program in own["scalars"]), " " * 8),
             "programs": fingerprint(facts, facts.lowered),
             "base": base.name if base else None,
             "factor": facts.chart.factor,

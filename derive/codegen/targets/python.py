@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +17,7 @@ from ..lowered import Lowered, lower_chart, printed_geometry, shared_with_poses
 from ..lowering.scalars import FORMULAS
 from ..package import Data, Facts, comment, numbers
 from ..programs.program import Program
+from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS
 from ..validation import NUMPY, Library, Machinery, replay, validate
@@ -116,7 +118,7 @@ class PythonTarget:
 
     def programs(self, facts: Facts) -> Data:
         """Return the data for a chart's template, with its scalar programs."""
-        return {"scalars": printed_scalars(facts)}
+        return printed_scalars(facts)
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
         """Return the data for a chart's template for rotations, besides its description."""
@@ -194,13 +196,21 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
-def printed_scalars(facts: Facts) -> list[Printed]:
-    """Return the scalar programs of a chart as plain functions of numbers, with their formulas as comments."""
-    found = []
-    for name, program in facts.lowered.scalars.items():
-        parameters = tuple(part for _, parts in program.inputs for part in parts)
-        found.append(Printed(name, parameters, infix.body(program, alone=True), formula_of(name, facts.chart)))
-    return found
+def printed_scalars(facts: Facts) -> dict[str, list[Printed]]:
+    """Return the scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
+    helpers, programs = with_helpers(facts.lowered.scalars)
+    called = Counter(call.function for program in programs.values() for call in program.calls)
+    formulas = {name: f"# steps that {count} programs share" for name, count in called.items()}
+    return {
+        "helpers": [_printed(program, formulas[name]) for name, program in helpers.items()],
+        "scalars": [_printed(program, formula_of(name, facts.chart)) for name, program in programs.items()],
+    }
+
+
+def _printed(program: Program, formula: str) -> Printed:
+    parameters = tuple(part for _, parts in program.inputs for part in parts)
+    body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
+    return Printed(program.name, parameters, body, formula)
 
 
 def formula_of(scalar: str, chart: Chart) -> str:

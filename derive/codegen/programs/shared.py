@@ -1,0 +1,152 @@
+"""Steps that several programs share, moved to helper programs, so that each is printed once.
+
+A helper holds the steps that all of its callers need, and no others: callers compute the same values as before.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from .program import Call, Program, Statement, Step
+
+LEAST_SAVING = 10
+"""Least number of printed lines that a helper saves."""
+
+HEAD = 5
+"""Number of printed lines of a helper besides its steps: comment, head, result, blank lines."""
+
+OPERATIONS_PER_CALL = 41
+"""Least number of operations for each helper that a program calls beyond two, since a call takes time."""
+
+MOST_PASSED = 12
+"""Largest number of arguments of a helper, and of its results."""
+
+Steps = Mapping[str, Any]
+"""Named steps of a program with their inline steps written out, by name."""
+
+
+def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], dict[str, Program]]:
+    """Return helper programs ``shared1``, ``shared2``, …, and the programs that call them."""
+    helpers = dict[str, Program]()
+    found = {name: _with_inline_zero(program) for name, program in programs.items()}
+    for back in (False, True):
+        while candidates := list(_candidates(_with_room(found, programs), f"shared{len(helpers) + 1}", back)):
+            _, helper, callers = max(candidates, key=lambda made: made[0])
+            helpers[helper.name] = helper
+            found |= callers
+    return helpers, found
+
+
+def _with_room(found: Mapping[str, Program], programs: Mapping[str, Program]) -> dict[str, Program]:
+    """Return the programs that may call another helper, given the original programs too."""
+    most = {name: len(program.steps) // OPERATIONS_PER_CALL for name, program in programs.items()}
+    return {name: program for name, program in found.items() if len(program.calls) < max(most[name], 2)}
+
+
+def _with_inline_zero(program: Program) -> Program:
+    """Return the program with ``x - x`` inline if read once, as it is in programs that need no other zero."""
+    reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
+    zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
+    once = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
+    return replace(program, statements=tuple(once.get(s, s) if isinstance(s, Step) else s for s in program.statements))
+
+
+def _candidates(
+    programs: Mapping[str, Program], name: str, back: bool
+) -> Iterator[tuple[int, Program, dict[str, Program]]]:
+    """Yield the saved lines, helper and callers for each set of programs that share a step; see `_closed`."""
+    written = {key: _written_out(program) for key, program in programs.items()}
+    steps = dict.fromkeys(step for found in written.values() for step in found.items())
+    groups = dict.fromkeys(tuple(key for key, found in written.items() if step in found.items()) for step in steps)
+    for group in groups:
+        common = set.intersection(*({*written[key].items()} for key in group))
+        shared, before = {letter for letter, _ in common}, set[str]()
+        while shared != before:
+            before = shared
+            shared = shared.intersection(*(_closed(shared, programs[key], back) for key in group))
+        saved = (len(group) - 1) * len(shared) - len(group) - HEAD
+        if saved < LEAST_SAVING:
+            continue
+        helper = _helper(name, programs[group[0]], shared, [programs[key] for key in group])
+        if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
+            yield saved, helper, {key: _caller(programs[key], helper, shared) for key in group}
+
+
+def _written_out(program: Program) -> Steps:
+    inlined: dict[Any, Any] = {}
+    for step in program.steps:
+        inlined[step.name] = step.op, tuple(inlined.get(arg, arg) for arg in step.args)
+        if not step.inline:
+            inlined[step.name], written = step.name, inlined[step.name]
+            inlined[step.name, "step"] = written
+    return {key[0]: written for key, written in inlined.items() if isinstance(key, tuple)}
+
+
+def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
+    """Return shared names without those that depend on other shared names through steps that are not shared.
+
+    Of two such names the later one is left out, or the earlier one if ``back``.
+    """
+    inside, outside, kept = set[Any](), set[Any](), set[str]()
+    moved = {step.name for step in _moved(program, shared)}
+    for statement in program.statements[:: -1 if back else 1]:
+        before, after = set[Any](statement.args), set[Any](_assigned(statement))
+        if back:
+            before, after = after, before
+        if isinstance(statement, Step) and statement.name in moved and not before & outside:
+            inside |= after
+            kept |= shared & {statement.name}
+        elif before & (outside | inside):
+            outside |= after
+    return kept
+
+
+def _assigned(statement: Statement) -> tuple[str, ...]:
+    """Return the names that a statement assigns."""
+    return (statement.name,) if isinstance(statement, Step) else tuple(name for name in statement.names if name != "_")
+
+
+def _moved(program: Program, shared: set[str]) -> list[Step]:
+    """Return the steps of shared names, with the inline steps inside them."""
+    needed, found = set[Any](shared), []
+    for step in reversed(program.steps):
+        if step.name in needed:
+            found.append(step)
+            inline = {other.name for other in program.steps if other.inline}
+            needed |= inline.intersection(step.args)
+    return found[::-1]
+
+
+def _helper(name: str, program: Program, shared: set[str], callers: Sequence[Program]) -> Program:
+    moved = _moved(program, shared)
+    made = {step.name for step in moved}
+    given = dict.fromkeys(arg for step in moved for arg in step.args if isinstance(arg, str) and arg not in made)
+    read = set[Any]().union(*(_read_elsewhere(caller, shared) for caller in callers))
+    outputs = tuple(step.name for step in moved if step.name in shared & read)
+    return Program(name, tuple((letter, (letter,)) for letter in given), tuple(moved), outputs)
+
+
+def _read_elsewhere(program: Program, shared: set[str]) -> set[Any]:
+    moved = _moved(program, shared)
+    return {arg for other in program.statements if other not in moved for arg in other.args} | set(program.outputs)
+
+
+def _caller(program: Program, helper: Program, shared: set[str]) -> Program:
+    """Return a program that calls a helper for its shared steps, with statements in a valid order."""
+    moved, read = _moved(program, shared), _read_elsewhere(program, shared)
+    names = tuple(str(output) if output in read else "_" for output in helper.outputs)
+    call = Call(names, helper.name, tuple(letter for letter, _ in helper.inputs))
+    pending: list[Statement] = [
+        call if other is moved[0] else other for other in program.statements if other is moved[0] or other not in moved
+    ]
+    known = {letter for _, letters in program.inputs for letter in letters}
+    ordered: list[Statement] = []
+    while pending:
+        ready = next(s for s in pending if all(not isinstance(arg, str) or arg in known for arg in s.args))
+        pending.remove(ready)
+        ordered.append(ready)
+        known.update(_assigned(ready))
+    return replace(program, statements=tuple(ordered))

@@ -1,0 +1,42 @@
+"""Helper programs that hold the steps which several scalar programs share."""
+
+from __future__ import annotations
+
+import pytest
+
+from derive.codegen import catalogue
+from derive.codegen.lowered import lower_chart
+from derive.codegen.programs.program import Call, Program
+from derive.codegen.programs.shared import with_helpers
+
+CHARTS = {chart.name: chart for chart in catalogue.committed() if not chart.base}
+
+
+def computed(program: Program, helpers: dict[str, Program], known: dict[object, int]) -> tuple[list[object], set[int]]:
+    """Return the numbers of a program's outputs and of all its values; equal values have equal numbers."""
+    numbers: dict[object, int] = {}
+    values: set[int] = set()
+    for statement in program.statements:
+        steps = helpers[statement.function].steps if isinstance(statement, Call) else (statement,)
+        own = dict(numbers) if isinstance(statement, Call) else numbers
+        for step in steps:
+            value = step.op, tuple(own.get(arg, arg) if isinstance(arg, str) else (arg,) for arg in step.args)
+            own[step.name] = known.setdefault(value, len(known))
+            values.add(own[step.name])
+        if isinstance(statement, Call):
+            numbers |= {name: own[name] for name in statement.names if name != "_"}
+    return [numbers.get(output, output) for output in program.outputs], values
+
+
+@pytest.mark.parametrize("name", CHARTS)
+def test_callers_of_helpers_compute_the_same_values_and_no_others(name: str) -> None:
+    programs = lower_chart(CHARTS[name]).scalars
+    helpers, callers = with_helpers(programs)
+    known: dict[object, int] = {}
+    for key, program in programs.items():
+        assert computed(callers[key], helpers, known) == computed(program, {}, known)
+
+
+def test_small_angle_series_of_the_exponential_is_printed_once() -> None:
+    helpers, callers = with_helpers(lower_chart(CHARTS["exponential"]).scalars)
+    assert sum("C7" in {step.name for step in program.steps} for program in (helpers | callers).values()) == 1
