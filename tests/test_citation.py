@@ -1,4 +1,4 @@
-"""Citations name the decided papers by title and DOI, and the current version."""
+"""Citations: they contain title and DOI of the decided papers, and the current version."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROOT = Path(__file__).parent.parent
 
 
 def words(text: str) -> list[str]:
-    """Return the words in lower case, without marks of TeX and YAML."""
+    """Return the words of a text in lower case, without markup of TeX and YAML."""
     return re.findall(r"\w+", re.sub(r"[{}]|>-", "", text).lower())
 
 

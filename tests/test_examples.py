@@ -1,4 +1,4 @@
-"""Every public function has an example in its docstring, and every example runs."""
+"""Examples in docstrings: every public function has one, and all of them run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Interface of kernel modules: import, documentation, listing, pickling."""
+"""Interface of kernel modules: import, documentation, lists of names, pickling."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_a_pickled_function_runs_in_another_process() -> None:
 @pytest.mark.parametrize("count", [3, 100])
 @pytest.mark.parametrize("order", ORDERS)
 def test_body_forms_are_space_forms_at_the_opposite_vector_bit_for_bit(order: int, count: int) -> None:
-    """Transpose of T(v) is T(−v), so that one program serves both forms."""
+    """Compare bits: T(v)ᵀ = T(−v), so that one program computes both forms."""
     kernel = load(order)
     v, w = sampling.poses(order, "uniform", count=count), sampling.dual_vectors("w", count=count)
     np.testing.assert_array_equal(kernel.body_twist(v, w), kernel.twist(-v, w))

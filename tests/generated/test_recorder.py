@@ -1,4 +1,4 @@
-"""Recorder of programs: every operation, selection by bits and booleans, constants, shared entries, order and rows."""
+"""Recorder of programs: operations, selections by bits and booleans, constants, shared entries, order, rows."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def run(program: Program, *arguments: NDArray[Any], outputs: int) -> list[NDArra
 
 
 def recorded(text: Text, dtype: Any, *arguments: Any, outputs: int = 1) -> list[NDArray[Any]]:
-    """Record a program of single numbers; return its results on arrays."""
+    """Record a program written for single numbers; return its results on arrays."""
     arrays = [np.array(a, dtype) for a in arguments]
     program = record(lambda m, *groups: text(m, *(a for (a,) in groups)), [1] * len(arrays), np.dtype(dtype))
     return run(program, *arrays, outputs=outputs)
@@ -131,7 +131,7 @@ def test_equal_operations_are_entered_once() -> None:
 
 
 def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Random programs agree with NumPy; some disagree if rows are freed one step early."""
+    """Compare random programs with NumPy; rows freed one step early would give other results."""
     assert all(_agrees(seed) for seed in range(60))
     release = _program.Rows._release
 

@@ -1,4 +1,4 @@
-"""Mutants of the papers' true statements, made and executed by ``derive.papers.mutation``."""
+"""Mutants of true statements of the papers, made and executed by ``derive.papers.mutation``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
 
 
 def mutants() -> Iterator[Mutant]:
-    """Yield every true statement with one mark changed, in the statement or its domain."""
+    """Yield every true statement with one change, in the statement or in its domain."""
     yield Mutant("papers", "none", "unchanged", partial(Verdict, SURVIVED))
     for paper in PAPERS:
         for entry in paper.entries():
