@@ -19,7 +19,7 @@ def words(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", ["CITATION.cff", "docs/errata.bib"])
-def test_papers_and_version_are_those_of_the_toolkit(name: str) -> None:
+def test_papers_and_version_match_the_toolkit(name: str) -> None:
     text = (ROOT / name).read_text(encoding="utf-8")
     assert re.search(rf"version:? {re.escape(__version__)}\b", text, re.IGNORECASE)
     assert re.findall(r"doi[\s:={]+([^\s}]+)", text) == [paper.doi for paper in PAPERS if paper.doi]

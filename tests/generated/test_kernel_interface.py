@@ -28,7 +28,7 @@ def test_a_module_exports_what_the_table_says(order: int) -> None:
     assert {name for name in NAMES if callable(getattr(kernel, name))} == set(NAMES)
 
 
-def test_functions_are_imported_by_name_and_are_those_of_the_module() -> None:
+def test_functions_are_imported_by_name_and_match_the_module() -> None:
     from dualcay.cayley3 import dcay, rate, tangent
 
     assert rate == load(3).rate

@@ -19,7 +19,7 @@ from tests.support.kernels import BACKENDS, ORDERS, load
 MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
 
 
-def test_the_version_is_that_of_the_toolkit() -> None:
+def test_the_version_matches_the_toolkit() -> None:
     assert dualcay.__version__ == about.__version__
 
 

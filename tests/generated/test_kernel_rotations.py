@@ -101,7 +101,7 @@ def exact(*numbers: str) -> np.ndarray:
 SIGMA, OMEGA = exact("1/5", "-2/7", "3/8"), exact("1", "-5/3", "1/2")
 
 
-def test_rates_of_modified_rodrigues_parameters_are_those_of_the_textbooks_exactly() -> None:
+def test_rates_of_modified_rodrigues_parameters_match_the_textbooks_exactly() -> None:
     """Compare with σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame (Schaub & Junkins)."""
     m, identity = dualcay.rotation.cayley2, exact(*"100010001").reshape(3, 3)
     B = (1 - SIGMA @ SIGMA) * identity + 2 * skew(SIGMA) + 2 * np.outer(SIGMA, SIGMA)
@@ -111,7 +111,7 @@ def test_rates_of_modified_rodrigues_parameters_are_those_of_the_textbooks_exact
     assert np.all(m.shadow(SIGMA.astype(float)) == pytest.approx(-SIGMA.astype(float) / float(SIGMA @ SIGMA)))
 
 
-def test_rates_of_gibbs_vectors_are_those_of_the_textbooks_exactly() -> None:
+def test_rates_of_gibbs_vectors_match_the_textbooks_exactly() -> None:
     """Compare with ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame, and Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
     m, identity = dualcay.rotation.cayley1, exact(*"100010001").reshape(3, 3)
     B = identity + skew(SIGMA) + np.outer(SIGMA, SIGMA)
@@ -203,7 +203,7 @@ def test_rotation_modules_are_listed_pickled_and_documented() -> None:
 
 
 @pytest.mark.parametrize("chart", MODULES)
-def test_scalars_are_those_of_the_module_for_poses(chart: str) -> None:
+def test_scalars_match_the_module_for_poses(chart: str) -> None:
     rotations, poses = pair(chart)
     shared = poses.CHART.functions.items()
     assert all(rotations.CHART.functions[name] is function for name, function in shared)

@@ -204,7 +204,7 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
 
 @pytest.mark.parametrize("order", [4, 8])
 @pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
-def test_shadows_of_translations_form_the_group_too(order: int, shift: list[float]) -> None:
+def test_shadows_of_translations_form_a_group(order: int, shift: list[float]) -> None:
     """Take the shadow j with |v| = 1, then its shadow k; branches count turns in the direction of the translation."""
     kernel, v = load(order), np.array([0, 0, 0, *shift])
     for j in (order // 4, -order // 4):

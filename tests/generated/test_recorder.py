@@ -53,7 +53,7 @@ ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("operation", ARITHMETIC)
-def test_arithmetic_is_that_of_numpy(operation: str, dtype: type) -> None:
+def test_arithmetic_matches_numpy(operation: str, dtype: type) -> None:
     a, b = np.array([1.5, -2.0, 0.25], dtype), np.array([3.0, 7.0, -0.5], dtype)
     (found,) = recorded(lambda m, a, b: (ARITHMETIC[operation](a, b),), dtype, a, b)
     np.testing.assert_array_equal(found, ARITHMETIC[operation](a, b))
@@ -66,7 +66,7 @@ def test_arithmetic_is_that_of_numpy(operation: str, dtype: type) -> None:
     [("abs", np.absolute, 1), ("sqrt", np.sqrt, 1), ("tan", np.tan, 1), ("atan2", np.arctan2, 2),
      ("expm1", np.expm1, 1), ("log1p", np.log1p, 1)],
 )  # fmt: skip
-def test_functions_are_those_of_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
+def test_functions_match_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
     arguments = [np.array([0.5, 1.5, 2.5], dtype), np.array([2.0, 0.25, 1.0], dtype)][:count]
     (found,) = recorded(lambda m, *a: (getattr(m, name)(*a),), dtype, *arguments)
     np.testing.assert_array_equal(found, ufunc(*arguments))

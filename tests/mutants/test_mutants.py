@@ -66,7 +66,7 @@ def test_line_changes_swap_a_token(line: str, changed: str) -> None:
     assert changed in {text for *_, text in line_changes(line)}
 
 
-def test_prose_is_left_as_it_is() -> None:
+def test_prose_is_not_mutated() -> None:
     text = '"""One + 1."""\n# 2 * 3\nx = f("4 + 5")  # 6\n{# 7 < 8 #}\ny = a + 9\n'
     assert {line for line, *_ in line_changes(text)} == {5}
 

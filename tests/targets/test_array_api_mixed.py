@@ -106,7 +106,7 @@ def test_conversion_stays_in_the_library(package, module, strict):
 # --- types, devices, arguments that are no arrays -----------------------------------------------------------------
 
 
-def test_types_are_those_of_the_library_alone(module, strict):
+def test_types_match_the_library_alone(module, strict):
     single = strict.asarray(W, dtype=strict.float32)
     for v, expected in ((np.float32(V), strict.float32), (V, strict.float64), ((10 * V).astype(int), strict.float32)):
         assert module.twist(v, single).dtype == module.twist(single, v).dtype == expected

@@ -91,7 +91,7 @@ def test_jets_complex_numbers_and_rationals(compiler, headers, tmp_path):
             assert value == 1, name
 
 
-def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
+def test_every_law_detects_a_wrong_sign(headers, tmp_path):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
     for table in C.tables:
@@ -231,7 +231,7 @@ def test_rational_functions_are_their_formulas_in_prime_fields(compiler, headers
     assert bound < 1e-60
 
 
-def test_a_wrong_coefficient_is_seen_in_a_prime_field(headers, tmp_path):
+def test_prime_field_shows_a_wrong_coefficient(headers, tmp_path):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
     text = (wrong / "cayley3.h").read_text(encoding="utf-8")

@@ -180,7 +180,7 @@ def test_other_number_types_run_in_numpy(native):
         lambda m: m.pose(["a"] * 6),
     ],
 )
-def test_errors_are_those_of_numpy_kernels(native, call):
+def test_errors_match_numpy_kernels(native, call):
     with pytest.raises((ValueError, TypeError)) as expected:
         call(load(3))
     with pytest.raises(expected.type) as found:

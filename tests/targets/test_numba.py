@@ -236,7 +236,7 @@ def test_kernels_are_called_pose_by_pose(compiled, inside, name):
     assert_nearly_equal(found.reshape(expected.shape), expected, eps=40)
 
 
-def test_code_that_numba_compiles_calls_kernels(compiled, inside):
+def test_kernels_are_callable_from_compiled_code(compiled, inside):
     """Call functions of the space and the body frame, which share a kernel with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 

@@ -22,7 +22,7 @@ few = settings(max_examples=15, deadline=None)
 
 @few
 @given(triples, triples, vectors, vectors)
-def test_operations_are_those_of_tensors(f, g, v: Vector, w: Vector) -> None:
+def test_operations_match_tensors(f, g, v: Vector, w: Vector) -> None:
     x = v.dot(v)
     S, T = Isotropic(*f, x), Isotropic(*g, x)
     assert (S @ T).tensor(v) == S.tensor(v) @ T.tensor(v)

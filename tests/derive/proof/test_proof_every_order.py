@@ -142,7 +142,7 @@ def test_indices_of_binomial_sums_matter() -> None:
 
 
 @pytest.mark.parametrize("order", range(1, 9))
-def test_slopes_are_those_of_the_polynomials(order: int) -> None:
+def test_slopes_match_the_polynomials(order: int) -> None:
     at = sympy.Rational(3, 7)
     values = polynomials.pair_with_derivative(order, at)
     for equation, slope in zip(SLOPES.claim, values[2:], strict=True):
