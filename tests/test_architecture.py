@@ -23,7 +23,7 @@ IN_CODEGEN = (
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
 
 TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/__init__.py")
-"""Only permitted call that executes text; the text is Python translated from a printed C header."""
+"""Single permitted call that executes text; the text is Python translated from a printed C header."""
 
 
 def out_of_order(base: tuple[str, ...], rooms: tuple[str, ...]) -> list[str]:

@@ -143,7 +143,7 @@ def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shap
 
 
 def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
-    """Read it with the scalar first: the result is a valid unit quaternion of half a turn, which no check refuses."""
+    """Read the identity with the scalar first: it is a valid quaternion of half a turn, which no check refuses."""
     identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
     np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
     if order > 1:

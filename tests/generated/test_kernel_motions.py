@@ -198,7 +198,7 @@ def test_interpolation_follows_its_branch_over_half_turns(name: str, kernels: Mo
 
 @pytest.mark.parametrize(("dtype", "angle"), [(np.float32, 1e-7), (np.float32, 1e-12), (np.float64, 1e-15)])
 def test_small_motions_are_linear(kernels: ModuleType, dtype: type, angle: float):
-    """Compare motions through tiny angles with straight lines; they differ by the order of the angle squared."""
+    """Compare motions through tiny angles with straight lines; the difference is of the order of the angle squared."""
     a, b = sampling.dual_vectors("smallest", count=20).astype(dtype).reshape(2, 10, 6)
     a[:, :3], b[:, :3] = angle * a[:, :3], angle * b[:, :3]
     t = dtype(0.375)

@@ -75,7 +75,7 @@ class Excerpts:
         return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
 
     def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
-        """Yield every mutant of a function, together with the root functions that call it."""
+        """Yield every mutant of a function, as text with the root functions that call it."""
         original = self.functions[name]
         body = original.index("{")
         for kind, (pattern, replacement) in KINDS.items():

@@ -234,7 +234,7 @@ class CalculusTrial(Trial):
     body_retract_jacobians = partialmethod(_retract_jacobians, "body_retract")
 
     def interpolate(self) -> Iterator[Result]:
-        """Yield interpolations; their twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
+        """Yield interpolations. The twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, with dexp(δ) δ̇ = ω2 − exp(δ) ω1.
 
         The scale includes an error of the result's angle. The regime near 2π is left out: between two steps of the
         oracle, the axis may swing round and leave the branch undecided.

@@ -102,7 +102,7 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
 
 
 def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
-    """Write at most `CASES_MAX` cases, those with the largest fractions, one per line and in a fixed order."""
+    """Write the cases with the largest fractions, at most `CASES_MAX`, one per line and in a fixed order."""
     largest = sorted(cases, key=lambda case: -case.fraction)[:CASES_MAX]
     ordered = sorted(largest, key=lambda case: (case.key, case.fraction, case.arguments))
     kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)

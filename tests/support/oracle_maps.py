@@ -156,7 +156,7 @@ class Maps(FirstPrinciples):
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
     def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
-        """Return the new vector on a branch: its angle along the new axis is the one nearest to the angle of v."""
+        """Return the new vector on the branch with the angle, along the new axis, nearest to the angle of v."""
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
         half, axis = self.half_screw(q)

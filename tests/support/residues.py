@@ -1,4 +1,4 @@
-"""Values of rational functions in a prime field, which differ at random points, and bounds of their degrees."""
+"""Elements of prime fields, in which rational functions are compared at random points; bounds of their degrees."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dual numbers: a commutative ring whose zero divisors are the numbers with real part zero."""
+"""Dual numbers: a commutative ring; zero divisors are the numbers with real part zero."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The algebra {I, skew(v), v⊗v}: every operation on (a, b, c, x) agrees with the expanded tensors."""
+"""Algebra spanned by I, skew(v), v⊗v: every operation on (a, b, c, x) agrees with the expanded tensors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The commands: output, exit codes and messages."""
+"""Commands of ``dualcay``: output, exit codes and messages."""
 
 from __future__ import annotations
 

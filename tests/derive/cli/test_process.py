@@ -1,4 +1,4 @@
-"""The command as a process: exit code, streams, encoding, imports."""
+"""Command ``dualcay`` as a process: exit code, streams, encoding, imports."""
 
 from __future__ import annotations
 
