@@ -1,4 +1,4 @@
-"""Rules of the code that tests can check: one import direction, standalone kernels, no evaluation of user text."""
+"""Rules of the code: imports in one direction, standalone kernels, no evaluation of user text."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from tests.support.imports import ROOT, imported, sources
 pytestmark = pytest.mark.smoke
 
 ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
-"""Packages of derive in import order: each may import itself and earlier ones."""
+"""Packages of derive in import order; each may import itself and earlier ones."""
 
 IN_CODEGEN = (
     "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
     "build", "publish",
 )  # fmt: skip
-"""Parts of derive.codegen in import order: each may import itself and earlier ones; derive.papers has its own test."""
+"""Parts of derive.codegen in import order; each may import itself and earlier ones. derive.papers has its own test."""
 
 EVALUATORS = {"eval", "exec", "sympify", "parse_expr", "simplify"}
 
 TRANSLATED = ("exec", "derive/codegen/validation/c_interpreter/__init__.py")
-"""Only call that executes text: Python translated from the syntax tree of a printed C header."""
+"""Single permitted call that executes text; the text is Python translated from a printed C header."""
 
 
 def out_of_order(base: tuple[str, ...], rooms: tuple[str, ...]) -> list[str]:
-    """Return imports of a later room by an earlier one; the enclosing package counts as the last."""
+    """Return imports from later rooms by earlier ones; the enclosing package counts as the last room."""
     order = {room: index for index, room in enumerate(rooms)}
     wrong = []
     for name, file in sources(*base):

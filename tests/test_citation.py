@@ -1,4 +1,4 @@
-"""Citations name the decided papers by title and DOI, and the current version."""
+"""Citations: they contain title and DOI of the decided papers, and the current version."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ ROOT = Path(__file__).parent.parent
 
 
 def words(text: str) -> list[str]:
-    """Return the words in lower case, without marks of TeX and YAML."""
+    """Return the words of a text in lower case, without markup of TeX and YAML."""
     return re.findall(r"\w+", re.sub(r"[{}]|>-", "", text).lower())
 
 
 @pytest.mark.parametrize("name", ["CITATION.cff", "docs/errata.bib"])
-def test_papers_and_version_are_those_of_the_toolkit(name: str) -> None:
+def test_papers_and_version_match_the_toolkit(name: str) -> None:
     text = (ROOT / name).read_text(encoding="utf-8")
     assert re.search(rf"version:? {re.escape(__version__)}\b", text, re.IGNORECASE)
     assert re.findall(r"doi[\s:={]+([^\s}]+)", text) == [paper.doi for paper in PAPERS if paper.doi]

@@ -1,4 +1,4 @@
-"""Conventions of other libraries agree with the table in the README."""
+"""Conventions of other libraries, as stated in the table of the README."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_scipy():
 
 
 def test_schaub_and_junkins():
-    """Formulas of the textbook of Schaub and Junkins hold: [BN] of σ, and σ̇ = ¼ B(σ) ω_B."""
+    """Compare with formulas from Schaub and Junkins: [BN] of σ, and σ̇ = ¼ B(σ) ω_B."""
     s, x, omega = V[:3], V[:3] @ V[:3], STEP[:3]
     skew = np.cross(s, np.eye(3)).T
     assert close(skew @ omega, np.cross(s, omega))

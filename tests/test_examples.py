@@ -1,4 +1,4 @@
-"""Every public function has an example in its docstring, and every example runs."""
+"""Examples in docstrings: every public function has one, and all of them run."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def modules(package: Any) -> Iterator[Any]:
 
 
 def functions(module: Any) -> Iterator[FunctionType]:
-    """Yield the functions that a module exports; modules of charts export methods of an instance."""
+    """Yield the functions that a module exports; a module of a chart exports bound methods."""
     for name in getattr(module, "__all__", dir(module)):
         value = getattr(module, name)
         own = value.__func__ if isinstance(value, MethodType) else value

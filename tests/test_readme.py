@@ -1,4 +1,4 @@
-"""README: sessions run, commands exist, links have targets, and numbers agree with the benchmark pages."""
+"""README: example sessions run, commands exist, links have targets, numbers agree with the benchmark pages."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", TEXT, re.S)
 LINES = [re.sub(r"\s+#.*", "", line) for language, block in BLOCKS if language == "sh" for line in block.splitlines()]
 QUICK = ("show", "list", "verify --eq")
-"""Commands that are run here; slower ones are tested in tests/derive/cli."""
+"""Commands run by this test; tests/derive/cli tests slower ones."""
 
 
 def test_every_block_is_a_session_or_commands() -> None:
@@ -29,7 +29,7 @@ def test_every_block_is_a_session_or_commands() -> None:
 def test_every_session_runs_as_printed() -> None:
     sessions = [block for language, block in BLOCKS if language == "python"]
     assert len(sessions) >= 5
-    names: dict[str, object] = {}  # later sessions use names of earlier ones
+    names: dict[str, object] = {}  # sessions use names of earlier sessions
     for number, session in enumerate(sessions):
         assert examples.failures(session, f"README session {number}", names) == ""
 
@@ -47,7 +47,7 @@ def test_every_command_exists(line: str) -> None:
         target = re.compile(rf"^{arguments[0] if arguments else 'generate'}:", re.M)
         assert target.search((ROOT / "Makefile").read_text(encoding="utf-8"))
     elif program == "pip":
-        extras = re.findall(r"[^\[\],]+", arguments[-1])[1:]  # extras of the folder to install
+        extras = re.findall(r"[^\[\],]+", arguments[-1])[1:]  # folder with extras
         project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
         assert set(extras) <= project["optional-dependencies"].keys()
     else:

@@ -1,4 +1,4 @@
-"""Smoke tests, run by `make quick`, exist in every folder of tests and for every room of derive."""
+"""Smoke tests, run by `make quick`: every folder of tests and every package of derive has one."""
 
 from __future__ import annotations
 

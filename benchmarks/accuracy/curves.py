@@ -158,7 +158,7 @@ def curves(report: Callable[[int, int], None]) -> Curves:
 
 
 MAY_BE = 2
-"""Error in eps that our exponential may reach at any angle, even if another library is more accurate there."""
+"""Error in eps that is always allowed to our exponential, even if another library is more accurate."""
 
 COMPARED = ("Q", "ρ", "log", "log°")
 """Parts of the exponential map and its logarithm."""

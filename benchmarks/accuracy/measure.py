@@ -60,7 +60,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Measurement:
-    """Largest errors of a function in a regime, in eps, with gates, each for (real, dual) part; and the worst input."""
+    """Largest errors of a function in a regime, in eps of (real, dual) part, with their gates and the worst input."""
 
     function: str
     order: int

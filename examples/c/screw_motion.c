@@ -1,8 +1,8 @@
-// Motion of a body under a constant twist, in Rodrigues dual vectors v = tan(alpha/6) u, against the exact motion.
+// Motion of a body under a constant twist, by Rodrigues dual vectors v = tan(alpha/6) u; comparison with the exact one.
 //
-// v' = dcay_inv(v) omega is integrated by the classical Runge-Kutta method over one turn. Each step is followed by the
-// change to the principal vector of the same pose, so the chart's singular angles are never met. After one turn the
-// rotation is the identity and the displacement is pitch times axis.
+// The classical Runge-Kutta method integrates v' = dcay_inv(v) omega over one turn. After each step, v becomes the
+// principal vector of the same pose, so the motion never meets the chart's singular angles. After one turn, the
+// rotation is the identity and the displacement is 2 pi times pitch times axis.
 #include <math.h>
 #include <stdio.h>
 

@@ -128,7 +128,7 @@ def test_error_of_a_constant_map_is_the_angle(monkeypatch: pytest.MonkeyPatch) -
     assert result.point["Q", "still"] * eps == pytest.approx(np.sqrt(2) * curves.WHOLE[0] / np.sqrt(3), rel=0.1)
 
 
-def test_page_names_where_the_exponential_is_less_accurate() -> None:
+def test_page_names_angles_of_a_less_accurate_exponential() -> None:
     """Expect a line for errors above both 2 eps and the error of the best library."""
     count = len(curves.TO_PI)
     rows = {"exponential": 2.5, "SciPy": 9.0, "jaxlie": 2.6, "n = 2": 0.1}

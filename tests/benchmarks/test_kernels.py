@@ -98,7 +98,7 @@ def test_rows_are_timed_with_one_result_and_with_two(monkeypatch: pytest.MonkeyP
         assert " x)" in row[4]
 
 
-def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_gates_depend_on_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
     """Expect two gates for exponential coordinates, and only gates of forward maps for a chart of order 3."""
     units = {"ours": 1.0, "scipy": 7.0, "pytransform3d": 2.0}
     monkeypatch.setattr(kernels, "measured", lambda calls, *_, **__: {k: units[k] for k, call in calls.items() if call})
@@ -113,7 +113,7 @@ def test_gates_are_those_of_the_chart(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("name", kernels.FAMILIES)
-def test_vectors_of_a_chart_are_the_poses_that_libraries_are_given(name: str) -> None:
+def test_chart_vectors_and_library_arguments_are_the_same_poses(name: str) -> None:
     """Compare v and w. At 3 rad, the angle computed from sin(α/2) has an error of 14 roundings."""
     module = importlib.import_module(f"dualcay.{name}")
     poses = Poses.draw(module, 5)

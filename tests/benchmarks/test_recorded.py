@@ -24,7 +24,7 @@ def quaternion(v, *, axis=-1, out=None):
 
 
 class Clock:
-    """Simulated clock; a call advances it by the call's duration times a factor that grows from call to call."""
+    """Simulated clock; each call adds its duration times a factor, which grows from call to call."""
 
     def __init__(self) -> None:
         self.now = 0.0

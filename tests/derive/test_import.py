@@ -1,4 +1,4 @@
-"""``import derive``: installed, and with another distribution's files in its folder."""
+"""``import derive``: from an installation, also with another distribution's files in the same folder."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support.imports import ROOT, sources
 
 
 def installed(folder: Path) -> Path:
-    """Return the toolkit's folder as a wheel installs it, with empty packages."""
+    """Return an installed folder of the toolkit, with empty subpackages."""
     place = folder / "derive"
     for name in derive._OWN:
         if name.endswith(".py"):

@@ -1,4 +1,4 @@
-"""Display of results at a prompt and in a notebook."""
+"""Display of results at a Python prompt and in a notebook."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONGEST = 120
 
 @pytest.fixture
 def package(without_validation: None) -> Package:
-    """Return the package from the example in the docstring of `generate`."""
+    """Return the package that the example in the docstring of `generate` writes."""
     names: dict[str, Package] = {}
     assert examples.failures(inspect.getdoc(derive.generate), "generate", names) == ""
     return names["package"]

@@ -1,4 +1,4 @@
-"""Worker processes change only the time of a build, and no worker is left."""
+"""Worker processes: they change only the time of a build, and all of them end."""
 
 from __future__ import annotations
 
@@ -82,8 +82,8 @@ if __name__ == "__main__":
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGKILL"])
 def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_path: Path, name: str):
-    """Interrupt the workers before the main process, since a terminal interrupts all of them."""
-    ending = signal.Signals[name]  # Windows has only one of these signals
+    """Interrupt the workers and the main process, as a terminal does, or kill the main process alone."""
+    ending = signal.Signals[name]  # Windows lacks one of these signals
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-c", BUSY, str(tmp_path)]
     first = subprocess.Popen(
@@ -104,7 +104,7 @@ def test_no_worker_is_left_when_the_main_process_is_interrupted_or_killed(tmp_pa
     if ending == signal.SIGINT:
         assert (out, err, first.returncode) == ("interrupted\n", "", 0)
         assert not any(path.exists() for path in begun.values())
-    assert len([*tmp_path.iterdir()]) == 2  # no further call began, and no call saw the interrupt
+    assert len([*tmp_path.iterdir()]) == 2  # no further call began, and no call was interrupted
 
 
 def until(reached) -> None:

@@ -1,4 +1,4 @@
-"""Comparison of every kernel function with the 50-digit oracle: orders x regimes x float types."""
+"""Comparison of every kernel function with the 50-digit oracle, by order, regime and float type."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_double_precision(order: int, regime: str) -> None:
         Trial(load(order), order, regime).check(name)
 
 
-# Other types run the same programs, so few cases are enough: orders and regimes in which types have differed once.
+# All types run the same programs, so few cases suffice: orders and regimes in which types once differed.
 OTHER = [(n, r) for n, r in CASES if n in (2, 3) and r in ("uniform", "middle band", "below pi", "shadow")]
 OTHER_CASE = pytest.mark.parametrize(("order", "regime"), OTHER, ids=[f"n={n}, {regime}" for n, regime in OTHER])
 
@@ -34,7 +34,7 @@ def test_other_float_types(order: int, regime: str, dtype: type) -> None:
 
 
 COMPLEX_MAPS = ("quaternion", "tensor", "tangent", "tangent_inv", "twist", "rate", "body_twist", "body_rate")
-# The error of a complex product is at most √5 u, of a real product u.
+# The error of a complex product is at most √5 u; the error of a real product is at most u.
 COMPLEX = errors.GENERAL * np.sqrt(5)
 
 
@@ -43,7 +43,7 @@ COMPLEX = errors.GENERAL * np.sqrt(5)
 def test_complex_vectors_are_the_analytic_continuation(name: str, dtype: type, order: int) -> None:
     oracle = oracle_of(order)
     rng = sampling.generator("complex", name, order)
-    # |v| of a few tenths over n: along imaginary v the maps grow like (1 + |v|)^n.
+    # |v| is a few tenths over n, because maps grow like (1 + |v|)^n along imaginary v.
     v, w = (0.2 / order * (rng.normal(size=(2, 6)) + 1j * rng.normal(size=(2, 6)))).astype(dtype), None
     if name in ("twist", "rate", "body_twist", "body_rate", "transform_line"):
         w = (rng.normal(size=(2, 6)) + 1j * rng.normal(size=(2, 6))).astype(dtype)
@@ -53,6 +53,6 @@ def test_complex_vectors_are_the_analytic_continuation(name: str, dtype: type, o
     for argument, got in zip(arguments, results, strict=True):
         exact = getattr(oracle, name)(*argument)
         re, du = errors.parts(exact)
-        # Terms of the dual part hardly cancel: both norms bound them.
+        # Terms of the dual part hardly cancel, so both norms bound them.
         scale = Nil(errors.norm(re), errors.norm(du) + errors.norm(re))
         assert max(errors.errors(got, exact, scale, oracle)) <= COMPLEX

@@ -1,4 +1,4 @@
-"""Kernels on arrays of every form: batches, both layouts, broadcasting, strides, NaN in one element, wrong shapes."""
+"""Kernels on arrays: batches, both layouts, broadcasting, strides, NaN in one element, wrong shapes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ order = orders(ALIKE)
 
 
 def by_rows(kernel: ModuleType, name: str, arguments: list[np.ndarray]) -> np.ndarray:
-    """Return the result of a function called with components first, moved back."""
+    """Call a function with components first; return its result with components last."""
     found = getattr(kernel, name)(*rows_of(name, arguments), axis=0)
     return components_last(found, len(SIGNATURES[name].result))
 

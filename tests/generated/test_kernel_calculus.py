@@ -16,7 +16,7 @@ from tests.support.calculus import CALCULUS, EVERY, CalculusTrial
 from tests.support.kernels import load
 from tests.support.rotations import RotationTrial
 
-# Products of several operators run in some orders and regimes only, since exact values take long.
+# Functions that multiply several operators run in few orders and regimes, because exact values are slow.
 SEVERAL = [(1, "uniform"), (2, "shadow"), (3, "angle 1e-12"), (3, "at pi"), (8, "pure translation"), (8, "below pi")]
 ALONE = [(1, "below pi"), (2, "above pi"), (3, "shadow"), (8, "identity")]
 
@@ -44,13 +44,13 @@ def test_trials_cover_every_public_function() -> None:
 def test_relative_error_of_1e_12_fails_the_trial(kind: type[Trial]) -> None:
     module = load(3, table=ROTATIONS.name if kind is RotationTrial else "")
     off = SimpleNamespace(**{name: slightly_off(getattr(module, name)) for name in module.__all__ if name.islower()})
-    trial = kind(off, 3, "uniform", count=2)  # no two of its results are alike
+    trial = kind(off, 3, "uniform", count=2)  # regime with different results in every row
     for name in rotations.FUNCTIONS if kind is RotationTrial else EVERY:
         assert trial.worst(name) > 1, name
 
 
 def slightly_off(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function whose results are 1e-12 too large; exact 0 and 1 are kept."""
+    """Return a function with results too large by a factor 1 + 1e-12; whole numbers stay unchanged."""
 
     def off(array: np.ndarray) -> np.ndarray:
         return np.where(array % 1 == 0, array, array * (1 + 1e-12))

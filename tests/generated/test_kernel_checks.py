@@ -1,4 +1,4 @@
-"""Validity ``check`` of inverse maps, and quaternions with the scalar last."""
+"""Keyword ``check`` of inverse maps, and quaternions with the scalar last."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ WRONG: dict[str, tuple[str, Any, str]] = {
 
 
 def way_back(kernel: ModuleType, name: str) -> Callable[..., np.ndarray]:
-    """Return an inverse map as a function of one argument; for a screw the angle is 0.3."""
+    """Return an inverse map as a function of one argument; ``from_screw`` gets the angle 0.3."""
     function = getattr(kernel, name)
 
     def from_line(line: Any, **given: Any) -> np.ndarray:
@@ -88,7 +88,7 @@ def test_check_names_the_first_invalid_element(name: str, axis: int) -> None:
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 @pytest.mark.parametrize("name", ["from_pose", "from_quaternion", "from_tensor", "from_screw"])
 def test_check_tolerance_is_the_square_root_of_eps(name: str, dtype: Any) -> None:
-    """Scaling by 1 + s changes the square by 2 s and the determinant by 3 s; the last row of a pose is not scaled."""
+    """Scale arguments by 1 + s: the square changes by 2 s, the determinant by 3 s; the last row of a pose stays."""
     kernel, step = load(3), np.sqrt(np.finfo(dtype).eps)
     function = way_back(kernel, name)
     value = right(kernel, name, sampling.poses(3, "uniform", count=4)).astype(dtype)
@@ -114,7 +114,7 @@ def test_rounded_poses_pass_the_check(kernel: ModuleType, order: int, regime: st
 
 
 def test_type_and_shape_errors_come_before_the_check(kernel: ModuleType) -> None:
-    """Errors of type and shape are raised as without ``check``; an empty batch has no invalid element."""
+    """Expect the errors of type and shape that are raised without ``check``; an empty batch is valid."""
     with pytest.raises(TypeError, match="T must be real"):
         kernel.from_pose(np.zeros((4, 4), complex), check=True)
     with pytest.raises(ValueError, match=r"T must have shape \(\.\.\., 4, 4\), got \(3,\)"):
@@ -143,7 +143,7 @@ def test_scalar_last_quaternions(kernel: ModuleType, order: int, axis: int, shap
 
 
 def test_identity_with_scalar_last_needs_the_keyword(kernel: ModuleType, order: int) -> None:
-    """Reading it with the scalar first gives a unit quaternion of half a turn, which no check can refuse."""
+    """Read the identity with the scalar first: it is a valid quaternion of half a turn, which no check refuses."""
     identity = np.array([0.0, 0, 0, 1, 0, 0, 0, 0])
     np.testing.assert_array_equal(kernel.from_quaternion(identity, scalar_first=False, check=True), np.zeros(6))
     if order > 1:

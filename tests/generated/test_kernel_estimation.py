@@ -1,4 +1,4 @@
-"""Uses of derivatives: a consistent Kalman filter and a pose graph that converges quadratically."""
+"""Applications of derivatives: a consistent Kalman filter, and a pose graph with quadratic convergence."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ def transposed(a: np.ndarray) -> np.ndarray:
 
 
 def filtered(kernel: ModuleType, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Return errors and covariances of all runs at the end; twists and positions of known points are measured."""
+    """Return final errors and covariances of all filter runs; twists and positions of known points are measured."""
     twist = np.array([0.6, -0.4, 0.8, 1.0, 0.2, -0.6])
-    scale = kernel.rate(np.zeros(6), np.ones(6))[0]  # φ′(0): a chart's unit of v
+    scale = kernel.rate(np.zeros(6), np.ones(6))[0]  # φ′(0), unit of v in this chart
     P = np.broadcast_to((SPREAD * scale) ** 2 * np.eye(6), (RUNS, 6, 6))
     true = np.zeros((RUNS, 6))
     v = true + SPREAD * scale * rng.normal(size=(RUNS, 6))
@@ -50,18 +50,18 @@ def sixfold(tensor: np.ndarray) -> np.ndarray:
 
 
 def test_a_kalman_filter_is_consistent(kernel: ModuleType, order: int) -> None:
-    """The sum of normalized squared errors of all runs lies within the 99 % interval of χ²."""
+    """Expect the sum of normalized squared errors of all runs within the 99 % interval of χ²."""
     error, P = filtered(kernel, sampling.generator("filter", order))
     total = np.einsum("ri,rij,rj->", error, np.linalg.inv(P), error)
     low, high = chi2.ppf((0.005, 0.995), 6 * RUNS)
     assert low < total < high
-    # the interval is narrow enough to show an error of a fourth in the covariance
+    # the interval shows an error of 25 % in the covariance
     assert not low < total / 1.25 < high
     assert not low < total * 1.25 < high
 
 
 def test_a_pose_graph_converges_quadratically(kernel: ModuleType, order: int) -> None:
-    """Ring of six poses, each measured relative to the previous one; the first is held fixed."""
+    """Solve a ring of six poses, each measured relative to the previous one, with the first held fixed."""
     count = 6
     rng = sampling.generator("graph", order)
     scale = kernel.rate(np.zeros(6), np.ones(6))[0]
@@ -80,14 +80,14 @@ def test_a_pose_graph_converges_quadratically(kernel: ModuleType, order: int) ->
         v[1:] += step.reshape(-1, 6)
         steps.append(np.linalg.norm(step) / scale)
     assert np.abs(v - truth).max() < 1e-11 * scale
-    # without residual at the solution Gauss-Newton is Newton's method: a step is of the order of the last one squared
+    # with zero residual at the solution, Gauss-Newton converges quadratically, like Newton's method
     first, second, third = steps[:3]
     assert second < 5 * first**2
     assert third < max(5 * second**2, 1e-13)
 
 
 def test_jacobians_follow_the_chain_rule(kernel: ModuleType, order: int) -> None:
-    """Jacobians of a composition and of its undoing multiply to the identity, to 1e-12 at conditions below 100."""
+    """Multiply Jacobians of a composition and of its inverse; expect the identity to 1e-12, at conditions below 100."""
     v2, v1 = (0.3 / order * sampling.dual_vectors(f"chain {i}") for i in (1, 2))
     v = kernel.compose(v2, v1)
     by_v2, by_v1 = kernel.compose_jacobians(v2, v1)
@@ -99,7 +99,7 @@ def test_jacobians_follow_the_chain_rule(kernel: ModuleType, order: int) -> None
 
 @pytest.mark.parametrize("regime", ["uniform", "shadow", "pure translation", "identity"])
 def test_steps_are_taken_on_the_branch_of_v_and_found_again(kernel: ModuleType, order: int, regime: str) -> None:
-    """Zero steps keep v to 1e-9, also on shadows; small steps are recovered by ``local`` to 1e-9."""
+    """Expect v after a zero step, also on shadows, and small steps recovered by ``local``, both to 1e-9."""
     if not sampling.has_regime(order, regime):
         return
     v, delta = sampling.poses(order, regime), 1e-3 * sampling.dual_vectors("steps")
@@ -110,7 +110,7 @@ def test_steps_are_taken_on_the_branch_of_v_and_found_again(kernel: ModuleType, 
 
 
 def test_powers_do_not_depend_on_the_chart(kernel: ModuleType, order: int) -> None:
-    """Power τ·v̇ of a generalized force equals the power of its wrench; the body wrench gives the same force."""
+    """Expect equal powers of a generalized force (τ·v̇) and of its wrench, and the same force from the body wrench."""
     v, v_dot, z = (sampling.dual_vectors(f"power {i}") / (order if i == 1 else 1) for i in (1, 2, 3))
     tau, omega = kernel.cotangent(v, z), kernel.twist(v, v_dot)
     power = (z[:, 3:] * omega[:, :3] + z[:, :3] * omega[:, 3:]).sum(-1)

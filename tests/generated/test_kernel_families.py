@@ -1,4 +1,4 @@
-"""Comparison of families other than Cayley's with first principles, on floats, at angles from 0 to the edge."""
+"""Comparison of non-Cayley families with first principles, on floats, at angles from 0 to the edge."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from derive.codegen.signatures import PUBLIC
 from tests.support import families, sampling
 
 GATE = 8
-"""Largest error in eps of the size and condition of a result; `make accuracy` found half of it."""
+"""Largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it."""
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
-"""Ranges of angles; the last range is in shares of the edge."""
+"""Ranges of angles; the last range is given as shares of the edge."""
 
 
 @pytest.fixture(params=FAMILIES)
@@ -37,12 +37,12 @@ def angles(name: str, regime: int) -> tuple[float, float]:
 
 
 def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """Test a function in one regime of angles; the next function and the next family take the next regime."""
+    """Test each function in one regime of angles; the next function, or family, takes the next regime."""
     oracle, start = families.oracle_of(name), FAMILIES.index(name)
     for place, function in enumerate(PUBLIC):
         regime = (start + place) % len(REGIMES)
         if function in ("to_screw", "angle") and not regime:
-            regime = 1  # at 1e-300, v°/|v| overflows, and the oracle takes the angle for zero
+            regime = 1  # at 1e-300, v°/|v| overflows, and the oracle treats the angle as zero
         v = families.vectors(oracle, *angles(name, regime), 1)
         branch = 0 if PUBLIC[function].branch else None
         error = families.worst(kernels, oracle, function, v, branch)
@@ -50,13 +50,13 @@ def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleT
 
 
 def test_every_function_meets_all_regimes():
-    """Families start at different regimes, so that together they meet all."""
+    """Expect each function in all regimes: families start with different ones."""
     met = {(place, (start + place) % len(REGIMES)) for start in range(len(FAMILIES)) for place in range(len(PUBLIC))}
     assert len(met) == len(REGIMES) * len(PUBLIC)
 
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)
-"""Remaining shares of the way to the edge."""
+"""Distances from the edge, as shares of the edge angle."""
 
 
 EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name != "exponential" for k in (0, 2)]
@@ -64,10 +64,10 @@ EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name !=
 
 @pytest.mark.parametrize(("name", "left"), EDGES)
 def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType, left: float):
-    """Steps are tested at two distances from the edge of each chart.
+    """Test steps at two distances from the edge of each chart.
 
-    At an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. At a pole the rounded angle hardly
-    determines v: steps that use it have errors of 0.2 eps over the share.
+    Next to an edge with φ′ = 0, x hardly determines the angle, and T is nearly singular. Next to a pole, the rounded
+    angle hardly determines v: steps from this angle have errors of 0.2 eps over the share.
     """
     oracle = families.oracle_of(name)
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
@@ -77,7 +77,7 @@ def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType,
 
 
 def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):
-    """Pose at Re v = 0 is a translation by v°/φ′(0)."""
+    """Expect a translation by v°/φ′(0) at Re v = 0."""
     v = np.array([0.0, 0.0, 0.0, 1.0, -2.0, 0.5])
     slope = families.slope_of(name)
     rho = kernels.pose(v)[:3, 3]
@@ -87,7 +87,7 @@ def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleTy
 
 
 def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
-    """Tolerance is 1e-12: 40 eps times a condition below 100. The opposite branch of a shadow is v again."""
+    """Allow 1e-12: 40 eps times a condition below 100. The opposite branch of a shadow is v again."""
     v = families.vectors(families.oracle_of(name), 0.3, 2.5)
     for branch in range(1, families.oracle_of(name).order):
         there = kernels.shadow(v, branch)
@@ -97,7 +97,7 @@ def test_branches_are_the_same_pose(name: str, kernels: ModuleType):
 
 
 def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
-    """Derivative of the quaternion along v̇ is ω q/2, also without rotation."""
+    """Expect ω q/2 as derivative of the quaternion along v̇, also without rotation."""
     rng = np.random.default_rng(7)
     for size in (0.0, 1e-12, 1e-3, 0.4):
         v, v_dot = rng.normal(size=6), rng.normal(size=6)
@@ -109,7 +109,7 @@ def test_complex_steps_give_tangents(name: str, kernels: ModuleType):
 
 
 def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
-    """Exponential coordinates have no edge; their list of singular angles ends at two turns."""
+    """Expect a list up to two turns for exponential coordinates, which have no edge."""
     found = kernels.singular_angles()
     edge = 4 * math.pi if name == "exponential" else families.edge_of(name)
     assert found == (*(2 * math.pi * k for k in range(1, math.ceil(edge / 2 / math.pi))), edge)
@@ -123,7 +123,7 @@ def test_wiener_milenkovic_is_scaled2():
 
 
 def test_exponential_has_a_branch_for_every_turn():
-    """Branch k has the angle α + 2πk, to 8 eps of the larger angle; the identity has no axis and no branches."""
+    """Expect the angle α + 2πk on branch k, to 8 eps of the larger angle, and only branch 0 at the identity."""
     from dualcay import exponential
 
     v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
@@ -142,7 +142,7 @@ def test_exponential_has_a_branch_for_every_turn():
 
 @pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
 def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
-    """Rotation agrees with SciPy's to 8 eps of the angle."""
+    """Allow 8 eps of the angle."""
     from scipy.spatial.transform import Rotation
 
     from dualcay import exponential
@@ -154,7 +154,7 @@ def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
-    """Tolerance of R Rᵀ = I is 16 eps of the type, although rounding of α amounts to many turns."""
+    """Expect R Rᵀ = I to 16 eps of the type, even for an α with a rounding error of many turns."""
     from dualcay import exponential
 
     sizes = 10.0 ** np.arange(0, 0.9 * np.log10(np.finfo(dtype).max) / 2)
@@ -167,7 +167,7 @@ def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
 
 @pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
 def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
-    """Complex steps of the rotation near the pole of tan(α/2) give dR = ω × R, to 64 eps of ω."""
+    """Expect dR = ω × R from complex steps near the pole of tan(α/2), to 64 eps of ω."""
     from dualcay import exponential
 
     v, v_dot = (math.pi - left) * np.array([2, -3, 6, 0, 0, 0]) / 7, np.array([1.0, 2, 3, 0, 0, 0])
@@ -177,7 +177,7 @@ def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
 
 
 def test_series_and_closed_form_agree_where_they_meet():
-    """Tolerance is 8 eps, for rounding and for truncation of the series."""
+    """Allow 8 eps, for rounding and for truncation of the series."""
     from dualcay import exponential
 
     limit = math.sqrt(6.0)

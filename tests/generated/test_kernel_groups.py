@@ -25,7 +25,7 @@ def dual_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def pose_scale(order: int, *vectors: np.ndarray) -> Nil:
-    """Return the scale of a product of tensors, each with the error from rounding its vector."""
+    """Return the scale of a product of tensors; each factor has the error from rounding its vector."""
     scale = Nil(1.0, 0.0)
     for v in vectors:
         local = errors.scales(order, v)

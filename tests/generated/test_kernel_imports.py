@@ -1,4 +1,4 @@
-"""Imports of kernels need NumPy alone, and work by both names."""
+"""Imports of kernels: NumPy suffices, and both import names work."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_importing_a_kernel_does_not_import_the_toolkit() -> None:
 
 
 def test_a_bare_checkout_imports_through_the_folder() -> None:
-    """Import from the repository root, with nothing installed and nothing on the path."""
+    """Import from the repository root, with nothing installed and no extra path."""
     code = BLOCK + "from generated.dualcay import cayley3\nprint(cayley3.__name__, cayley3.quaternion([0.0] * 6)[0])"
     assert run(code, []).split() == ["generated.dualcay.cayley3", "1.0"]
 

@@ -1,4 +1,4 @@
-"""Interface of kernel modules: import, documentation, listing, pickling."""
+"""Interface of kernel modules: import, documentation, lists of names, pickling."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_a_module_exports_what_the_table_says(order: int) -> None:
     assert {name for name in NAMES if callable(getattr(kernel, name))} == set(NAMES)
 
 
-def test_functions_are_imported_by_name_and_are_those_of_the_module() -> None:
+def test_functions_are_imported_by_name_and_match_the_module() -> None:
     from dualcay.cayley3 import dcay, rate, tangent
 
     assert rate == load(3).rate
@@ -80,7 +80,7 @@ def test_a_pickled_function_runs_in_another_process() -> None:
 @pytest.mark.parametrize("count", [3, 100])
 @pytest.mark.parametrize("order", ORDERS)
 def test_body_forms_are_space_forms_at_the_opposite_vector_bit_for_bit(order: int, count: int) -> None:
-    """Transpose of T(v) is T(−v), so that one program serves both forms."""
+    """Compare bits: T(v)ᵀ = T(−v), so that one program computes both forms."""
     kernel = load(order)
     v, w = sampling.poses(order, "uniform", count=count), sampling.dual_vectors("w", count=count)
     np.testing.assert_array_equal(kernel.body_twist(v, w), kernel.twist(-v, w))

@@ -1,4 +1,4 @@
-"""Steps, shadows and motions in charts: Jacobians against first principles, and laws of motions."""
+"""Steps, shadows and motions in charts: Jacobians in comparison with first principles, and laws of motions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.oracle import Oracle, oracle_of
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley8", "exponential", "lambert")
 CLOSE = 1e-12
-"""Tolerance relative to the operators in the product; each operator is accurate to 8 eps of its norm."""
+"""Tolerance, relative to the operators in a product; each operator is accurate to 8 eps of its norm."""
 
 
 @pytest.fixture(params=NAMES)
@@ -34,26 +34,26 @@ def oracle(name: str) -> Oracle:
 
 
 def vectors(oracle: Oracle, *angles: float) -> np.ndarray:
-    """Draw dual vectors of these angles about random axes."""
+    """Draw dual vectors with given angles about random axes."""
     return np.concatenate([families.vectors(oracle, angle, angle, 1) for angle in angles])
 
 
 def size_of(operator: np.ndarray) -> Nil:
-    """Return the norms of the parts of a dual tensor, or of its real matrix."""
+    """Return the norms of real and dual part of a dual tensor, also given as its real matrix."""
     if operator.shape == (6, 6):
         operator = np.stack([operator[:3, :3], operator[3:, :3]])
     return Nil(np.linalg.norm(operator[0]), np.linalg.norm(operator[1]))
 
 
 def assert_near(got: np.ndarray, exact: np.ndarray, size: Nil) -> None:
-    """Require that real matrices of two dual tensors agree to 1e-12 of a size."""
+    """Require agreement of two dual tensors, as real matrices, to 1e-12 of a size."""
     difference = size_of(got - exact.astype(float))
     assert difference.re <= CLOSE * size.re, (got, exact)
     assert difference.du <= CLOSE * (size.re + size.du), (got, exact)
 
 
 def angles_of(name: str) -> tuple[float, ...]:
-    """Return small and medium angles, and angles beyond half a turn if the chart has any."""
+    """Return small and medium angles, and those angles beyond half a turn that the chart reaches."""
     return (1e-7, 0.02, 1.0, 2.5, *(angle for angle in (4.0, 7.0) if angle < 0.9 * families_edge(name)))
 
 
@@ -63,7 +63,7 @@ def families_edge(name: str) -> float:
 
 @pytest.mark.parametrize("body", ["", "body_"])
 def test_jacobians_of_steps(name: str, kernels: ModuleType, oracle: Oracle, body: str):
-    """Steps are long, short and zero; at zero steps the Jacobians are I and T⁻¹ of the frame."""
+    """Test long, short and zero steps; for a zero step, expect I and the frame's T⁻¹."""
     retract_jacobians = getattr(kernels, f"{body}retract_jacobians")
     v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
     for v_i, delta in zip(v, np.resize((0.3, 0.01), (len(v), 1)) * sampling.dual_vectors("steps", count=len(v))):
@@ -79,14 +79,14 @@ def test_jacobians_of_steps(name: str, kernels: ModuleType, oracle: Oracle, body
 
 
 def test_jacobians_of_shadows(name: str, kernels: ModuleType, oracle: Oracle):
-    """Compare with T(v_k)⁻¹ T(v) to 1e-12 of both factors; Jacobians of two shadows in a row multiply."""
+    """Compare with T(v_k)⁻¹ T(v) to 1e-12 of both factors; expect I for a shadow and its inverse in a row."""
     v = vectors(oracle, *angles_of(name)[1:])
     count = kernels.CHART.branches or 100
     for branch in (1, -1) if count > 1 else (0, 1):
         J, there = kernels.shadow_jacobian(v, branch), kernels.shadow(v, branch)
         for v_i, v_k, got in zip(v, there, J, strict=True):
             size = size_of(got) + size_of(kernels.tangent_inv(v_k)) * size_of(kernels.tangent(v_i))
-            if name != "exponential":  # its oracle counts no turns
+            if name != "exponential":  # its oracle does not count turns
                 assert_near(got, oracle.shadow_jacobian(v_i, branch), size)
             assert_near(kernels.shadow_jacobian(v_k, -branch) @ got, np.eye(6), size * size)
             omega = np.array([0.3, -0.2, 0.5, 1.0, 0.4, -0.6])
@@ -97,7 +97,7 @@ def test_jacobians_of_shadows(name: str, kernels: ModuleType, oracle: Oracle):
 
 @pytest.mark.parametrize("name", ["cayley3", "cayley8"])
 def test_jacobians_of_shadows_are_accurate_at_whole_turns(kernels: ModuleType, oracle: Oracle):
-    """Agreement to 1e-12 where T(v) is nearly singular; finite values at the whole turn itself."""
+    """Expect agreement to 1e-12 where T(v) is nearly singular, and finite values at the whole turn itself."""
     for angle in (2 * np.pi * (1 + 1e-7), 2 * np.pi):
         v = kernels.from_screw(np.array([angle, 0.4]), np.array([0.6, 0, 0.8, 1.6, 5.0, -1.2]))
         J = kernels.shadow_jacobian(v, 1)
@@ -108,7 +108,7 @@ def test_jacobians_of_shadows_are_accurate_at_whole_turns(kernels: ModuleType, o
 
 
 def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleType):
-    """Derivatives exist on branch 0 alone; NaN stays in its element."""
+    """Expect derivatives on branch 0 only, and NaN only in its own element."""
     v = np.array([[0, 0, 0, 1.0, 2.0, 3.0], [0.1, 0.2, 0, 1, 0, 0], [np.nan, 0, 0, 0, 0, 0]])
     one, other = kernels.shadow_jacobian(v, 0), kernels.shadow_jacobian(v, 1)
     np.testing.assert_array_equal(one[:2], np.broadcast_to(np.eye(6), (2, 6, 6)))
@@ -123,13 +123,13 @@ def test_shadows_of_no_rotation_have_no_derivative(name: str, kernels: ModuleTyp
 
 
 def pairs(name: str, oracle: Oracle) -> tuple[np.ndarray, np.ndarray]:
-    """Return pairs of vectors of different angles; a translation and the identity are among them."""
+    """Return pairs of vectors with different angles, a translation and the identity included."""
     v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
     return v, np.roll(v, 2, axis=0)
 
 
 def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, oracle: Oracle):
-    """Tolerance is 1e-12 of the result and of T⁻¹ times both translations."""
+    """Allow 1e-12 of the result and of T⁻¹ times both translations."""
     v1, v2 = pairs(name, oracle)
     for a, b in zip(v1, v2, strict=True):
         for t in (0.0, 0.35, 1.0):
@@ -142,7 +142,7 @@ def test_motions_agree_with_first_principles(name: str, kernels: ModuleType, ora
 
 
 def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, kernels: ModuleType, oracle: Oracle):
-    """Motions equal exact shares of one step from v1 to the pose of v2, which turns by at most π."""
+    """Compare with shares of one step from v1 to the pose of v2; the step turns by at most π."""
     v1, v2 = pairs(name, oracle)
     t = np.linspace(0, 1, 6)
     way = kernels.interpolate(v1[:, None], v2[:, None], t)
@@ -160,7 +160,7 @@ def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, ker
 
 @pytest.mark.parametrize("angle", [0.4, 2.0, 4.0, 7.5])
 def test_motion_about_a_fixed_axis_passes_whole_turns(angle: float):
-    """Exponential coordinates grow linearly, forwards and backwards through whole turns."""
+    """Expect linear exponential coordinates, forwards and backwards through whole turns."""
     from dualcay import exponential
 
     xi = np.array([2.0, -3.0, 6.0, 0.5, 1.5, -1.0]) / 7
@@ -172,7 +172,7 @@ def test_motion_about_a_fixed_axis_passes_whole_turns(angle: float):
 
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e-22), (np.float64, 1e-161)])
 def test_start_with_subnormal_square_keeps_its_axis(dtype: type, size: float):
-    """Motion agrees to 16 eps with a motion from a slightly larger start."""
+    """Compare with a motion from a start 1e10 times larger, to 16 eps."""
     from dualcay import cayley2
 
     u, end = np.array([1, 2, 2, 0, 0, 0], dtype) / 3, dtype(0.4)
@@ -181,7 +181,7 @@ def test_start_with_subnormal_square_keeps_its_axis(dtype: type, size: float):
 
 
 def test_interpolation_follows_its_branch_over_half_turns(name: str, kernels: ModuleType, oracle: Oracle):
-    """Fine steps change α u only slightly; the motion ends at v2 or at one of its shadows."""
+    """Expect small changes of α u in fine steps, and an end at v2 or at one of its shadows."""
     edge = families_edge(name)
     for low, high in ((2.0, 3.0), *([(2.4 * np.pi, 2.7 * np.pi)] if edge > 3 * np.pi else [])):
         v1, v2 = (families.vectors(oracle, low, high, 3) for _ in range(2))
@@ -198,7 +198,7 @@ def test_interpolation_follows_its_branch_over_half_turns(name: str, kernels: Mo
 
 @pytest.mark.parametrize(("dtype", "angle"), [(np.float32, 1e-7), (np.float32, 1e-12), (np.float64, 1e-15)])
 def test_small_motions_are_linear(kernels: ModuleType, dtype: type, angle: float):
-    """Motions through tiny angles deviate from a line only by the order of the angle squared."""
+    """Compare motions through tiny angles with straight lines; the difference is of the order of the angle squared."""
     a, b = sampling.dual_vectors("smallest", count=20).astype(dtype).reshape(2, 10, 6)
     a[:, :3], b[:, :3] = angle * a[:, :3], angle * b[:, :3]
     t = dtype(0.375)
@@ -209,7 +209,7 @@ def test_small_motions_are_linear(kernels: ModuleType, dtype: type, angle: float
 
 @pytest.mark.parametrize("name", ["cayley3", "cayley8", "exponential"])
 def test_angles_about_one_axis_pass_whole_turns(kernels: ModuleType):
-    """Angles of start and end lie on both sides of 2π, about an axis that is no coordinate axis."""
+    """Move from an angle below 2π to an angle above, about an axis that is no coordinate axis."""
     axis = np.array([0.6, -0.48, 0.64, 0.0, 0.0, 0.0])
     v1, v2 = (kernels.from_screw(np.array([angle, shift]), axis) for angle, shift in ((5.0, 0.2), (7.5, 1.0)))
     for t in (0.25, 0.75, 1.0):
@@ -218,7 +218,7 @@ def test_angles_about_one_axis_pass_whole_turns(kernels: ModuleType):
 
 
 def test_half_turn_between_poses_is_decided_by_the_closed_form():
-    """Quaternions q and −q are one pose: the motion ends at v2 itself, and for −v2 goes the other way round."""
+    """Expect an end at v2 or −v2, as given, although both are the same pose; the motions turn in opposite senses."""
     from dualcay import cayley2
 
     v1 = np.zeros(6)
@@ -250,7 +250,7 @@ def test_times_broadcast_keep_types_and_nan_in_their_element(kernels: ModuleType
 
 
 def test_exponential_coordinates_and_back(name: str, kernels: ModuleType, oracle: Oracle):
-    """Coordinates α u on v's own branch agree with first principles, also without rotation; to 1e-12 of φ/(α φ′)."""
+    """Compare α u on v's own branch with first principles, also without rotation, to 1e-12 of φ/(α φ′)."""
     v = np.concatenate([vectors(oracle, *angles_of(name)), [[0, 0, 0, 1.0, -2.0, 0.5]], np.zeros((1, 6))])
     w = kernels.to_exponential(v)
     for v_i, w_i in zip(v, w, strict=True):
@@ -261,7 +261,7 @@ def test_exponential_coordinates_and_back(name: str, kernels: ModuleType, oracle
 
 
 def test_conversion_keeps_the_branch_or_the_nearest_one(name: str, kernels: ModuleType, oracle: Oracle):
-    """Conversion keeps the branch within the target's edge; otherwise it takes the nearest branch, whole turns away."""
+    """Expect the same branch within the target's edge, and otherwise the nearest branch, whole turns away."""
     v = vectors(oracle, *angles_of(name))
     for other in NAMES:
         target = importlib.import_module(f"dualcay.{other}")
@@ -271,14 +271,14 @@ def test_conversion_keeps_the_branch_or_the_nearest_one(name: str, kernels: Modu
         np.testing.assert_allclose(target.pose(there), pose, rtol=0, atol=1e-10 * np.abs(pose).max())
         reached = own < families_edge(other) * (1 - 1e-9)
         np.testing.assert_allclose(found[reached], own[reached], rtol=1e-11)
-        turns = (own - found) / (2 * np.pi), (own + found) / (2 * np.pi)  # about v's axis, or about the opposite one
+        turns = (own - found) / (2 * np.pi), (own + found) / (2 * np.pi)  # about v's axis or its opposite
         assert (np.minimum(*(np.abs(t - np.round(t)) for t in turns)) < 1e-9).all()
         back = dualcay.convert(there[reached], target, kernels)
         np.testing.assert_allclose(back, v[reached], rtol=0, atol=1e-10 * (1 + np.abs(v).max()))
 
 
 def test_conversion_takes_the_nearest_branch():
-    """Angle 4.5π becomes 2.5π for an edge at 3π, π/2 for 2π and π; 1.5π becomes −π/2 for an edge at π."""
+    """Expect for 4.5π: 2.5π with the edge at 3π, π/2 with edges at 2π and π; for 1.5π: −π/2 with the edge at π."""
     from dualcay import cayley1, cayley2, cayley3, exponential, lambert
 
     axis = np.array([0.6, 0, 0.8, 0, 5.0, 0])

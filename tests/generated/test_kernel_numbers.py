@@ -97,13 +97,13 @@ def test_other_byte_orders_are_read_and_text_is_refused(kernel: ModuleType, orde
 V = (Fraction(3, 7), Fraction(-2, 5), Fraction(1, 3), Fraction(11, 2), Fraction(-5, 9), Fraction(4))
 W = (Fraction(1, 2), Fraction(5, 3), Fraction(-7, 4), Fraction(2, 9), Fraction(1), Fraction(-8, 3))
 U = (Fraction(-1, 5), Fraction(2), Fraction(3, 8), Fraction(-7, 6), Fraction(1, 9), Fraction(5, 4))
-# the oracle computes the inverse by a logarithm, which is not rational
+# the oracle computes the inverse by a logarithm, so not rationally
 RATIONAL = [f for f in FORWARD if f not in ("quaternion", "inverse", "dcay", "dcay_inv")]
 
 
 @pytest.mark.parametrize("name", RATIONAL)
 def test_fractions_give_exact_fractions(kernel: ModuleType, order: int, name: str) -> None:
-    """Results equal the definition over the rational numbers."""
+    """Compare with the definition, evaluated over the rational numbers."""
     rows = [np.array(row, dtype=object) for row in (V, W, U)]
     size = {"v": 6, "w": 6, "r": 3}
     arguments = [row[: size[k]] for row, k in zip(rows, SIGNATURES[name].arguments, strict=False)]

@@ -1,4 +1,4 @@
-"""Kernels of orders that are not committed, in a temporary folder, with the same oracle and gates."""
+"""Kernels of orders that are not committed: written to a temporary folder, tested with the same oracle and gates."""
 
 from __future__ import annotations
 
@@ -58,9 +58,9 @@ def test_rotations_alone_of_order_seven(folder: Path) -> None:
 def test_orders_above_eight_overflow_beyond_the_fourth_power_of_one_plus_x(
     folder: Path, order: int, dtype: type, size: float
 ) -> None:
-    """Overflow of the eleventh power, at |v| = 57 and 1e14, keeps results accurate; overflow of the fourth gives NaN.
+    """Expect accurate results where the eleventh power overflows (|v| > 57 or 1e14), and NaN where the fourth does.
 
-    Errors stay within the gate of shadows, 10 n eps, times 2n for one more derivative of powers of this degree.
+    Allow the gate of shadows, 10 n eps, times 2n for one more derivative of powers of this degree.
     """
     module = importlib.import_module(f"{PACKAGE}.cayley{order}")
     v = (size * sampling.dual_vectors("far", np.float64, 5)).astype(dtype)

@@ -1,4 +1,4 @@
-"""Argument ``out``: identity, layouts, overlap with an argument, and refusals."""
+"""Argument ``out``: the returned array is ``out`` itself; layouts, overlap with an argument, and refusals."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_out_is_filled_and_returned(kernel: ModuleType, order: int, name: str, a
 @AXIS
 @pytest.mark.parametrize("count", [1, 50, 17_000])
 def test_out_may_overlap_an_argument(name: str, axis: int, count: int) -> None:
-    """Memory of ``out`` begins before, at or after the argument; elements must be read before they are overwritten."""
+    """Start ``out`` before, at or after the argument in memory; elements must be read before they are overwritten."""
     kernel = load(3)
     arguments = [np.resize(a, (count, *a.shape[1:])) for a in inputs(kernel, name, 3, (min(count, 50),))]
     if axis == 0:

@@ -1,4 +1,4 @@
-"""Interface of the package of kernels: import, listing, missing modules, ``python -m dualcay``."""
+"""Interface of the package of kernels: import, lists of names, missing modules, ``python -m dualcay``."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.support.kernels import BACKENDS, ORDERS, load
 MODULES = sorted([*(f"cayley{order}" for order in ORDERS), *about.FAMILIES])
 
 
-def test_the_version_is_that_of_the_toolkit() -> None:
+def test_the_version_matches_the_toolkit() -> None:
     assert dualcay.__version__ == about.__version__
 
 
@@ -35,7 +35,7 @@ def test_a_module_lists_what_users_call(order: int) -> None:
 
 
 def test_backend_says_what_runs_each_function() -> None:
-    functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # aliases once
+    functions = {getattr(load(3), name).__name__ for name in load(3).__all__}  # an alias counts once
     assert list(dualcay.backend()) == sorted(functions)
     assert set(dualcay.backend().values()) == BACKENDS
 

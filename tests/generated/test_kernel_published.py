@@ -2,8 +2,8 @@
 
 Source: AVSLab, Basilisk, `src/architecture/utilitiesSelfCheck/avsLibrarySelfCheck.c` (ISC License). Definitions
 are from H. Schaub and J. L. Junkins, *Analytical Mechanics of Space Systems*: C = [BN] takes space to body
-coordinates, ω is in the body frame, σ̇ = ¼ B(σ) ω and q̇ = ½ B(q) ω. Every number is computed here a second time, from
-first principles at 50 digits: neither the printed number nor the kernel stands alone.
+coordinates, ω is in the body frame, σ̇ = ¼ B(σ) ω and q̇ = ½ B(q) ω. Every published number is also compared with
+first principles at 50 digits.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from tests.support import families
 from tests.support.oracle import Oracle, oracle_of
 
 PRINTED = 1e-12
-"""Tolerance for published numbers, which have 13 digits or more after the point; Basilisk's tests allow 1e-10."""
+"""Tolerance for published numbers, which have at least 13 digits after the point; Basilisk's tests allow 1e-10."""
 ROUNDING = 1e-15
-"""Rounding error of results of size 5 at most."""
+"""Tolerance for rounding errors of results up to 5."""
 
 DEGREE = np.pi / 180
 ANGLES, OMEGA = np.array([30, -40, 15]) * DEGREE, np.array([0.2, 0.1, -0.5])
@@ -54,7 +54,7 @@ PUBLISHED = {
     "BinvMRP": (MRP, "body_tangent", (SIGMA,), B_INV_MRP * 4),
     "BmatGibbs": (GIBBS, "body_tangent_inv", (SIGMA,), B_GIBBS / 2),
     "BinvGibbs": (GIBBS, "body_tangent", (SIGMA,), B_INV_GIBBS * 2),
-    # C(q) = C(q2) C(q1); our tensors are the transposes of C, so the first turn acts last
+    # C(q) = C(q2) C(q1); our tensors are transposes of C, so the order is reversed
     "addMRP": (MRP, "compose", (LONG, SHORT), [0.58667769962764, -0.34919321472900, 0.43690525444766]),
     "addGibbs": (GIBBS, "compose", (LONG, SHORT), [0.61290322580645, 0.17741935483871, 0.82258064516129]),
     "subMRP": (MRP, "between", (LONG, SHORT), [-0.005376344086021518, 0.04301075268817203, -0.4408602150537635]),
@@ -70,7 +70,7 @@ PUBLISHED = {
 
 
 def by_first_principles(oracle: Oracle, name: str, arguments: tuple[np.ndarray, ...]) -> np.ndarray:
-    """Return the real part of the oracle's result at dual parts 0."""
+    """Return the real part of the oracle's result, for arguments with dual part 0."""
     row = ROTATIONS.public[name]
     dual = zip(row.pose.arguments, row.embedded([a.ravel() for a in arguments], 0.0), strict=True)
     found: Any = getattr(oracle, row.source)(*(np.reshape(values, array.shape) for array, values in dual))
@@ -91,7 +91,7 @@ def test_published_numbers(published: str) -> None:
 
 
 def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
-    """Compare Ḃ(σ, σ̇) column by column: ¼ Ḃ ω is the Jacobian of σ̇ by σ, applied to σ̇."""
+    """Compare the columns of Ḃ(σ, σ̇): ¼ Ḃ ω is ∂σ̇/∂σ applied to σ̇."""
     from dualcay.rotation import cayley2
 
     sigma_dot = np.array([0.015, 0.045, -0.005]) / DEGREE
@@ -107,7 +107,7 @@ def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
 
 
 def test_composition_of_two_half_turns_is_the_identity() -> None:
-    """Sum (addMRP) of two vectors of half a turn is σ = 0."""
+    """Expect σ = 0 for the sum (addMRP) of two vectors of half a turn."""
     from dualcay.rotation import cayley2
 
     half = np.array([0.0, 0.0, 1.0])

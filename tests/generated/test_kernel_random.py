@@ -1,4 +1,4 @@
-"""Functions without pose arguments: the identity, and random poses in the chart of the module."""
+"""Functions without pose arguments: ``identity`` and ``random``."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_random_vectors_are_seeded_and_of_the_shape_asked_for(kernel: ModuleType
 
 
 def test_without_a_limit_rotations_are_uniform(kernel: ModuleType) -> None:
-    """Moments of the uniform distribution: E[Q] = 0 and E[(tr Q)²] = 1, E[α] = π/2 + 2/π. The tolerance is five
+    """Compare moments of the uniform distribution: E[Q] = 0, E[(tr Q)²] = 1, E[α] = π/2 + 2/π. The tolerance is five
     standard deviations, each at most 1.2/√N (variances are 1/3 of entries of Q, 1.4 of (tr Q)², 0.42 of α)."""
     v = kernel.random(COUNT, rng=7)
     np.testing.assert_array_equal(kernel.principal(v), v)
@@ -52,7 +52,7 @@ def test_angles_and_translations_stay_within_their_limits(kernel: ModuleType) ->
     assert 2.4 < angles(kernel, v).max() <= 2.5 + 1e-12
     shifts = np.linalg.norm(kernel.pose(v)[:, :3, 3], axis=-1)
     assert 2.9 < shifts.max() <= 3.0 + 1e-12
-    # half of uniform numbers lie below the middle, within five standard deviations
+    # half the numbers lie below the middle, up to five standard deviations
     assert abs((shifts < 1.5).mean() - 0.5) < 2.5 / np.sqrt(COUNT)
     assert abs((angles(kernel, v) < 1.25).mean() - 0.5) < 2.5 / np.sqrt(COUNT)
 
@@ -61,7 +61,7 @@ def test_angles_beyond_half_a_turn_lie_on_other_branches(kernel: ModuleType, ord
     v = kernel.random(COUNT, max_angle=order * np.pi, max_translation=0.5, rng=5)
     theta = 2 * order * np.arctan(np.linalg.norm(v[:, :3], axis=-1))
     assert theta.max() > 0.99 * order * np.pi
-    # near a multiple of 2π the vector is long if there is a translation, and its pose less accurate
+    # near a multiple of 2π, a translation makes the vector long and its pose less accurate
     far = abs(np.sin(theta / 2)) > 0.01
     shifts = np.linalg.norm(kernel.pose(v[far])[:, :3, 3], axis=-1)
     assert shifts.max() <= 0.5 + 1e-9

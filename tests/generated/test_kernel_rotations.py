@@ -1,4 +1,4 @@
-"""Rotations alone, compared with real parts of functions of poses and with textbook formulas for n = 1 and n = 2."""
+"""Rotations alone, in comparison with real parts of pose functions, and with textbook formulas for n = 1 and 2."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_rotations_are_the_real_parts_of_pose_functions(chart: str) -> None:
 def test_angular_velocity_agrees_with_the_matrix_and_rate_inverts_it(chart: str) -> None:
     rotations, _ = pair(chart)
     v, v_dot = rotations.random(7, max_angle=2.5, rng=3), np.random.default_rng(4).uniform(-1, 1, (7, 3))
-    moved = rotations.tensor(v + 1e-30j * v_dot)  # a complex step: no digits are lost
+    moved = rotations.tensor(v + 1e-30j * v_dot)  # complex steps lose no digits
     R, R_dot = moved.real, moved.imag / 1e-30
     omega = rotations.twist(v, v_dot)
     for matrix, found in ((R_dot @ R.mT, omega), (R.mT @ R_dot, rotations.body_twist(v, v_dot))):
@@ -101,18 +101,18 @@ def exact(*numbers: str) -> np.ndarray:
 SIGMA, OMEGA = exact("1/5", "-2/7", "3/8"), exact("1", "-5/3", "1/2")
 
 
-def test_rates_of_modified_rodrigues_parameters_are_those_of_the_textbooks_exactly() -> None:
-    """Rate σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame: Schaub & Junkins, Analytical Mechanics."""
+def test_rates_of_modified_rodrigues_parameters_match_the_textbooks_exactly() -> None:
+    """Compare with σ̇ = ¼ [(1 − σ²) I + 2 [σ×] + 2 σ σᵀ] ω, ω in the body frame (Schaub & Junkins)."""
     m, identity = dualcay.rotation.cayley2, exact(*"100010001").reshape(3, 3)
     B = (1 - SIGMA @ SIGMA) * identity + 2 * skew(SIGMA) + 2 * np.outer(SIGMA, SIGMA)
     assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 4)
     assert np.all(m.body_tangent_inv(SIGMA) == B / 4)
-    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in space the cross product has the opposite sign
+    assert np.all(m.rate(SIGMA, OMEGA) == B.T @ OMEGA / 4)  # in the space frame, the cross product changes sign
     assert np.all(m.shadow(SIGMA.astype(float)) == pytest.approx(-SIGMA.astype(float) / float(SIGMA @ SIGMA)))
 
 
-def test_rates_of_gibbs_vectors_are_those_of_the_textbooks_exactly() -> None:
-    """Rate ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame; Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
+def test_rates_of_gibbs_vectors_match_the_textbooks_exactly() -> None:
+    """Compare with ġ = ½ [I + [g×] + g gᵀ] ω, ω in the body frame, and Q = I + 2/(1 + g²) ([g×] + [g×]²)."""
     m, identity = dualcay.rotation.cayley1, exact(*"100010001").reshape(3, 3)
     B = identity + skew(SIGMA) + np.outer(SIGMA, SIGMA)
     assert np.all(m.body_rate(SIGMA, OMEGA) == B @ OMEGA / 2)
@@ -131,7 +131,7 @@ def test_vectors_agree_with_scipy() -> None:
     gibbs = rotvec * (np.tan(angle / 2) / angle)[:, np.newaxis]
     some = angle < 3  # v is infinite at π
     np.testing.assert_allclose(dualcay.rotation.cayley1.from_quaternion(q)[some], gibbs[some], rtol=1e-11)
-    v = dualcay.rotation.cayley2.random(100, max_angle=5, rng=8)  # beyond π as well
+    v = dualcay.rotation.cayley2.random(100, max_angle=5, rng=8)  # also beyond π
     of_scipy = Rotation.from_mrp(v)
     np.testing.assert_allclose(dualcay.rotation.cayley2.tensor(v), of_scipy.as_matrix(), rtol=0, atol=1e-14)
     np.testing.assert_allclose(dualcay.rotation.cayley2.principal(v), of_scipy.as_mrp(), **near)
@@ -143,7 +143,7 @@ def test_vectors_agree_with_scipy() -> None:
 
 
 def test_mrp_rates_agree_with_central_differences() -> None:
-    """Central differences of SciPy's MRP have errors of the step squared, 1e-10, and of rounding over the step."""
+    """Compare with differences of SciPy's MRP; errors are the step squared, 1e-10, and rounding over the step."""
     v, omega, step = np.array([0.2, -0.3, 0.1]), np.array([0.5, 0.7, -0.4]), 1e-5
     here = Rotation.from_mrp(v)
     later, sooner = ((here * Rotation.from_rotvec(s * step * omega)).as_mrp() for s in (1, -1))
@@ -192,7 +192,7 @@ def test_rotation_modules_are_listed_pickled_and_documented() -> None:
     assert not {"pose", "from_screw", "to_screw", "transform_line", "from_pose"} & set(m.__all__)
     assert pickle.loads(pickle.dumps(m.rate)) == m.rate
     assert pickle.loads(pickle.dumps(m.KERNELS)) is m.KERNELS
-    functions = {getattr(m, name).__name__ for name in m.__all__}  # aliases once
+    functions = {getattr(m, name).__name__ for name in m.__all__}  # an alias counts once
     assert list(dualcay.rotation.backend()) == sorted(functions)
     assert set(dualcay.rotation.backend().values()) == BACKENDS
     assert repr(m.KERNELS) == "<RotationKernels of dualcay.rotation.cayley2>"
@@ -203,7 +203,7 @@ def test_rotation_modules_are_listed_pickled_and_documented() -> None:
 
 
 @pytest.mark.parametrize("chart", MODULES)
-def test_scalars_are_those_of_the_module_for_poses(chart: str) -> None:
+def test_scalars_match_the_module_for_poses(chart: str) -> None:
     rotations, poses = pair(chart)
     shared = poses.CHART.functions.items()
     assert all(rotations.CHART.functions[name] is function for name, function in shared)

@@ -1,4 +1,4 @@
-"""Round trips from vectors to poses: all branches and representations, both signs of the quaternion, shadow group."""
+"""Round trips v → pose → v: all branches and representations, both signs of the quaternion, group of shadows."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def samples(order: int, regime: str) -> np.ndarray:
 
 
 def assert_same_pose(kernel: ModuleType, order: int, a: np.ndarray, b: np.ndarray) -> None:
-    """Require equal tensors of two batches up to their own error and the rounding of the vectors."""
+    """Require equal tensors of two batches, up to errors of the tensors and rounding of the vectors."""
     for x, y, left, right in zip(a, b, kernel.tensor(a), kernel.tensor(b), strict=True):
         allowed = Nil(0.0, 0.0)
         for v in (x, y):
@@ -44,7 +44,7 @@ def test_every_branch_gives_the_pose_back(kernel: ModuleType, order: int, route:
     v = samples(order, regime)
     for branch in range(order):
         found = getattr(kernel, route)(ROUTES[route](kernel, v), branch)
-        chart = np.linalg.norm(found[:, :3], axis=-1) < 1e4  # rounding of a longer vector destroys its pose
+        chart = np.linalg.norm(found[:, :3], axis=-1) < 1e4  # rounding spoils the poses of longer vectors
         assert_same_pose(kernel, order, v[chart], found[chart])
 
 
@@ -73,7 +73,7 @@ def test_branches_are_integers(kernel: ModuleType, order: int, route: str) -> No
 @pytest.mark.parametrize("route", ROUTES)
 @pytest.mark.parametrize("regime", ["uniform", "pure rotation"])
 def test_inverse_maps_are_lipschitz_in_the_violation(kernel: ModuleType, order: int, route: str, regime: str) -> None:
-    """Arguments that violate the unit norm or orthogonality change the result by the order of the violation."""
+    """Violate unit norm or orthogonality; expect a change of the result of the same order."""
     v = samples(order, regime)
     given = ROUTES[route](kernel, v)
     noise = sampling.generator("noise", route).normal(size=given.shape)
@@ -102,7 +102,7 @@ def test_branches_of_the_pose_are_shadows_of_the_principal_vector(kernel: Module
                 if np.linalg.norm(a[:3]) < 1e3:
                     allowed = trial.shadow_scale(start, a)
                     gate = errors.GENERAL + errors.shadow_gate(order)
-                    # Twice the gate: both start from the principal vector; its error passes through the same Jacobian.
+                    # The gate counts twice: the error of the principal vector passes through the same Jacobian.
                     assert errors.norm(a[:3] - b[:3]) <= 2 * gate * EPS * allowed.re
                     assert errors.norm(a[3:] - b[3:]) <= 2 * gate * EPS * allowed.du
 
@@ -132,7 +132,7 @@ def test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign(kernel: Module
         chart = np.linalg.norm(shadows[:, :3], axis=-1) < 1e4
         assert_same_pose(kernel, order, v[chart], shadows[chart])
         if order % 2 == 0:
-            # The closed form gives the sign (−1)^k.
+            # The closed form has the sign (−1)^k.
             agree = np.einsum("ij,ij->i", kernel.quaternion(shadows[chart])[:, :4], q[chart][:, :4])
             np.testing.assert_allclose(agree, (-1.0) ** branch, rtol=1e-9)
 

@@ -1,4 +1,4 @@
-"""Rules that decide about half turns, signs and branches."""
+"""Rules of choice at half turns, for signs, and for branches."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FINITE = pytest.mark.parametrize("order", [n for n in ORDERS if n > 1])  # n = 1
 
 
 def half_turn(axis: np.ndarray, shift: float, moment: np.ndarray) -> np.ndarray:
-    """Return the dual quaternion of angle π + ε shift about the line of axis and moment; its scalar is exactly 0."""
+    """Return the dual quaternion of the angle π + ε shift about a line; its real scalar is exactly 0."""
     return np.concatenate([[0.0], axis, [-shift / 2], moment])
 
 
@@ -63,7 +63,7 @@ def test_half_turn_keeps_the_given_vector_part(order: int, axis: list[float], ze
 @FINITE
 @AXIS
 def test_at_pi_matrices_give_the_axis_with_first_component_positive(order: int, axis: list[float]) -> None:
-    """Matrix 2 u uᵀ − I is symmetric to the last bit, so the scalar part is exactly 0."""
+    """Use 2 u uᵀ − I, which is symmetric to the last bit: its quaternion has a scalar part of exactly 0."""
     kernel, u = load(order), np.array(axis)
     leading = u[np.flatnonzero(u)[0]]
     side = np.sign(leading) * u
@@ -93,7 +93,7 @@ def test_half_turns_with_translation_from_matrices(order: int, axis: list[float]
 
 @AXIS
 def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
-    """Angle π is |v| = 1 for n = 2, exactly for axes of exact length: v and its shadow are equally long."""
+    """Test |v| = 1, the angle π for n = 2, with axes of exact unit length: v and its shadow have equal length."""
     kernel, u = load(2), np.array(axis)
     if u @ u != 1:
         return
@@ -111,7 +111,7 @@ def test_order_two_keeps_the_given_side_on_a_tie(axis: list[float]) -> None:
 
 @AXIS
 def test_screws_of_half_turns(axis: list[float]) -> None:
-    """Axis of a half turn has the direction of the vector."""
+    """Expect an axis in the direction of the vector."""
     kernel, u = load(2), np.array(axis)
     angle, direction = kernel.to_screw(np.concatenate([u, np.zeros(3)]))
     np.testing.assert_allclose(angle, [np.pi, 0], rtol=4 * EPS)
@@ -145,7 +145,7 @@ def test_the_identity_has_no_other_branches(kernel: ModuleType, order: int, shap
 
 @pytest.mark.parametrize("batch", [False, True])
 def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, order: int, batch: bool) -> None:
-    """Branch k is tan(kπ/n + ε |v°|) u, with the axis u = v°/|v°| through the origin."""
+    """Expect tan(kπ/n + ε |v°|) u on branch k, with the axis u = v°/|v°| through the origin."""
     v = np.array([0, 0, 0, 1.0, -2.0, 2.0])
     u = v[3:] / 3
     given = np.stack([v, -2 * v]) if batch else v
@@ -166,7 +166,7 @@ def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, 
             np.testing.assert_allclose(kernel.tensor(got), kernel.tensor(given), rtol=1e-12, atol=1e-12)
 
 
-# Vectors with an angle that is a multiple of 2π to the last bit: |v|² = 3 for n = 3, 1 for n = 4 and 8.
+# Vectors at exact multiples of 2π: |v|² = 3 for n = 3, |v|² = 1 for n = 4 and 8.
 AT_FULL_TURNS = [
     (3, [1.0, 1.0, 1.0]),
     (3, [1.0, -1.0, 1.0]),
@@ -180,7 +180,7 @@ AT_FULL_TURNS = [
 @pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)
 @pytest.mark.parametrize("dual", [[1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]])
 def test_full_turns_are_translations_along_the_axis(order: int, real: list[float], dual: list[float]) -> None:
-    """Operator has rank one: ρ = 2n/(1 + x) (u·v°) u, for any component of v° across u."""
+    """Expect ρ = 2n/(1 + x) (u·v°) u for any component of v° across u: T has rank one."""
     kernel = load(order)
     v = np.array([*real, *dual])
     x = v[:3] @ v[:3]
@@ -197,15 +197,15 @@ def test_full_turns_are_translations_along_the_axis(order: int, real: list[float
             shadow = pick(kernel.shadow(given, k))
             if np.linalg.norm(shadow[:3]) < 1e3:
                 np.testing.assert_allclose(kernel.pose(shadow), kernel.pose(v), atol=1e-12)
-                # Branches are counted in the direction of the translation.
+                # Branches count turns in the direction of the translation.
                 wanted = oracle_of(order).shadow(v, k).astype(float)
                 np.testing.assert_allclose(shadow, wanted, rtol=1e-13, atol=1e-13)
 
 
 @pytest.mark.parametrize("order", [4, 8])
 @pytest.mark.parametrize("shift", [[0, 0, 2.0], [0, -0.5, 0]])
-def test_shadows_of_translations_form_the_group_too(order: int, shift: list[float]) -> None:
-    """Start is |v| = 1, which is 2π or 6π for n = 4. Branches are counted in the direction of the translation."""
+def test_shadows_of_translations_form_a_group(order: int, shift: list[float]) -> None:
+    """Take the shadow j with |v| = 1, then its shadow k; branches count turns in the direction of the translation."""
     kernel, v = load(order), np.array([0, 0, 0, *shift])
     for j in (order // 4, -order // 4):
         middle = kernel.shadow(v, j)
@@ -215,7 +215,7 @@ def test_shadows_of_translations_form_the_group_too(order: int, shift: list[floa
 
 
 def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -> None:
-    """Each pose in a mixed batch is unaffected by the others: identity, translation, half turn, general poses."""
+    """Mix identity, translation, half turn and general poses; expect for each the result of a single call."""
     regimes = ["uniform", "identity", "pure translation", "angle 1e-12", "below pi", "shadow", "middle band"]
     v = np.concatenate([sampling.poses(order, r)[:2] for r in regimes if sampling.has_regime(order, r)])
     for name in ("principal", "shadow", "quaternion", "tangent_inv"):
@@ -233,7 +233,7 @@ def test_mixed_batches_agree_with_single_poses(kernel: ModuleType, order: int) -
 @FINITE
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]) -> None:
-    """Axis of a rounded φ(π) u stays u, and v its principal vector, although rounding may put it beyond the tie."""
+    """Expect the axis u for v = φ(π) u, and v as principal vector, although rounding may move v beyond half a turn."""
     kernel = load(order)
     u = np.concatenate([np.array(AXES), sampling.unit_vectors(sampling.generator("half turns"), (200,))])
     zeros = np.zeros((len(u), 1))
@@ -242,7 +242,7 @@ def test_a_rounded_half_turn_keeps_its_side(order: int, dtype: type[np.floating]
     for rows in (slice(None), slice(0, 1), slice(5, 6)):
         angle, axis = kernel.to_screw(v[rows])
         np.testing.assert_allclose(axis[:, :3], u[rows], atol=16 * np.finfo(dtype).eps)
-        # an angle may exceed half a turn by 2 NOISE eps
+        # angles may exceed half a turn by 2 NOISE eps
         np.testing.assert_allclose(angle[:, 0], np.pi, atol=32 * np.finfo(dtype).eps)
         np.testing.assert_array_equal(kernel.principal(v[rows]), v[rows])
     for k in branches(order)[1:]:
@@ -263,7 +263,7 @@ def test_the_first_axis_of_a_half_turn_about_x(order: int) -> None:
 @pytest.mark.parametrize("batch", [False, True])
 @pytest.mark.parametrize("size", [1e-100, 1e-155, 1e-162, 1e-200, 1e-300])
 def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, batch: bool) -> None:
-    """Vectors whose square underflows keep their axis, angle and shadows, with and without rotation."""
+    """Expect correct axis, angle and shadows for vectors with underflow in v·v, with and without rotation."""
     re, du = np.array([2.0, -1, 2]) / 3, np.array([2.0, 2, -1])
     u = np.concatenate([re, du / 3])
     for v, expected, rotation in (
@@ -273,7 +273,7 @@ def test_lengths_do_not_underflow(kernel: ModuleType, order: int, size: float, b
         given = np.stack([v] * 30) if batch else v
         angle, axis = kernel.to_screw(given)
         np.testing.assert_allclose(np.atleast_2d(axis)[0], expected, atol=8 * EPS)
-        # zeros must be exact: a tiny pitch would be a rounding of |v°|
+        # zeros must be exact; a tiny pitch would come from rounding
         wanted = [2 * order * rotation, 0.0 if rotation else 2 * order * size]
         np.testing.assert_allclose(np.atleast_2d(angle)[0], wanted, rtol=8 * EPS, atol=8 * EPS * size)
         for k in range(1, order):

@@ -63,7 +63,7 @@ SPECIAL = {
     "v": [
         *np.array([
             [0, 0, 0, 0, 0, 0], [-0.0, -0.0, -0.0, -0.0, -0.0, -0.0],
-            [1.0, 0, 0, 0, 0, 0],  # a pole of tangent_inv for n = 4 and 8, π for n = 2
+            [1.0, 0, 0, 0, 0, 0],  # pole of tangent_inv for n = 4 and 8, half a turn for n = 2
             [0, -1.0, 0, 0.3, 0.2, 0.1], [0, 0, 0, 0, 0, 2.0], [1e200, 0, 0, 0, 1e-200, 0],
             [0, 0, 0, np.inf, 0, 0], [0, np.nan, 0, 1.0, 0, 0],
         ]),
@@ -85,7 +85,7 @@ SPECIAL = {
 }  # fmt: skip
 SPECIAL["w"] = SPECIAL["v"]
 SPECIAL["R"] = [np.stack([t[:3, :3], 0 * t[:3, :3]]) for t in SPECIAL["T"][:4]] + [np.full((2, 3, 3), np.nan)]
-for _values in SPECIAL.values():  # shared by all tests: a kernel that writes into an argument raises
+for _values in SPECIAL.values():  # shared by all tests; a kernel that writes into an argument fails
     for _value in _values:
         _value.flags.writeable = False
 
@@ -94,12 +94,12 @@ for _values in SPECIAL.values():  # shared by all tests: a kernel that writes in
 def test_special_arguments_give_no_warning_and_batches_agree(kernel: ModuleType, order: int, name: str) -> None:
     kinds = SIGNATURES[name].arguments
     for first in SPECIAL[kinds[0]]:
-        # a third argument takes the same values in reverse order
+        # the third argument has the same values in reverse order
         for rest in zip(*(SPECIAL[kind][:: 1 - 2 * i] for i, kind in enumerate(kinds[1:]))) if kinds[1:] else [()]:
             arguments = [first, *rest]
             for branch in ({}, {"branch": 1}) if name in BRANCHED else ({},):
                 single = getattr(kernel, name)(*arguments, **branch)
-                crowd = [np.repeat(a[None], 25, axis=0) for a in arguments]  # enough for a recorded program
+                crowd = [np.repeat(a[None], 25, axis=0) for a in arguments]  # size at which a program is recorded
                 batch = getattr(kernel, name)(*crowd, **branch)
                 np.testing.assert_array_equal(np.isfinite(single), np.isfinite(batch[1]), str((name, arguments)))
                 assert_nearly_equal(
@@ -120,7 +120,7 @@ def test_special_screws_give_no_warning(kernel: ModuleType, order: int) -> None:
 
 
 def test_error_state_of_the_caller_is_kept() -> None:
-    """Kernels silence warnings internally for any setting of the caller, and restore the setting."""
+    """Expect no warning under any setting of the caller, and the same setting afterwards."""
     kernel = load(4)
     with np.errstate(all="raise"):
         kernel.tangent_inv(np.array([1.0, 0, 0, 0, 0, 0]))
@@ -144,7 +144,7 @@ def test_single_precision_overflow_gives_no_warning(kernel: ModuleType, order: i
 
 @pytest.mark.parametrize("order", [n for n in ORDERS if n in (4, 8)])
 def test_poles_are_not_finite(order: int) -> None:
-    """Inverses do not exist at |v| = 1: Re α is 2π for n = 4; for n = 8 Re α is 4π, also a zero of q_8."""
+    """Test |v| = 1, where T has no inverse: Re α is 2π for n = 4, and 4π, a zero of q_8, for n = 8."""
     kernel = load(order)
     v = np.array([[0, 0, 1.0, 0, 0, 0], [0.1, 0, 0, 0, 0, 0]])
     for got in (kernel.tangent_inv(v), np.stack([kernel.tangent_inv(row) for row in v])):

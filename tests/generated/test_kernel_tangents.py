@@ -1,4 +1,4 @@
-"""Tangent operators, twists and rates: comparison with derivatives of tensor and pose, and with each other."""
+"""Tangent operators, twists and rates, in comparison with derivatives of tensor and pose and with each other."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.sampling import reached
 EPS = float(np.finfo(float).eps)
 REGIMES = ("uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "shadow", "translation 1e6", "identity")
 REGIME = pytest.mark.parametrize("regime", REGIMES)
-COMPLEX_STEP = 1e-40  # nothing is subtracted, so only underflow limits it
+COMPLEX_STEP = 1e-40  # complex steps subtract nothing, so only underflow limits the step
 
 
 def vect(m: np.ndarray) -> np.ndarray:
@@ -37,7 +37,7 @@ def twist_of_pose(pose: np.ndarray, change: np.ndarray) -> np.ndarray:
 
 
 def allowed(order: int, v: np.ndarray) -> Nil:
-    """Return the scale of T e_j: the scale of T times the scales of both tensors in its product."""
+    """Return the scale of T e_j = vect(Ṙ Rᵀ): the scale of T times the scales of both tensors."""
     local = errors.scales(order, v)
     return local.tangent * local.tensor * local.tensor
 
@@ -54,7 +54,7 @@ def test_complex_steps_of_the_tensor(kernel: ModuleType, order: int, regime: str
 
 @REGIME
 def test_operators_of_the_body_take_rates_to_body_twists_and_back(kernel: ModuleType, order: int, regime: str) -> None:
-    """Body operators transpose each part of the dual tensor; transposing the 6x6 matrix gives another operator."""
+    """Check that body operators transpose each part of the dual tensor, and not the 6x6 matrix."""
     v = reached(order, regime)
     space, body = kernel.tangent(v), kernel.body_tangent(v)
     np.testing.assert_array_equal(body, np.swapaxes(space, -1, -2))
@@ -80,7 +80,7 @@ def test_complex_steps_of_the_pose(kernel: ModuleType, order: int, regime: str) 
 
 @REGIME
 def test_complex_steps_of_the_quaternion(kernel: ModuleType, order: int, regime: str) -> None:
-    """Derivative q̇ = ω q / 2 holds in the real and the dual part."""
+    """Compare with q̇ = ω q / 2, in the real and the dual part."""
     v = reached(order, regime)
     rates = sampling.dual_vectors("rates", count=len(v))
     change = kernel.quaternion(v + 1j * COMPLEX_STEP * rates).imag / COMPLEX_STEP
@@ -166,7 +166,7 @@ def test_tangent_at_a_translation_is_diagonal_and_at_the_identity_a_multiple_of_
 
 @pytest.mark.parametrize("regime", ["uniform", "shadow", "below pi", "translation 1e6"])
 def test_order_two_is_conformal(regime: str) -> None:
-    """Operator dcay_2 is 4/(1 + x) times a rotation, in dual numbers, and its inverse a scaled transpose."""
+    """Expect 4/(1 + x) times a rotation for dcay_2, in dual numbers, and a scaled transpose as its inverse."""
     from dualcay import cayley2
 
     v = reached(2, regime)
@@ -183,7 +183,7 @@ def test_order_two_is_conformal(regime: str) -> None:
 
 
 def test_singular_angles(kernel: ModuleType, order: int) -> None:
-    """Tangent operators lose rank exactly at the singular angles, and the chart ends at the last of them."""
+    """Expect rank loss of T exactly at the singular angles, and the end of the chart at the last one."""
     angles = kernel.singular_angles()
     assert isinstance(angles, tuple)
     poles = [2 * np.pi * k for k in range(1, order) if 2 * k < order]

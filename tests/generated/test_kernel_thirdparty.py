@@ -1,4 +1,4 @@
-"""Agreement with SciPy's RigidTransform, and the difference from the Cayley map of 4x4 homogeneous matrices."""
+"""Agreement with SciPy's RigidTransform; difference from the Cayley map of 4x4 homogeneous matrices."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ EPS = float(np.finfo(float).eps)
 
 
 def assert_same(order: int, v: np.ndarray, ours: np.ndarray, theirs: np.ndarray, factor: float = 1.0) -> None:
-    """Require agreement within the gates of both, which cover SciPy's errors of some eps."""
+    """Require agreement within the sum of two gates, which also covers SciPy's errors of some eps."""
     for one, a, b in zip(v, ours, theirs, strict=True):
         local = errors.scales(order, one)
         assert errors.norm(a[:3, :3] - b[:3, :3]) <= factor * errors.AGREE * EPS * local.tensor.re
@@ -41,7 +41,7 @@ def test_screws_are_exponential_coordinates(kernel: ModuleType, order: int, regi
     coordinates = np.concatenate([turn * axis[:, :3], shift * axis[:, :3] + turn * axis[:, 3:]], axis=-1)
     if regime != "identity":
         third = RigidTransform.from_exp_coords(coordinates).as_matrix()
-        # The exponential has the error of the angle times the angle, up to π here.
+        # The error of the exponential grows with the angle, up to π here.
         assert_same(order, v, kernel.pose(v), third, factor=np.pi)
 
 
@@ -75,7 +75,7 @@ def test_points_move_as_in_scipy(kernel: ModuleType, order: int) -> None:
 
 
 def homogeneous_cayley(v: np.ndarray, order: int) -> np.ndarray:
-    """Return the other Cayley map of rigid displacements: ((I − A)⁻¹ (I + A))^n of A = [[skew ω, t], [0, 0]]."""
+    """Return the Cayley map of homogeneous matrices, ((I − A)⁻¹ (I + A))^n with A = [[skew ω, t], [0, 0]]."""
     w, t = v[:3], v[3:]
     a = np.zeros((4, 4))
     a[:3, :3] = [[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]]
@@ -84,12 +84,12 @@ def homogeneous_cayley(v: np.ndarray, order: int) -> np.ndarray:
 
 
 def test_the_dual_cayley_map_is_not_the_homogeneous_one(kernel: ModuleType, order: int) -> None:
-    """Rotations are equal and translations differ; without rotation, both translate by 2n v°."""
+    """Expect equal rotations and different translations; without rotation, both maps translate by 2n v°."""
     for v in reached(order, "uniform", 12):
         dual, homogeneous = kernel.pose(v), homogeneous_cayley(v, order)
         np.testing.assert_allclose(dual[:3, :3], homogeneous[:3, :3], atol=1e-13)
         assert np.linalg.norm(dual[:3, 3] - homogeneous[:3, 3]) > 0.001 * (v[:3] @ v[:3]) * np.linalg.norm(dual[:3, 3])
-    # Along the axis, translations differ exactly by the factor 1 + x.
+    # Along the axis, translations differ by exactly the factor 1 + x.
     axis, x = np.array([0.6, 0.0, 0.8]), 0.01
     v = np.concatenate([0.1 * axis, 2.0 * axis])
     ratio = homogeneous_cayley(v, order)[:3, 3] @ axis / (kernel.pose(v)[:3, 3] @ axis)

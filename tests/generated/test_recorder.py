@@ -1,4 +1,4 @@
-"""Recorder of programs: every operation, selection by bits and booleans, constants, shared entries, order and rows."""
+"""Recorder of programs: operations, selections by bits and booleans, constants, shared entries, order, rows."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def run(program: Program, *arguments: NDArray[Any], outputs: int) -> list[NDArra
 
 
 def recorded(text: Text, dtype: Any, *arguments: Any, outputs: int = 1) -> list[NDArray[Any]]:
-    """Record a program of single numbers; return its results on arrays."""
+    """Record a program written for single numbers; return its results on arrays."""
     arrays = [np.array(a, dtype) for a in arguments]
     program = record(lambda m, *groups: text(m, *(a for (a,) in groups)), [1] * len(arrays), np.dtype(dtype))
     return run(program, *arrays, outputs=outputs)
@@ -53,7 +53,7 @@ ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 
 @pytest.mark.parametrize("dtype", DTYPES)
 @pytest.mark.parametrize("operation", ARITHMETIC)
-def test_arithmetic_is_that_of_numpy(operation: str, dtype: type) -> None:
+def test_arithmetic_matches_numpy(operation: str, dtype: type) -> None:
     a, b = np.array([1.5, -2.0, 0.25], dtype), np.array([3.0, 7.0, -0.5], dtype)
     (found,) = recorded(lambda m, a, b: (ARITHMETIC[operation](a, b),), dtype, a, b)
     np.testing.assert_array_equal(found, ARITHMETIC[operation](a, b))
@@ -66,7 +66,7 @@ def test_arithmetic_is_that_of_numpy(operation: str, dtype: type) -> None:
     [("abs", np.absolute, 1), ("sqrt", np.sqrt, 1), ("tan", np.tan, 1), ("atan2", np.arctan2, 2),
      ("expm1", np.expm1, 1), ("log1p", np.log1p, 1)],
 )  # fmt: skip
-def test_functions_are_those_of_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
+def test_functions_match_numpy(name: str, ufunc: np.ufunc, count: int, dtype: type) -> None:
     arguments = [np.array([0.5, 1.5, 2.5], dtype), np.array([2.0, 0.25, 1.0], dtype)][:count]
     (found,) = recorded(lambda m, *a: (getattr(m, name)(*a),), dtype, *arguments)
     np.testing.assert_array_equal(found, ufunc(*arguments))
@@ -131,7 +131,7 @@ def test_equal_operations_are_entered_once() -> None:
 
 
 def test_row_is_not_reused_while_it_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Random programs agree with NumPy; some disagree if rows are freed one step early."""
+    """Compare random programs with NumPy; rows freed one step early would give other results."""
     assert all(_agrees(seed) for seed in range(60))
     release = _program.Rows._release
 

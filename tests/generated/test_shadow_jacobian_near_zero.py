@@ -1,4 +1,4 @@
-"""Jacobians of shadows are finite where the square of v underflows, and the limit of Jacobians at longer vectors."""
+"""Jacobians of shadows where v·v underflows: finite, and the limit of Jacobians at longer vectors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_jacobian_of_a_shadow_is_finite_where_x_underflows(chart: str) -> None:
     along, across = direction, np.array([2.0, 1.0, 2.0]) / 3
     assert np.isfinite(tiny).all()
     for block in (slice(0, 3), slice(3, 6)):
-        # across the axis the Jacobian is r_k/r and grows with 1/r
+        # across the axis, the Jacobian is r_k/r and grows like 1/r
         expected = across @ small[block, block] @ across * SMALL
         assert across @ tiny[block, block] @ across * TINY == pytest.approx(expected, rel=1e-5)
     slope = kernels.shadow_jacobian([TINY, 0, 0, 0.1, 0, 0], 1)

@@ -1,4 +1,4 @@
-"""Control of the kernel tests: with one sign flipped in a program of order 3, a law fails."""
+"""Control of the kernel tests: after one flipped sign in a program of order 3, some law fails."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from tests.support.accuracy import FUNCTIONS, Trial
 
 ORDER = 3
 REGIMES = ("uniform", "shadow", "pure translation", "below pi", "coordinate axes")
-"""Regimes in which every operation counts: arguments on both sides of each selection."""
+"""Regimes with arguments on both sides of each selection, so that every operation matters."""
 
 
 def programs(module: Any) -> dict[str, ast.FunctionDef]:
-    """Return the functions of a module by name: geometry programs, or the scalar programs of a chart."""
+    """Return the programs of a module by name: geometry programs, or the scalar programs of a chart."""
     found = (node for node in ast.parse(inspect.getsource(module)).body if isinstance(node, ast.FunctionDef))
     return {node.name: node for node in found if not node.name.startswith("__")}
 
@@ -37,9 +37,9 @@ PROGRAMS = programs(_geometry) | programs(cayley3)
 
 
 def signs(program: ast.FunctionDef) -> list[int]:
-    """Return the places of + and − in a walk through the syntax tree of a program.
+    """Return the places of + and −, counted in a walk through the syntax tree of a program.
 
-    Signs that only select a side or NaN are left out, as are the constants 0 and 1, which order 3 does not use.
+    Excluded are signs that only select a side or NaN, and signs of constants 0 and 1, which order 3 does not use.
     """
     selecting: list[ast.AST] = [
         node
@@ -87,7 +87,7 @@ def kernels_with(program: ast.FunctionDef | None) -> Any:
 
 
 def names_read(code: CodeType, seen: frozenset[str] = frozenset()) -> frozenset[str]:
-    """Return the names of programs that a program runs, directly or through others."""
+    """Return the names of all programs that a program runs, directly or through others."""
     scalars = {f"_{name}" for name in code.co_names} | set(code.co_names)
     new = (scalars & PROGRAMS.keys()) - seen
     seen |= new
@@ -100,15 +100,15 @@ READ = {name: names_read(k.plain.__code__) | {k.plain.__name__} for name, k in c
 
 
 def users(program: str) -> list[str]:
-    """Return the interface functions that run a program, with its namesake first."""
+    """Return the interface functions that run a program; a function with the program's name comes first."""
     kernels = sorted((name for name, read in READ.items() if program in read), key=lambda name: name != program)
-    shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # turns distinguish branches
+    shown = ("from_quaternion" if name == "turn" else name for name in kernels)  # `turn` tells branches apart
     return [name for name in dict.fromkeys(shown) if name in FUNCTIONS]
 
 
 @pytest.fixture(autouse=True)
 def single_poses(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Run every batch pose by pose; the root of a negative number is NaN."""
+    """Run kernels pose by pose on every batch; roots of negative numbers are NaN."""
     monkeypatch.setattr(_runtime.Floats, "sqrt", staticmethod(lambda x: math.sqrt(x) if x >= 0 else math.nan))
     monkeypatch.setattr(_runtime, "POINTWISE_MAX", sys.maxsize)
 
@@ -126,7 +126,7 @@ def seen_by_oracle(kernels: Any, names: list[str]) -> bool:
 
 
 def seen_at_full_turns(kernels: Any) -> bool:
-    """Return whether the side chosen at a multiple of 2π is wrong, an error that no other law shows."""
+    """Return whether a wrong side is chosen at a multiple of 2π; no other law shows this error."""
     law = rules.test_full_turns_are_translations_along_the_axis
     duals = [1.0, 2.0, -0.5], [-1.0, -2.0, 0.5], [0.3, -0.4, 0.2]
     with pytest.MonkeyPatch.context() as patch:
@@ -136,7 +136,7 @@ def seen_at_full_turns(kernels: Any) -> bool:
 
 
 def laws() -> Iterator[tuple[Callable[..., None], tuple[object, ...]]]:
-    """Yield laws that do not use the oracle: derivatives, inverses, round trips, products."""
+    """Yield laws that need no oracle: derivatives, inverses, round trips, products."""
     yield roundtrips.test_shadows_form_a_cyclic_group, ("uniform",)
     yield roundtrips.test_shadows_give_the_same_pose_and_the_quaternion_up_to_sign, ("pure translation",)
     for regime in ("uniform", "shadow", "below pi", "coordinate axes"):
@@ -162,7 +162,7 @@ def test_unchanged_kernels_pass() -> None:
 
 
 @pytest.mark.parametrize("name", sorted(name for name in PROGRAMS if users(name)))
-def test_every_flipped_sign_is_seen_by_the_oracle(name: str) -> None:
+def test_oracle_detects_every_flipped_sign(name: str) -> None:
     unseen = []
     for place in signs(PROGRAMS[name]):
         kernels = kernels_with(flipped(PROGRAMS[name], place))
@@ -176,7 +176,7 @@ LAWFUL = ("quaternion", "tensor", "pose", "tangent", "tangent_inv", "twist", "ra
 
 
 @pytest.mark.parametrize("name", LAWFUL)
-def test_flipped_signs_are_seen_by_laws(name: str) -> None:
+def test_laws_detect_flipped_signs(name: str) -> None:
     places = signs(PROGRAMS[name])
     for place in places[:: max(1, len(places) // 3)]:
         changed = flipped(PROGRAMS[name], place)

@@ -1,4 +1,4 @@
-"""The worst inputs of every function stay within their gates."""
+"""Worst inputs of every function: errors stay within the gates."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Mutation test of the whole toolkit: ``python -m tests.mutants`` (``make mutants``).
 
-A mutant is one small change that tests should refuse. Each room draws a sample of its mutants, tries each one in a
-separate process, lists the survivors and prints its score. Nothing is written into the tree.
+A mutant has one small change, which tests should refuse. The command draws a sample of mutants from each room, tries
+each one in a separate process, lists the survivors and prints the score. The tree stays unchanged.
 
 ========== ==========================================================================================================
 statements true statements of the papers with one mark changed: executing them must fail

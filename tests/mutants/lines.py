@@ -1,4 +1,4 @@
-"""Mutants of source lines: one token of a Python file or a template changed in a copy of the tree."""
+"""Mutants of source lines: a copy of the tree with one token changed, in a Python file or a template."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ TOKEN = re.compile("|".join(map(re.escape, sorted(TOKENS, key=len, reverse=True)
 PROSE = re.compile(
     r'r?"""[\s\S]*?"""|\{#[\s\S]*?#\}|(?<![\w"\'])#.*|//[^/\n]*$|"(?:[^"\\\n]|\\.)*"|/\*[\s\S]*?\*/', re.M
 )
-"""Pattern of docstrings, comments and strings, which are not changed."""
+"""Pattern of docstrings, comments and strings; their text is not changed."""
 
 SOURCES = {
     "maps": ("derive/maps",),
@@ -39,18 +39,18 @@ SOURCES = {
     "lowering": ("derive/codegen/lowering", "derive/codegen/programs", "derive/codegen/targets"),
     "templates": ("templates/numpy",),
 }
-"""Folders by room; tests of the room's own folder are run, for templates the tests of codegen."""
+"""Source folders by room; the tests of the same room are run, and for templates the tests of codegen."""
 
 CHARTS = ("-n", "1-4", "--family", "exponential,orthographic,scaled2,sine3,breusing")
 STAGES = {
     "generate": ("-m", "derive", "generate", *CHARTS, "-o", "generated/dualcay", "--force"),
     "tests": ("-m", "pytest", "-q", "-x", "--tb=no", "-p", "no:cacheprovider", "-m", "not thorough"),
 }
-"""Commands that should refuse a mutant; the tests run on the kernels that the first command writes."""
+"""Commands that should refuse a mutant; the first writes kernels, on which the tests run."""
 
 
 def changes(text: str) -> Iterator[tuple[int, str, str, str]]:
-    """Yield line number, operator, change in words and changed text, for every token outside of prose."""
+    """Yield line number, operator, change in words and changed text, for every token outside prose."""
     prose = [match.span() for match in PROSE.finditer(text)]
     for match in TOKEN.finditer(text):
         start, end = match.span()
@@ -85,7 +85,7 @@ def _compiles(text: str) -> bool:
 
 
 def _trial(room: str, name: str | None, text: str) -> Verdict:
-    """Run the commands in a copy of the tree with one file changed."""
+    """Run the commands in a copy of the tree with one changed file."""
     tests = f"tests/derive/{room}" if (ROOT / "tests/derive" / room).is_dir() else "tests/derive/codegen"
     with tempfile.TemporaryDirectory(prefix="dualcay-mutant-") as folder:
         for part in COPIED:

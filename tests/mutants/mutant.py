@@ -1,4 +1,4 @@
-"""Mutants and verdicts: samples are drawn, and each mutant is tried in a separate process."""
+"""Mutants and their verdicts: drawing of samples, and trial of each mutant in a separate process."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from time import monotonic
 KILLED, SURVIVED, EQUIVALENT = "killed", "survived", "equivalent"
 
 TRIAL_SECONDS = 900.0
-"""Wall-clock limit of one trial; a mutant that exceeds it is killed."""
+"""Time limit of one trial, in seconds; a mutant that exceeds it counts as killed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Fate of a mutant: killed, survived or equivalent; ``by`` begins with the stage that killed it."""
+    """Result of a trial: killed, survived or equivalent; ``by`` begins with the stage that killed the mutant."""
 
     kind: str
     by: str = ""
@@ -31,7 +31,7 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """One change at a place, with its operator and the function that tries it."""
+    """Change at one place: its operator, and the function that tries it."""
 
     place: str
     operator: str
@@ -43,11 +43,11 @@ class Mutant:
 
 
 Room = Callable[[], Iterable[Mutant]]
-"""Function that yields the unchanged tree, whose trial must survive, then every mutant."""
+"""Function that yields the unchanged tree first, which must survive, then every mutant."""
 
 
 def sampled(mutants: Iterable[Mutant], count: int, seed: int) -> list[Mutant]:
-    """Draw mutants by a hash of their text, so that an added mutant leaves the others in the sample."""
+    """Draw mutants by a hash of their text, so that adding a mutant hardly changes the sample."""
 
     def rank(mutant: Mutant) -> bytes:
         return hashlib.sha256(f"{seed}|{mutant}".encode()).digest()
@@ -56,7 +56,7 @@ def sampled(mutants: Iterable[Mutant], count: int, seed: int) -> list[Mutant]:
 
 
 def tried(mutants: Sequence[Mutant], jobs: int, limit: float = TRIAL_SECONDS) -> Iterator[Verdict]:
-    """Yield the verdicts in order; each trial runs in a forked process."""
+    """Yield the verdicts in the order of mutants; each trial runs in a forked process."""
     waiting, verdicts = deque(enumerate(mutants)), dict[int, Verdict]()
     running: dict[Connection, tuple[int, BaseProcess, float]] = {}
     for place in range(len(mutants)):
@@ -93,7 +93,7 @@ def _run(mutant: Mutant, sender: Connection) -> None:
 
 
 def _ended(receiver: Connection, process: BaseProcess, answered: bool) -> Verdict:
-    """Return the verdict of a process, and kill its process group."""
+    """Return the verdict of a trial's process, and kill its process group."""
     try:
         verdict = receiver.recv() if answered else Verdict(KILLED, "time limit")
     except EOFError:

@@ -1,4 +1,4 @@
-"""Mutants of straight-line programs, printed into the NumPy package in place of the original and validated."""
+"""Mutants of straight-line programs: printed into the NumPy package in place of the original, then validated."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ ORDERED = {"sub": (0, 1), "div": (0, 1), "lt": (0, 1), "atan2": (0, 1), "where":
 DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 TRUTHS = ("lt", "eq", "and", "or")
 GEOMETRY_CHARTS = (Cayley(3), Cayley(2))
-"""Charts with which a changed geometry program is validated."""
+"""Charts used in the validation of a changed geometry program."""
 
 Changed = tuple[str, str, Program]
-"""Operator, change in words, and the changed program."""
+"""Type of a change: operator, change in words, and changed program."""
 
 
 def mutants() -> Iterator[Mutant]:
@@ -46,7 +46,7 @@ def _mutants(owner: str, charts: Sequence[Chart], program: Program) -> Iterator[
 
 
 def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | None) -> Verdict:
-    """Build the charts, with one program replaced by its changed form."""
+    """Build the charts with one program replaced by its mutant."""
     print_body = infix.body
 
     def body(given: Program, *arguments: Any, **options: Any) -> str:
@@ -100,7 +100,7 @@ def _operand_changes(program: Program, index: int, statement: Any) -> Iterator[t
 
 
 def _others(program: Program, index: int, operand: Operand) -> Iterator[tuple[str, Operand]]:
-    """Yield neighbours of a constant, or for a name the values named just before and after it."""
+    """Yield replacements: neighbours of a constant, or the names just before and after a name."""
     if not isinstance(operand, str):
         yield from (("constant", other) for other in {operand + 1, operand - 1, -operand} - {operand})
         return

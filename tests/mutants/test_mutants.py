@@ -1,4 +1,4 @@
-"""Tests of mutants: operators change the named tokens, samples are stable, and every trial ends with a verdict."""
+"""Tests of mutants: operators change the intended tokens, samples are stable, every trial ends with a verdict."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def test_line_changes_swap_a_token(line: str, changed: str) -> None:
     assert changed in {text for *_, text in line_changes(line)}
 
 
-def test_prose_is_left_as_it_is() -> None:
+def test_prose_is_not_mutated() -> None:
     text = '"""One + 1."""\n# 2 * 3\nx = f("4 + 5")  # 6\n{# 7 < 8 #}\ny = a + 9\n'
     assert {line for line, *_ in line_changes(text)} == {5}
 
@@ -80,7 +80,7 @@ def test_added_mutants_leave_the_others_in_the_sample() -> None:
 
 @pytest.fixture(scope="module")
 def run_apart() -> Iterator[Callable[..., Any]]:
-    """Run a function in a new interpreter: trials fork, and other tests start threads in this one."""
+    """Run a function in a new interpreter without threads, because trials fork."""
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
         yield lambda function, *given: pool.submit(function, *given).result()
 
@@ -102,7 +102,7 @@ def long_trial() -> list[Verdict]:
 
 
 def run_command(kinds: Mapping[str, str], *arguments: str) -> tuple[int, str]:
-    """Return exit code and output of the command on a room whose mutants have these verdicts."""
+    """Return exit code and output of the command, for one room with these verdicts."""
     room = [mutant(partial(Verdict, kind, "tests"), change) for change, kind in kinds.items()]
     with mock.patch.object(command, "ROOMS", {"some": lambda: room}), contextlib.redirect_stdout(io.StringIO()) as out:
         return command.main(["--room", "some", *arguments]), out.getvalue()

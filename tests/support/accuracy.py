@@ -1,8 +1,8 @@
 """Comparison of every kernel function with the oracle in one regime: results, exact values, scales and gates.
 
-`Trial(module, order, regime).check(name)` raises AssertionError with the worst input if the function of that name
-misses its gate; `worst(name)` is the largest error as a fraction of the gate. The module is an argument, so that
-kernels of other orders, written elsewhere, and broken copies can be tried in the same way.
+`Trial(module, order, regime).check(name)` raises AssertionError with the input if the function of this name misses its
+gate. `worst(name)` returns the largest error as a fraction of the gate. The module is an argument: it may also be a
+kernel of another order, written elsewhere, or a broken copy.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from tests.support.trial import Result, rounded
 
 
 class Trial(ForwardTrial):
-    """One kernel module in one regime, function by function."""
+    """Trial of one kernel module in one regime; a method for each function yields its results."""
 
     # ---- inverse maps ------------------------------------------------------------------------------------------
 
     def _inverse(self, name: str) -> Iterator[Result]:
-        """Yield results of an inverse map from rounded quaternions, tensors or poses, on some branches."""
+        """Yield results of an inverse map for rounded quaternions, tensors or poses, on some branches."""
         forward = getattr(self.oracle, name.removeprefix("from_"))
         entries = self.quaternion_entries if name == "from_quaternion" else self.tensor_entries
         inputs = np.stack([rounded(forward(v), self.dtype) for v in self.v])
@@ -47,7 +47,7 @@ class Trial(ForwardTrial):
     from_pose = partialmethod(_inverse, "from_pose")
 
     def sides(self, v: Any) -> list[tuple[Any, Any]]:
-        """Return half the principal angle and the axis, for both signs of q̂ if the angle is π to within rounding."""
+        """Return (half the principal angle, axis) for q̂, and at π also for −q̂, which rounding may select."""
         q = self.oracle.unit(self.oracle.unpack(v))
         if q[0].re < 0:
             q = tuple(-c for c in q)
@@ -64,7 +64,7 @@ class Trial(ForwardTrial):
         return scale
 
     def translation_shadow_scale(self, branch: int, length: float) -> Nil:
-        """Return the scale of tan(kπ/n + ε |v°|) u, where the tangent operator has no inverse but u is exact."""
+        """Return the scale of tan(kπ/n + ε |v°|) u with exact u; T has no inverse at this vector."""
         tangent = math.tan(branch * math.pi / self.order)
         return Nil(abs(tangent), (1 + tangent**2) * length)
 
@@ -81,7 +81,7 @@ class Trial(ForwardTrial):
         return errors.entry_twists(rotation), np.array(pack(rotation), dtype=float).reshape(2, 9)
 
     def round_trip(self) -> Iterator[Result]:
-        """Yield v -> pose -> v, compared with the principal shadow of v: 8 eps for n ≥ 2 as measured, 20 for n = 1."""
+        """Yield v -> pose -> v, to compare with the principal shadow of v; allow 8 eps for n ≥ 2, 20 eps for n = 1."""
         gate = errors.ROUND_TRIP if self.order > 1 else errors.GENERAL
         inputs = self.module.pose(self.v)
         for v, got in zip(self.v, self.module.from_pose(inputs), strict=True):
@@ -89,7 +89,7 @@ class Trial(ForwardTrial):
             operators, entries = [self.oracle.operator_by_spin(r) for r in results], self.tensor_entries(v)
             scales = [errors.branch_scale(t, r, *entries) for t, r in zip(operators, results, strict=True)]
             if not self.inside:
-                # A shadow's pose is accurate in norm, not entry by entry: near 2π its small entries are differences.
+                # The pose of a shadow is accurate only in norm: near 2π its small entries are differences.
                 gate, local = errors.shadow_gate(self.order), errors.scales(self.order, v)
                 backs = [inverse(t) for t in operators]
                 lost = Nil(local.tensor.re, local.position)
@@ -125,7 +125,7 @@ class Trial(ForwardTrial):
             yield Result(axis, [pack(b) for _, b in sides], [direction] * len(sides), gates, (v,), "axis")
 
     def shadow_scale(self, v: Any, result: Any) -> Nil:
-        """Return the scale of a shadow, whose exact Jacobian is T(v_k)⁻¹ T(v)."""
+        """Return the scale of a shadow, by its exact Jacobian T(v_k)⁻¹ T(v)."""
         here, there = (self.oracle.operator_by_spin(self.oracle.unpack(w)) for w in (v, result))
         return errors.size(result) + errors.through(matmul(inverse(there), here), errors.size(v))
 
@@ -150,7 +150,7 @@ class Trial(ForwardTrial):
             yield Result(got, exact, [self.shadow_scale(v, e) for e in exact], (gate, gate), (v,))
 
     def compose(self) -> Iterator[Result]:
-        """Compose with poses of the same regime and of any regime, v1 first."""
+        """Yield compositions of v, after v1, with v1 from the same regime and from the uniform one."""
         for v1 in self.partners():
             for a, b, got in zip(self.v, v1, self.module.compose(self.v, v1), strict=True):
                 exact = self.oracle.compose(a, b)
@@ -158,7 +158,7 @@ class Trial(ForwardTrial):
                 yield Result(got, [exact], [scale], self.gates("general"), (a, b))
 
     def compose_scale(self, v2: Any, v1: Any, result: Any) -> Nil:
-        """Return the scale of a product, whose exact Jacobians are T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
+        """Return the scale of a composition, by its exact Jacobians T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1)."""
         unpack, operator = self.oracle.unpack, self.oracle.operator_by_spin
         back = inverse(operator(unpack(result)))
         left = matmul(back, operator(unpack(v2)))

@@ -1,4 +1,4 @@
-"""Search for the browser in which the report is opened."""
+"""Search for the browser used in tests of the report."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ MISSING = "no browser is installed (apt-get install chromium, or name one in the
 
 
 def find() -> str | None:
-    """Return the browser named in CHROMIUM, unchecked; without it, the first one found."""
+    """Return the browser named in CHROMIUM, without a check; if CHROMIUM is not set, the first browser found."""
     return os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)

@@ -1,7 +1,7 @@
-"""Mutants of C text: single changes that a printer or a template could make by mistake.
+"""Mutants of C text: single errors that a printer or a template could make.
 
-Changes are made in preprocessed text, function by function. A mutant is an excerpt with the functions that its kernel
-calls; a compiler reads it in milliseconds.
+Changes are made in preprocessed text, function by function. A mutant contains only the functions that its kernel
+calls, so that it compiles in milliseconds.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ KINDS: Mapping[str, tuple[str, str | None]] = {
     "call": (r"\bsqrt\(", "("),
     "digit": (r"\b0\.\d{20}(\d)", None),
 }  # fmt: skip
-"""Pattern and replacement by kind of mutant; without a replacement, the number found is increased by one."""
+"""Pattern and replacement by kind of mutant; without a replacement, a number found is increased by one."""
 
 _DEFINITION = re.compile(r"^static inline [\w ]*?\b(\w+)\([^{;]*\)\s*\{[\s\S]*?^\}$", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
 class Mutant:
-    """Excerpt with one change, made in the function named ``function``."""
+    """Text of a kernel and the functions it calls, with one change in the function named ``function``."""
 
     kind: str
     function: str
@@ -53,7 +53,7 @@ class Mutant:
 
 
 class Excerpts:
-    """Functions of a preprocessed text, with the calls between them."""
+    """Functions of a preprocessed text, and the calls between them."""
 
     def __init__(self, preprocessed: str) -> None:
         text = re.sub(r"^#.*$", "", preprocessed, flags=re.MULTILINE)
@@ -70,12 +70,12 @@ class Excerpts:
         return found
 
     def text(self, roots: Collection[str], changed: Mapping[str, str]) -> str:
-        """Return the text of some functions and of the functions they call, with changed ones replaced."""
+        """Return the text of some functions and of the functions they call; changed functions replace the originals."""
         needed = set().union(*map(self.needed, roots))
         return "\n".join([self.rest, *(changed.get(n, f) for n, f in self.functions.items() if n in needed)])
 
     def mutants(self, name: str, roots: Collection[str]) -> Iterator[Mutant]:
-        """Yield every mutant of a function, each in an excerpt with the root functions that call it."""
+        """Yield every mutant of a function, as text with the root functions that call it."""
         original = self.functions[name]
         body = original.index("{")
         for kind, (pattern, replacement) in KINDS.items():

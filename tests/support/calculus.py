@@ -1,7 +1,7 @@
-"""Comparison of derivatives and composite maps with the oracle; tolerances follow from roundings of exact factors.
+"""Comparison of derivatives and composite maps with the oracle; tolerances follow from rounding the exact factors.
 
-A result is a product of dual tensors, or a vector whose Jacobian is such a product. Its tolerance is the effect of a
-unit of rounding in each factor, or in each argument. The oracle computes the exact factors.
+A result is a product of dual tensors, or a vector with such a product as Jacobian. The tolerance is the effect of one
+rounding of each factor, or of each argument. The oracle computes the exact factors.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Tensor = Any
 
 
 def product(*tensors: Tensor) -> Tensor:
-    """Return the product of dual tensors, the first on the left."""
+    """Return the product of dual tensors, in the order given."""
     first, *others = tensors
     for other in others:
         first = matmul(first, other)
@@ -33,7 +33,7 @@ def product(*tensors: Tensor) -> Tensor:
 
 
 class CalculusTrial(Trial):
-    """Trial of all functions of the table."""
+    """Trial that also has derivatives and composite maps, and so covers all functions."""
 
     # ---- exact factors -----------------------------------------------------------------------------------------
 
@@ -64,7 +64,7 @@ class CalculusTrial(Trial):
     body_cotangent_jacobian = partialmethod(ForwardTrial._jacobian, "body_cotangent_jacobian")
 
     def transform_point_jacobians(self) -> Iterator[Result]:
-        """Yield derivatives of Q r + ρ: T by v°, derivatives of Q r and of ρ = T v° by v, and Q by r."""
+        """Yield Jacobians of Q r + ρ: by v° it is T, by Re v the derivative of Q r and of ρ = T v°, by r it is Q."""
         points = self.second(sampling.points, "transform_point_jacobians")
         by_v, by_r = self.module.transform_point_jacobians(self.v, points)
         for v, r, one, other in zip(self.v, points, by_v, by_r, strict=True):
@@ -113,7 +113,7 @@ class CalculusTrial(Trial):
 
     @staticmethod
     def _moved(exact: Any, *arguments: tuple[Tensor, Any]) -> Nil:
-        """Return the scale of one rounding of the result and, through their Jacobians, of its arguments."""
+        """Return the scale of a result: its own rounding, plus roundings of its arguments through their Jacobians."""
         scale = errors.size(exact)
         for jacobian, argument in arguments:
             scale = scale + through(jacobian, errors.size(argument))
@@ -122,7 +122,7 @@ class CalculusTrial(Trial):
     # ---- two poses ---------------------------------------------------------------------------------------------
 
     def _of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
-        """Yield results of a function of two vectors; `jacobians(v2, v1, result)` are exact up to sign."""
+        """Yield results of a function of two vectors; `jacobians(v2, v1, result)` returns its Jacobians up to sign."""
         for v1 in self.partners():
             for a, b, got in zip(self.v, v1, getattr(self.module, name)(self.v, v1), strict=True):
                 exact = getattr(self.oracle, name)(a, b)
@@ -152,12 +152,12 @@ class CalculusTrial(Trial):
         return self._of_two("body_local", self.body_local_by)
 
     def inverted(self, result: Any, moved: Nil) -> Nil:
-        """Return the scale of T⁻¹ at a result with error ``moved``; the error enters through T⁻¹ DT T⁻¹."""
+        """Return the scale of T⁻¹ at a result with error ``moved``, which acts through T⁻¹ DT T⁻¹."""
         here, back = errors.scales(self.order, result), errors.majorant(inverse(self._operator(result)))
         return back * (1 + here.condition) + back * back * (here.slope * moved)
 
     def _jacobians_of_two(self, name: str, jacobians: Any) -> Iterator[Result]:
-        """Yield both Jacobians of a function of two vectors: T⁻¹ T or T⁻¹ R T, with T⁻¹ at the result."""
+        """Yield both Jacobians of a function of two vectors, T⁻¹ T and T⁻¹ R T, with T⁻¹ at the result."""
         for v1 in self.partners():
             found = getattr(self.module, f"{name}_jacobians")(self.v, v1)
             for a, b, *got in zip(self.v, v1, *found, strict=True):
@@ -183,7 +183,7 @@ class CalculusTrial(Trial):
         """Yield T(v_k)⁻¹ T(v), which is exactly I on branch 0."""
         for branch in self.branches():
             if branch and self.regime == "pure translation":
-                continue  # without rotation, a shadow has no derivative
+                continue  # a shadow of a translation has no derivative
             for v, got in zip(self.v, self.module.shadow_jacobian(self.v, branch), strict=True):
                 sides = (branch, -branch) if self.tie else (branch,)
                 there = [self.oracle.shadow(v, k) for k in sides]
@@ -234,10 +234,10 @@ class CalculusTrial(Trial):
     body_retract_jacobians = partialmethod(_retract_jacobians, "body_retract")
 
     def interpolate(self) -> Iterator[Result]:
-        """Yield interpolations; their twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, where dexp(δ) δ̇ = ω2 − exp(δ) ω1.
+        """Yield interpolations. The twist is ω = t dexp(tδ) δ̇ + exp(tδ) ω1 + ṫ δ, with dexp(δ) δ̇ = ω2 − exp(δ) ω1.
 
-        Rounding of the angle may also change the branch. The regime near 2π is left out: the axis may swing round
-        between two steps of the oracle, and the branch is undecided.
+        The scale includes an error of the result's angle. The regime near 2π is left out: between two steps of the
+        oracle, the axis may swing round and leave the branch undecided.
         """
         if self.regime == "near 2 pi":
             return
@@ -267,6 +267,6 @@ CALCULUS = (
     "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
     "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians",
 )  # fmt: skip
-"""Functions missing in `Trial`."""
+"""Names of functions added to `Trial`."""
 
 EVERY = (*FUNCTIONS, *CALCULUS)

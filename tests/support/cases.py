@@ -1,7 +1,7 @@
-"""Inputs with the largest error of each kernel function, kept in benchmarks/worst_cases.json.
+"""Storage of the worst inputs of each kernel function, in benchmarks/worst_cases.json.
 
-A case holds function, order, type, regime (which decides the gate) and arguments. Arguments are in hexadecimal, so that
-they are the same numbers everywhere. All branches of the function are tried on it.
+A case holds function, order, type, regime (which decides the gate) and arguments. Hexadecimal arguments are the same
+numbers on every machine. Each case is tried on all branches of its function.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from tests.support.rotations import RotationTrial
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
 KEPT = 2
-"""Number of cases kept per function, both inside and outside the principal range."""
+"""Number of cases kept per function, inside and again outside the principal range."""
 
 CASES_MAX = 190
-"""Largest number of cases in the file; the inputs nearest to their gates stay."""
+"""Largest number of cases in the file; cases nearest to their gates are kept."""
 
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
-"""Classes of trials by table of functions."""
+"""Class of trials by name of the table of functions."""
 
 Key = tuple[str, str, bool]
 
@@ -60,7 +60,7 @@ def decode(text: str, dtype: Any) -> Any:
 
 @dataclass(frozen=True)
 class Case:
-    """One input; `fraction` is the ratio of its error to the gate when it was found."""
+    """Stored input; `fraction` is its error divided by the gate, measured when the input was found."""
 
     function: str
     order: int
@@ -80,7 +80,7 @@ class Case:
 
     @property
     def key(self) -> Key:
-        """Key of cases that compete; cases inside the principal range compete separately, since their gates differ."""
+        """Key of cases that compete for storage; gates, and so keys, differ inside and outside the principal range."""
         return self.table, self.function, self.regime in sampling.PRINCIPAL
 
     def trial(self, module: ModuleType, digits: int = DIGITS) -> Trial:
@@ -90,7 +90,7 @@ class Case:
 
 
 def read(path: Path = FILE) -> tuple[list[Case], int]:
-    """Return the cases, and the number of seeds searched."""
+    """Return the stored cases, and the number of seeds searched so far."""
     if not path.exists():
         return [], 0
     content = json.loads(path.read_text(encoding="utf-8"))
@@ -102,7 +102,7 @@ def read(path: Path = FILE) -> tuple[list[Case], int]:
 
 
 def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
-    """Write one case per line, in a fixed order: those with the largest fractions, at most `CASES_MAX`."""
+    """Write the cases with the largest fractions, at most `CASES_MAX`, one per line and in a fixed order."""
     largest = sorted(cases, key=lambda case: -case.fraction)[:CASES_MAX]
     ordered = sorted(largest, key=lambda case: (case.key, case.fraction, case.arguments))
     kept = (vars(case) | {"fraction": str(case.fraction)} for case in ordered)
@@ -112,7 +112,7 @@ def write(cases: Iterable[Case], searched: int, path: Path = FILE) -> None:
 
 
 def worst(cases: Iterable[Case], count: int = KEPT) -> list[Case]:
-    """Return the cases with the largest fractions: up to `count` for each key, one for each input."""
+    """Return the cases with the largest fractions, at most `count` per key and one per input."""
     inputs = {(case.key, case.arguments): case for case in sorted(cases, key=lambda case: case.fraction)}
     found: dict[Key, list[Case]] = {}
     for case in sorted(inputs.values(), key=lambda case: -case.fraction):

@@ -27,12 +27,12 @@ class Done:
 
 
 def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
-    """Run the entry point in this process with captured output; an exception it does not catch fails the test."""
+    """Run the entry point in this process, with captured output; exceptions that it does not catch are raised."""
     out, err = (io.TextIOWrapper(io.BytesIO(), "utf-8", newline="\n") for _ in range(2))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", ["dualcay", *arguments])
         patch.setenv("NO_COLOR", "1")
-        patch.setattr("derive.cli.display.FIRST_PAUSE", 3600.0)  # no lines of progress
+        patch.setattr("derive.cli.display.FIRST_PAUSE", 3600.0)  # no progress lines
         patch.chdir(cwd)
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             code = main()
@@ -44,7 +44,7 @@ def dualcay(*arguments: str, cwd: Path = ROOT) -> Done:
 
 
 def in_a_process(*arguments: str, code: str | None = None, errors: str = "strict", **variables: str) -> Done:
-    """Run ``python -m derive``, or the given code instead, in a new process with these environment variables."""
+    """Run ``python -m derive``, or given code, in a new process with these environment variables."""
     start = ["-m", "derive"] if code is None else ["-c", code]
     env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1", **variables}
     command = [sys.executable, *start, *arguments]

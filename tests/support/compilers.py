@@ -1,4 +1,4 @@
-"""Search for the C compiler of the tests, by the rules of the toolkit."""
+"""Search for a C compiler for the tests, by the toolkit's rules."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ MISSING = "no C compiler is found (install gcc and g++, or name one in the varia
 
 
 def find() -> str | None:
-    """Return the compiler named in CC, or None if it is missing; without CC, the first one found."""
+    """Return the compiler named in CC, or None if it is missing; if CC is not set, the first compiler found."""
     named = shlex.split(os.environ.get("CC", ""))
     return next(filter(None, map(shutil.which, named[:1] or NAMES)), None)

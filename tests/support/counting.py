@@ -1,4 +1,4 @@
-"""NumPy target that can be sent to worker processes: its validation computes nothing, and returns 1 or fails."""
+"""NumPy target for tests of worker processes: it can be pickled, and its validation returns 1 or fails at once."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps.chart import Chart
 
 
 class Counting(Numpy):
-    """Target that fails validation of the charts in ``failing``, the first of them after a pause."""
+    """Target that fails validation of the charts in ``failing``; the first of them fails after a pause."""
 
     def __init__(self, failing: tuple[str, ...] = ()) -> None:
         self.failing = failing
@@ -33,7 +33,7 @@ class Counting(Numpy):
 
 
 class Dying(Counting):
-    """Target that ends the process when it validates."""
+    """Target that ends its process when asked to validate."""
 
     def validate(self, *given: Any) -> int:
         os._exit(9)

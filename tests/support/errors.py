@@ -1,12 +1,12 @@
 """Error measures of the kernel tests: norms, scales and tolerances.
 
-Errors are normwise, in eps of the result's type. An error is the larger of two: ‖Δ‖ / ‖Re‖ for the real part, and
-‖Δ‖ / (sum of the norms of its terms) for the dual part. The dual part of F at v + ε v° is DF(v)[v°], so this sum is
-‖DF(v)‖ ‖v°‖ with the exact Jacobian: no formula under test enters it. For an ill-conditioned map, the scale is the
-exact Jacobian of the result applied to relative perturbations of its inputs.
+Errors are normwise, in eps of the result's type: ‖Δ‖ / ‖Re‖ for the real part, and ‖Δ‖ / (sum of the norms of its
+terms) for the dual part. The dual part of F at v + ε v° is DF(v)[v°]. Its sum of norms is ‖DF(v)‖ ‖v°‖ with the exact
+Jacobian, so no formula under test enters. For an ill-conditioned map, the scale is the exact Jacobian of the result
+applied to relative perturbations of its inputs.
 
-A scale is a pair (re, du) of norms held in a `Nil`, so that the scale of a product of dual quantities is the product
-of their scales: |ab|° ≤ |a| |b|° + |a|° |b|.
+A scale is a pair (re, du) of norms, stored as a `Nil`. Then the scale of a product of dual quantities is the product of
+their scales: |ab|° ≤ |a| |b|° + |a|° |b|.
 """
 
 from __future__ import annotations
@@ -24,54 +24,54 @@ from tests.support.oracle import Oracle
 
 Array = Any  # object arrays of mpmath numbers
 
-# Gates in eps, inside the principal range. One rounding is u = eps/2: x = v·v carries 3u, each Horner or pair step of
-# p and q carries 2u. The norm p² + x q² is formed from the computed p and q, so their common error cancels. The rest is
-# the error of one ratio (4u to 6u), of its products and sums (3u), and of the derivative of x in the dual part.
+# Gates in eps, inside the principal range. With a rounding of u = eps/2, x = v·v has the error 3u, and each Horner or
+# pair step of p and q adds 2u. The norm p² + x q² is formed from the computed p and q, so their common error cancels.
+# Further errors come from one ratio (4u to 6u), its products and sums (3u), and the derivative of x in the dual part.
 QUATERNION = 4  # p/N, q v/N: a ratio, a root, a product; measured 2.8
 ROTATION = 10  # I + 2pq/N² skew + 2q²/N² skew²: three roundings more, summed over nine entries; measured 6.5
 POSITION = 6  # T v°: coefficients as in T, then three products summed; measured 3.1
-TANGENT = 6  # as the tensor, without the unit entries' own rounding; measured 2.5
+TANGENT = 6  # like the tensor, without the rounding of its unit entries; measured 2.5
 DERIVED = 4  # derivatives of T and T⁻¹: a few more terms than in T, with one dominant term; measured 1.9
 RATE = 6  # T⁻¹ ω: three coefficients, three products, summed; measured 2.9
-ROUND_TRIP = 8  # pose and back: its 6 to 10 eps pass through a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
-GENERAL = 20  # any other map, over all regimes: at most two of the above in a chain (10 + 10)
-CONDITIONED = 8  # rest of the calculus, relative to its condition: the gate of the worst factor in a chain (6), plus 2
+ROUND_TRIP = 8  # v → pose → v: the pose's 6 to 10 eps pass a Jacobian of norm below 1; measured 3.8 (n ≥ 2)
+GENERAL = 20  # any other map, in all regimes: at most two of the above in a chain (10 + 10)
+CONDITIONED = 8  # other functions, relative to their condition: the gate of the worst factor in a chain (6), plus 2
 THREE = 30  # derivatives of inverse maps beyond the first pole: a chain of T⁻¹, the derivative of T, and T⁻¹
 
 
 def shadow_gate(order: int) -> int:
-    """Return the gate of q̂, Q, ρ on shadows: p, q sum alternating terms up to (1+x)^n; measured ≤ 41 at n = 64."""
+    """Return the gate of q̂, Q, ρ on shadows, where p and q are alternating sums; measured ≤ 41 at n = 64."""
     return max(16, 2 * order)
 
 
 def tangent_shadow_gate(order: int) -> int:
-    """Return the gate of T on shadows, relative to its norm: its coefficients hold p′, q′; measured 126 at n = 64."""
+    """Return the gate of T on shadows, relative to its norm; coefficients contain p′, q′; measured 126 at n = 64."""
     return max(40, 10 * order)
 
 
 def derived_shadow_gate(order: int) -> int:
-    """Return the gate of derivatives of T on shadows: p″/p′ and q″/q′ grow like p′/p and q′/q (144 at n = 11)."""
+    """Return the gate of derivatives of T on shadows; p″/p′, q″/q′ grow like p′/p, q′/q; measured 144 at n = 11."""
     return 5 * tangent_shadow_gate(order)
 
 
-PRODUCTS = 4  # summed in a second slope of f, g or h: its numerator, e times slopes (twice), e² times f, g or h
+PRODUCTS = 4  # number in a second slope of f, g or h: numerator, e times slopes (twice), e² times f, g or h
 
 
 def underflow(v: Any, dtype: Any) -> Nil:
-    """Return the underflow error of derivatives of T where slopes of f, g, h are subnormal.
+    """Return the error of derivatives of T from subnormal slopes of f, g, h.
 
     Each product in a slope loses half the smallest number of the type; sums are exact. In T, slopes are multiplied by
-    up to |v|³; second slopes, in the dual part, by v·v°. For n = 2 they decay like |v|⁻⁶ and |v|⁻⁸: in float32 they
-    are subnormal from |v| = 4e6 and 1e5 on, at angles 1e-6 and 4e-5 from 2π.
+    up to |v|³, and second slopes, in the dual part, also by v·v°. For n = 2, slopes decay like |v|⁻⁶ and second slopes
+    like |v|⁻⁸. In float32 they are subnormal from |v| = 4e6 and 1e5 on, at angles 1e-6 and 4e-5 from 2π.
     """
     lost, length = PRODUCTS / 2 * float(np.finfo(dtype).smallest_subnormal), size(v)
     return lost * (length + length * length + length * length * length) * Nil(1.0, length.re * length.du)
 
 
-# Agreement of two computed quantities, each within its gate: the sum of both gates, rounded up.
+# Gate of the difference of two computed quantities: the sum of both gates, rounded up.
 AGREE = 40
-# Error of central differences of step h: h² from the third derivative and eps/h from the function, 1e-10 at h = 1e-5,
-# times the scale of third derivatives of the map (n³ at order n).
+# Step h of central differences. Truncation h² and rounding eps/h are 1e-10 at h = 1e-5; third derivatives of the map
+# multiply the error by n³ at order n.
 STEP = 1e-5
 
 
@@ -80,7 +80,7 @@ def difference_tolerance(order: int) -> float:
 
 
 def norm(a: Any) -> float:
-    """Return the Frobenius norm of an array, also of mpmath numbers; squares neither overflow nor vanish."""
+    """Return the Frobenius norm of an array, also of mpmath numbers, without overflow or underflow of squares."""
     entries = [abs(e) for e in np.asarray(a, dtype=object).flat]
     largest = max(entries, default=0)
     if not largest or not math.isfinite(largest):
@@ -89,7 +89,7 @@ def norm(a: Any) -> float:
 
 
 def parts(array: Any) -> tuple[Any, Any]:
-    """Split a packed dual vector, quaternion, tensor or Jacobian into real and dual part, a matrix (4, 4) into Q, ρ."""
+    """Split a packed dual vector, quaternion, tensor or Jacobian into real and dual part; split a pose into Q and ρ."""
     array = np.asarray(array)
     if array.shape == (6, 6):
         return array[:3, :3], array[3:, :3]
@@ -102,7 +102,7 @@ def parts(array: Any) -> tuple[Any, Any]:
 
 
 def ratio(difference: float, scale: float) -> float:
-    """Return difference over scale: 0 without difference, infinity for NaN and for a difference at scale 0."""
+    """Return difference / scale; 0 if the difference is 0, otherwise infinity for NaN and for scale 0."""
     if difference == 0:
         return 0.0
     return difference / scale if scale > 0 and not math.isnan(difference) else math.inf
@@ -121,7 +121,7 @@ def error(got: Any, exact: Any, scale: float, oracle: Oracle) -> float:
 
 
 def assert_close(got: Any, expected: Any, scale: Nil, tolerance: float = AGREE * float(np.finfo(float).eps)) -> None:
-    """Require that real and dual part differ by no more than a tolerance times their scale."""
+    """Require agreement of real and dual part to a tolerance times their scale."""
     for a, b, s in zip(parts(got), parts(expected), (scale.re, scale.du), strict=True):
         assert norm(a - b) <= tolerance * s, (got, expected)
 
@@ -148,7 +148,7 @@ class Scales:
     tangent_inv: Nil
     slope: float  # norm of the derivative of the tangent operator: ‖DT‖
     condition: float  # relative condition number of inverting the tangent operator: ‖T⁻¹‖ ‖DT‖ ‖v‖
-    near_pole: Nil  # tangent_inv times its condition: T⁻¹ once, its derivative −T⁻¹ DT T⁻¹ twice
+    near_pole: Nil  # tangent_inv times its condition: once for T⁻¹, twice for its derivative −T⁻¹ DT T⁻¹
 
 
 @functools.lru_cache(maxsize=4096)
@@ -180,7 +180,7 @@ def _scales(order: int, vector: tuple[float, ...]) -> Scales:
 
 @dataclass(frozen=True)
 class Slopes:
-    """Scales of derivatives of T and T⁻¹ with respect to v; ``near_pole`` includes the condition."""
+    """Scales of derivatives of T and T⁻¹ by v; ``near_pole`` is the scale for T⁻¹ with its condition included."""
 
     tangent: Nil
     tangent_inv: Nil
@@ -210,7 +210,7 @@ def _slopes(order: int, vector: tuple[float, ...]) -> Slopes:
 
 
 def part(tensor: Array, of: Any) -> np.ndarray:
-    """Return one part of every entry of a tensor, picked by ``of``, as floats."""
+    """Return an array of floats: the part ``of(entry)`` of every entry of a tensor."""
     return np.array([of(entry) for entry in tensor.flat], float).reshape(tensor.shape)
 
 
@@ -223,17 +223,17 @@ def scales(order: int, v: Any) -> Scales:
 
 
 def through(jacobian: Any, argument: Nil) -> Nil:
-    """Scale of a result whose exact Jacobian is this dual tensor, for relative perturbations of the argument."""
+    """Return the scale of a result with this exact Jacobian, for relative perturbations of the argument."""
     return majorant(jacobian) * argument
 
 
 def branch_scale(operator: Any, result: Any, directions: Any, entries: Any) -> Nil:
-    """Return the scale of an inverse map, v̇ = T(v)⁻¹ ω: ω is the twist per unit of an input entry, times the entry.
+    """Return the scale of an inverse map: the sum of v̇ = T(v)⁻¹ ω over relative changes of the input entries.
 
-    `operator` is T at the `result` v.
+    `operator` is T at the `result` v; ω is the twist caused by a relative change of an entry.
 
-    `directions` (2, 3, m) holds the dual twists of the m entries, `entries` (2, m) their real and dual values. Scales
-    are taken entry by entry, not in norm: small entries determine a small rotation to full relative precision.
+    `directions` (2, 3, m) contains the dual twists per unit of the m entries, `entries` (2, m) their real and dual
+    values. Entries count one by one, not in norm: small entries determine a small rotation to full relative precision.
     """
     re, du = np.array(pack(inverse(operator)), dtype=float)
     turn, shift = re @ directions[0], du @ directions[0] + re @ directions[1]
@@ -243,7 +243,7 @@ def branch_scale(operator: Any, result: Any, directions: Any, entries: Any) -> N
 
 
 def angle_scale(order: int, alpha: Nil, axis: Any) -> Nil:
-    """Return the scale of a relative error of α + 2kπ in tan((α + 2kπ)/2n) u: |dv/dα| |α|, with its dual part."""
+    """Return the effect |dv/dα| |α| of a relative error of α (with all turns) on tan(α/2n) u, with its dual part."""
     tangent = math.tan(float(alpha.re) / (2 * order))
     slope = (1 + tangent * tangent) / (2 * order)
     bend = slope * abs(tangent) / order
@@ -252,7 +252,7 @@ def angle_scale(order: int, alpha: Nil, axis: Any) -> Nil:
 
 
 def entry_twists(rotation: Any) -> np.ndarray:
-    """Return the dual twists vect(E Rᵀ) of changes of each entry of R, in shape (2, 3, 9)."""
+    """Return the dual twists vect(E Rᵀ) for unit changes E of each entry of R, in shape (2, 3, 9)."""
     back = transpose(rotation)
     columns = []
     for i in range(3):

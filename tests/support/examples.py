@@ -9,14 +9,14 @@ from typing import Any
 
 
 def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
-    """Run the examples in a text in turn; return differences from their printed results, '' if all agree.
+    """Run the examples in a text one after another; return differences from their printed results, '' if all agree.
 
     Parameters
     ----------
     text, name : str
         Text, and its name in the returned differences.
     names : dict, optional
-        Names that the examples may use; names that they assign are added.
+        Names that the examples may use; the examples add the names they assign.
     """
     test = doctest.DocTestParser().get_doctest(text, names or {}, name, None, 0)
     said: list[str] = []
@@ -29,5 +29,5 @@ def failures(text: str, name: str, names: dict[str, Any] | None = None) -> str:
 
 
 def of_docstrings(functions: Iterable[Any], names: Mapping[str, Any] | None = None) -> str:
-    """Return the failures in the docstrings of functions; each docstring runs alone, with the given names."""
+    """Return the failures in docstrings of functions; each docstring runs alone, with the given names."""
     return "".join(failures(inspect.getdoc(one) or "", one.__qualname__, dict(names or {})) for one in functions)

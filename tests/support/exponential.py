@@ -24,7 +24,7 @@ def skew(a: Any) -> tuple[Any, ...]:
 
 
 def exponential(screw: Any) -> tuple[Any, Any]:
-    """Return (dual tensor, tangent operator) of a dual vector; series are summed until terms change nothing."""
+    """Return (dual tensor, tangent operator) of a dual vector, by series summed until terms change nothing."""
     matrix, zero = skew(screw), screw[0].re * 0
     term = tuple(tuple(Nil(zero + (i == j), zero) for j in range(3)) for i in range(3))
     rotation = operator = term

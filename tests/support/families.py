@@ -1,6 +1,6 @@
 """Oracles of chart families, and errors of results relative to their condition.
 
-As in `oracle`, no code under test is used: a family is given by |v| as a function of θ = α/2n, and its inverse.
+As in `oracle`, no code under test is used. A family is defined by |v| as a function of θ = α/2n, and by its inverse.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class ExponentialOracle(Oracle):
 
 
 def angle_by_tangent(field: Any, square: Any) -> Any:
-    """Return α/tan(α/2) from α² with all nilpotent parts; near 0 by its series, since a root would lose them."""
+    """Return α/tan(α/2) from α², with all nilpotent parts; a root would lose them near 0, so a series is used there."""
     if abs(_real(square)) < 1e-30:
         return 2 - square / 6 - square * square / 360 - square * square * square / 15120
     angle = field.sqrt(square)
@@ -73,26 +73,26 @@ ORACLES = {
     "breusing": (BreusingOracle, 2), "wiener_milenkovic": (ScaledOracle, 2),
     **{f"scaled{n}": (ScaledOracle, n) for n in range(1, 6)},
 }  # fmt: skip
-"""Class of the oracle, and its order, by module."""
+"""Class and order of the oracle, by name of the module."""
 
 
 DIGITS = 60
 VECTORS = ("v1", "v2", "delta")
-"""Arguments after the first that are vectors of the chart, or steps near the identity."""
+"""Names of further arguments that are vectors of the chart, or steps."""
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Functions whose results are products of operators."""
+"""Functions with products of operators as results."""
 STEPS = ("retract", "body_retract", *BY_STEPS)
 
 
 @functools.cache
 def oracle_of(name: str) -> Oracle:
-    """Return the oracle of a family; all tests share one, which remembers results."""
+    """Return the oracle of a family, shared by all tests because it remembers results."""
     kind, order = ORACLES[name]
     return kind(order, DIGITS)
 
 
 def vectors(oracle: Oracle, low: float, high: float, count: int = 4) -> np.ndarray:
-    """Return dual vectors of rotation angles between two bounds, drawn log-uniformly."""
+    """Return dual vectors with rotation angles drawn log-uniformly between two bounds."""
     rng = sampling.generator("families", low, high)
     angles = np.exp(rng.uniform(np.log(low), np.log(high), count))
     axes, rest = sampling.unit_vectors(rng, (count,)), rng.normal(size=(count, 3))
@@ -105,7 +105,7 @@ def _dual_zero(oracle: Oracle) -> Any:
 
 
 def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """Return arguments of a function: v or its pose, and a second argument."""
+    """Return the arguments of a function: first v or its pose, then any second argument."""
     first = FUNCTIONS[name].arguments[0].name
     given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose, "w": kernels.to_exponential}
     if first == "angle":
@@ -113,14 +113,14 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
     others = []
     for argument in FUNCTIONS[name].arguments[1:]:
         drawn = np.roll(sampling.dual_vectors(name, count=len(v))[:, : argument.size], 1)
-        if argument.name in VECTORS:  # about another axis, and so short that no product lies beyond the edge
+        if argument.name in VECTORS:  # another axis, and so short that no product lies beyond the edge
             drawn[:, :3] = 0.1 * np.roll(v[:, :3], 1, axis=-1)
         others.append(drawn.reshape(-1, *argument.shape))
     return [given.get(first, np.array)(v), *others]
 
 
 def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return norms of the parts of a result plus their change when each argument moves by its own size."""
+    """Return the norm of each part of a result plus its change per relative change of every argument component."""
     step = mpmath.mpf(2) ** -80
     sizes = [errors.norm(part) for part in exact]
     for i, argument in enumerate(given):
@@ -134,10 +134,10 @@ def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[floa
 
 
 def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray) -> list[float]:
-    """Return the changes of T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ) when their factors are rounded.
+    """Return the effect of rounding the factors of T(v')⁻¹ R T(v) and T(v')⁻¹ R' dexp(δ).
 
     Each factor is computed separately, with an error relative to its norm. At whole turns, and at an edge with φ′ = 0,
-    a factor is nearly singular but the product is near I. Moving the arguments does not show this error.
+    a factor is nearly singular, but the product is near I. Changes of the arguments do not show this error.
     """
     body = name.startswith("body")
     result = (oracle.body_retract if body else oracle.retract)(v, delta)
@@ -150,7 +150,7 @@ def scale_of_factors(oracle: Oracle, name: str, v: np.ndarray, delta: np.ndarray
 
 
 def parts(result: Any) -> list[Any]:
-    """Return the real and dual part of a result, or of each of several results; a moved point stays whole."""
+    """Return the real and dual part of each result; a transformed point counts as one part."""
     if isinstance(result, tuple):
         return [part for array in result for part in errors.parts(array)]
     return [result] if np.shape(result) == (3,) else list(errors.parts(result))
@@ -183,7 +183,7 @@ def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndar
 
 
 def edge_of(name: str) -> float:
-    """Return the angle at which a family ends; for the exponential 2π, since its oracle counts no turns."""
+    """Return the angle at which a family ends; 2π for the exponential, because its oracle does not count turns."""
     return 2 * np.pi if name == "exponential" else oracle_of(name).order * np.pi
 
 

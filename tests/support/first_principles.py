@@ -1,10 +1,10 @@
 """Cayley maps of any order from first principles, in mpmath at any precision.
 
 Nothing is shared with the code under test: there are no p_n, q_n and no closed forms of coefficients. The dual
-quaternion is the normalized n-th power of 1 + v, and the tensor rotates the basis vectors by it. The tangent
-operator is vect(Ṙ Rᵀ), with R differentiated exactly in nilpotent arithmetic. Inverse maps take half the dual angle by
-atan2 and return tan of its n-th part. A vector without real part (pure translation, identity) is a separate case: axis
-and angle come from the dual part.
+quaternion is the normalized n-th power of 1 + v, and the tensor rotates the basis vectors by it. The tangent operator
+is vect(Ṙ Rᵀ), with R differentiated exactly in nilpotent arithmetic. Inverse maps compute half the dual angle by atan2
+and return the tangent of its n-th part. A vector without real part (pure translation, identity) is a separate case:
+its axis and angle come from the dual part.
 
 Arguments are flat arrays as the kernels take them for one pose; results are object arrays of the kernels' shapes.
 """
@@ -35,7 +35,7 @@ DIGITS = 50
 
 
 def pack(value: Any) -> np.ndarray:
-    """Stack real parts, then dual parts, along a new leading axis (vectors and quaternions flat)."""
+    """Stack real parts, then dual parts, along a new first axis; vectors and quaternions become flat."""
     entries = np.array(value, dtype=object)
     parts = [np.array([getattr(e, part) for e in entries.flat], dtype=object) for part in ("re", "du")]
     if entries.ndim == 1:
@@ -44,7 +44,7 @@ def pack(value: Any) -> np.ndarray:
 
 
 def along(v: Any, rate: Any) -> tuple[Nil, ...]:
-    """Return a vector whose components carry their rates as derivatives."""
+    """Return a vector with rates as the nilpotent parts of its components."""
     return tuple(Nil(Nil(a.re, d.re), Nil(a.du, d.du)) for a, d in zip(v, rate, strict=True))
 
 
@@ -58,7 +58,7 @@ def value_key(value: Any) -> Any:
 
 
 def remembered(method: Any) -> Any:
-    """Decorate a method to remember its results, since many functions are tested at the same vectors."""
+    """Decorate a method so that it remembers results; many functions are tested at the same vectors."""
 
     @functools.wraps(method)
     def kept(self: FirstPrinciples, *arguments: Any) -> Any:
@@ -76,7 +76,7 @@ class FirstPrinciples:
     def __init__(self, order: int, dps: int = DIGITS, field: Field | None = None) -> None:
         self.order = order
         self.field = mp_field(dps) if field is None else field
-        # An angle closer than this to a multiple of π counts as equal: far below any input's rounding.
+        # Angles this close to a multiple of π count as equal; input rounding is far larger.
         self.tie = 10.0 ** (-dps / 2)
         self.results: dict[Any, Any] = {}
 
@@ -103,7 +103,7 @@ class FirstPrinciples:
     # ---- forward maps, on tuples of dual numbers -------------------------------------------------------------
 
     def spin(self, v: Any) -> tuple[Any, ...]:
-        """Return (|v| cot θ + v)^n, not normalised."""
+        """Return (|v| cot θ + v)^n without normalization."""
         return power((self.base(v), v[0], v[1], v[2]), self.order)
 
     @remembered
@@ -129,7 +129,7 @@ class FirstPrinciples:
 
     @remembered
     def operator(self, v: Any) -> tuple[Any, ...]:
-        """The tangent operator: column j is the twist of v moving along e_j."""
+        """Return the tangent operator; its column j is the twist for v̇ = e_j."""
 
         def column(e: Any) -> tuple[Any, ...]:
             return self.space_twist(v, [Nil(v[0].re * 0 + c, v[0].re * 0) for c in e])
@@ -138,7 +138,7 @@ class FirstPrinciples:
 
     @remembered
     def operator_by_spin(self, v: Any) -> tuple[Any, ...]:
-        """Return the operator by ω = 2 vec(ẇ w⁻¹), at a third of the cost; it is checked against `operator`."""
+        """Return the tangent operator by ω = 2 vec(ẇ w⁻¹), at a third of the cost; tests compare it with `operator`."""
 
         def column(e: Any) -> tuple[Any, ...]:
             moving = tuple(Nil(Nil(a.re, a.re * 0 + c), Nil(a.du, a.du * 0)) for a, c in zip(v, e, strict=True))
@@ -151,7 +151,7 @@ class FirstPrinciples:
     # ---- inverse maps ---------------------------------------------------------------------------------------
 
     def half_screw(self, q: Any) -> tuple[Any, Any]:
-        """Return (half the dual angle, unit dual axis) of a dual quaternion, its sign kept; axis None at ±1."""
+        """Return (half the dual angle, unit dual axis) of a dual quaternion with its sign; the axis is None at ±1."""
         scalar, vector = q[0], q[1:]
         if any(c.re != 0 for c in vector):
             norm = self.field.sqrt(dot(vector, vector))
@@ -164,7 +164,7 @@ class FirstPrinciples:
         return Nil(zero, size / scalar.re), tuple(Nil(c / size, zero) for c in moment)
 
     def on_branch(self, half: Any, axis: Any, branch: int) -> tuple[Any, ...]:
-        """Return v at (α + 2kπ)/2n, on branch k."""
+        """Return v on branch k, at θ = (α + 2kπ)/2n."""
         zero = half.re * 0
         if axis is None:
             value = zero if branch % self.order == 0 else self.field.number(float("nan"))
@@ -178,7 +178,7 @@ class FirstPrinciples:
         return self.on_branch(*self.half_screw(q), branch)
 
     def quaternion_of(self, r: Any) -> tuple[Any, ...]:
-        """Return the dual quaternion of a dual tensor: the longest of four proportional rows, then q° = ρ q / 2."""
+        """Return the dual quaternion of a dual tensor: q is the longest of four proportional rows, q° = ρ q / 2."""
         m = [[c.re for c in row] for row in r]
         trace = m[0][0] + m[1][1] + m[2][2]
         skew = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]]
@@ -198,7 +198,7 @@ class FirstPrinciples:
 
     @remembered
     def reduced(self, v: Any) -> tuple[Any, Any]:
-        """Return (α, u) of v's pose with 0 ≤ Re α ≤ π: the principal dual angle and its axis (None at the identity)."""
+        """Return the principal dual angle α, 0 ≤ Re α ≤ π, of v's pose, and its axis u (None at the identity)."""
         half, axis = self.half_screw((self.base(v), *v))
         alpha = 2 * self.order * half
         if axis is None or all(c.re == 0 for c in v):
@@ -209,7 +209,7 @@ class FirstPrinciples:
         if abs(abs(alpha.re) - pi) < self.tie:
             return Nil(pi, alpha.du), axis
         if turns and abs(alpha.re) < self.tie:
-            # After whole turns the pose is a translation, and the axis has its direction.
+            # At whole turns the pose is a translation, and its direction is the axis.
             alpha = Nil(pi * 0, alpha.du)
         if alpha.re < 0 or (alpha.re == 0 and alpha.du < 0):
             return -alpha, tuple(-c for c in axis)

@@ -24,14 +24,14 @@ GATES: Mapping[str, Callable[[int], tuple[float, float]]] = {
     "conditioned": lambda n: (errors.CONDITIONED, max(errors.THREE, errors.tangent_shadow_gate(n))),
     "general": lambda n: (errors.GENERAL, errors.GENERAL),
 }
-"""Gates by order, inside and outside the principal range; "moment" is the gate of skew(ρ) Q, a chain of two."""
+"""Functions from order to gates inside and outside the principal range; "moment" is for skew(ρ) Q, two in a chain."""
 
 
 class ForwardTrial(Measured):
-    """Trial of the functions that select no branch, for one kernel module in one regime."""
+    """Trial of one kernel module in one regime, for functions that select no branch."""
 
     def gates(self, real: str, dual: str = "") -> tuple[float, float]:
-        """Return the gates of real and dual part by their names."""
+        """Return the gates of real and dual part, given their names."""
         return tuple(GATES[kind](self.order)[not self.inside] for kind in (real, dual or real))  # type: ignore[return-value]
 
     def _scale(self, v: Any, name: str) -> Nil:
@@ -77,7 +77,7 @@ class ForwardTrial(Measured):
     transform_line = partialmethod(_applied, "transform_line", "tensor", "general")
 
     def _derived(self, name: str, scale: Callable[..., Nil], count: int = 1) -> Iterator[Result]:
-        """Yield derivatives of an operator; ``scale(slope, operator, *sizes)`` takes the sizes of other arguments."""
+        """Yield derivatives of an operator; ``scale(slope, operator, *sizes)`` gets the sizes of further arguments."""
         inverse = name.removeprefix("body_").startswith("rate")
         kind, gates = "tangent_inv" if inverse else "tangent", self.gates("derived")
         given = [self.second(sampling.dual_vectors, name)]
@@ -115,7 +115,7 @@ class ForwardTrial(Measured):
         points = self.second(sampling.points, "transform_point")
         for v, r, got in zip(self.v, points, self.module.transform_point(self.v, points), strict=True):
             local = errors.scales(self.order, v)
-            # The result is one real vector: it is taken as the dual part of an otherwise exact result.
+            # The result is a real vector; it is compared as the dual part of an otherwise exact result.
             moved = self.oracle.transform_point(v, r)
             exact = np.concatenate([0 * moved, moved])
             allowed = Nil(1.0, local.tensor.re * errors.norm(r) + local.position)

@@ -1,4 +1,4 @@
-"""Modules of this project that a file imports, read from its text, functions included."""
+"""Modules of this project that a file imports, found in its text, also inside functions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def imported(path: Path) -> Iterator[tuple[str, ...]]:
-    """Yield every imported module, as parts of its absolute name; for an import from a package, the named module."""
+    """Yield every imported module as parts of its absolute name; ``from package import module`` yields the module."""
     package = path.relative_to(ROOT).parts[:-1]
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -28,7 +28,7 @@ def _is_module(name: tuple[str, ...]) -> bool:
 
 
 def sources(*package: str) -> Iterator[tuple[tuple[str, ...], Path]]:
-    """Yield the files of a package, each with the parts of its module name below the package."""
+    """Yield (parts of the module's name below the package, path) for the files of a package."""
     base = ROOT.joinpath(*package)
     for file in sorted(base.rglob("*.py")):
         parts = file.relative_to(base).with_suffix("").parts

@@ -1,4 +1,4 @@
-"""Kernels under test: their orders, and how they are loaded."""
+"""Kernels under test: their orders, and functions that load them."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from tests.support import packages
 ORDERS = (1, 2, 3, 4, 5, 8)
 
 ALIKE = (5,)
-"""Order used for all others in tests of arrays: call conventions do not depend on the chart, and generation replays
-every module."""
+"""Order that stands for all orders in tests of arrays, because call conventions do not depend on the chart, and
+generation replays every module."""
 
 BACKENDS = {"native", "numpy"} if os.environ.get("DUALCAY_NATIVE") == "1" else {"numpy"}
-"""Backends of the committed charts in these tests; with DUALCAY_NATIVE=1 also compiled functions."""
+"""Backends that run the committed charts in these tests; compiled functions run only with DUALCAY_NATIVE=1."""
 
 
 def orders(chosen: Iterable[int]) -> Any:
-    """Return a fixture ``order`` with these values."""
+    """Return a parametrized fixture ``order`` with these values."""
     return pytest.fixture(params=chosen, ids=lambda n: f"n={n}", name="order")(lambda request: int(request.param))
 
 
@@ -38,7 +38,7 @@ def load(order: int, folder: Path | None = None, table: str = "") -> ModuleType:
     if name not in sys.modules:
         if folder is None:
             raise ModuleNotFoundError(f"{name} is not committed")
-        # It is loaded as a member of the committed package, whose runtime all orders share.
+        # The module is loaded as a member of the committed package, because all orders share its runtime.
         spec = importlib.util.spec_from_file_location(name, folder / f"cayley{order}.py")
         assert spec is not None
         assert spec.loader is not None

@@ -1,10 +1,10 @@
-"""Write files into copies of folders; the process is killed before each step in turn, in a copy for each.
+"""Write files into copies of folders; in each copy, the process is killed before another step.
 
     python killed.py TEXTS NOTICES FOLDER ROOT [FOLDER ROOT ...]
 
-ROOT/0, ROOT/1, ... become copies of FOLDER. TEXTS are written into each with NOTICES (JSON), by a process killed
-before the first step, the second and so on; the last one is not killed. A step is a change of a file or a folder that
-Python's audit hook reports, or the middle of writing a text.
+ROOT/0, ROOT/1, ... become copies of FOLDER. A process writes TEXTS with NOTICES (both JSON) into each copy. It is
+killed before the first step in the first copy, before the second step in the second, and not in the last. A step is a
+change of a file or a folder that Python's audit hook reports, or the middle of writing a text.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ EVENTS = {"os.rename", "os.mkdir", "os.remove", "os.rmdir", "fcntl.flock", "half
 
 
 def killed(step: int, folder: Path, texts: dict[str, str], notices: dict[str, str]) -> bool:
-    """Write in a child process; return whether it reached the step and was killed."""
+    """Write in a child process; return whether the process reached the step and was killed."""
     child = os.fork()
     if not child:
         _kill_at(step)

@@ -1,4 +1,4 @@
-"""Kernels of the array-api target with the interface of NumPy kernels: arguments and results are NumPy arrays."""
+"""Wrapper that gives array-api kernels the interface of NumPy kernels: arguments and results are NumPy arrays."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ LIBRARIES: dict[str, Callable[[], Convert]] = {
 
 
 QUICKLY = {"xla_backend_optimization_level": 0}
-"""Options of XLA for tests that need functions to compile, not to be fast."""
+"""Options of XLA for quick compilation; tests do not need fast functions."""
 
 
 @functools.cache
 def _compiled(function: Callable[..., Any], static: tuple[int, ...], optimized: bool) -> Callable[..., Any]:
-    """Compile a function by ``jax.jit``, once for the same shapes and static arguments."""
+    """Compile a function by ``jax.jit``, once for each set of shapes and static arguments."""
     import jax
 
     options = None if optimized else QUICKLY
@@ -61,7 +61,7 @@ def _compiled(function: Callable[..., Any], static: tuple[int, ...], optimized: 
 
 
 class Through:
-    """Kernel module whose functions take and return NumPy arrays but compute in another library."""
+    """Kernel module that takes and returns NumPy arrays, but computes in another library."""
 
     def __init__(self, module: ModuleType, library: str, *, optimized: bool = False) -> None:
         self.module, self.library, self.convert = module, library, LIBRARIES[library]()

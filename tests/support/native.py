@@ -1,6 +1,6 @@
-"""Build of the compiled NumPy functions of some charts, in a folder where kernels find them.
+"""Build of the compiled NumPy functions of some charts, in a folder from which kernels can load them.
 
-Run as a script with a folder, this module builds the functions of all committed charts there.
+As a script with a folder as argument, this module builds the functions of all committed charts there.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from tests.support.packages import Otherwise
 from tests.support.signatures import components_first, components_last
 
 PLAIN = "optimization=0"
-"""Option that leaves out vector code, with which compiling takes ten times as long."""
+"""Option without vector code, which would make compilation ten times slower."""
 
 
 def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -> None:
-    """Build the package, for one table or all, with Meson's options, and install it in a folder ``site`` there."""
+    """Build the package, for one table or all, with options of Meson; install it in the subfolder ``site``."""
     native, source = TARGETS["native"], place / "source"
-    without_test = Otherwise(native, companions=native.further)  # the differential test; the C target has it too
+    without_test = Otherwise(native, companions=native.further)  # the C target has the same differential test
     texts = dict(shared_texts(native))
     for chart in charts:
         proved = prove(chart)
@@ -55,9 +55,9 @@ def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -
 
 @contextmanager
 def found(name: str, site: Path) -> Iterator[str]:
-    """Import the committed kernels anew under another name, with the compiled functions of a folder."""
+    """Import the committed kernels again under another name, with the compiled functions of a folder."""
     for kind in (dualcay, dualcay.rotation):
-        kind.backend()  # asks for compiled functions in every module, and finds none
+        kind.backend()  # looks for compiled functions in every module, without success
     with patch.object(sys, "path", [str(site), *sys.path]), patch.dict(os.environ, DUALCAY_NATIVE="1"):
         root = Path(dualcay.__file__).parent
         places = [str(root)]
@@ -72,14 +72,14 @@ def found(name: str, site: Path) -> Iterator[str]:
 
 
 def require_one_in_all_layouts(function: Callable[..., np.ndarray], values: list[np.ndarray], shape: tuple[int, ...]):
-    """Require equal results of gathered tiles, rows in place and single poses: one loop without contraction."""
+    """Require equal results of gathered tiles, rows in place and single poses; all run one loop without contraction."""
     rank = len(shape)
     last = function(*values)
     first = function(*(components_first(a, a.ndim - 1) for a in values), axis=0)
     spread = function(*(np.repeat(a, 2, axis=0)[::2] for a in values))
     turned = function(*(a.reshape(10, 15, *a.shape[1:]).swapaxes(0, 1) for a in values))
     assert last.flags.c_contiguous
-    assert turned.flags.c_contiguous  # NumPy would keep the layout of the arguments
+    assert turned.flags.c_contiguous  # by default NumPy keeps the layout of the argument
     np.testing.assert_array_equal(turned.swapaxes(0, 1).reshape(last.shape), last)
     np.testing.assert_array_equal(components_last(first, rank), last)
     np.testing.assert_array_equal(spread, last)

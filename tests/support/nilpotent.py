@@ -1,9 +1,8 @@
-"""Numbers a + ε b with ε² = 0 over any number type, nested ones included; quaternions and 3x3 matrices of them.
+"""Numbers a + ε b with ε² = 0 over any number type, also nested; quaternions and 3x3 matrices of such numbers.
 
-This arithmetic serves tests alone: nothing is shared with the code under test. A ``Nil`` over mpf is a dual number; a
-``Nil`` over ``Nil`` carries a derivative beside it, so differentiating is exact arithmetic and never a difference
-quotient. Levels must not be mixed in one operation: all components in a computation have the same depth, or are plain
-numbers.
+Only tests use this arithmetic; it shares nothing with the code under test. A ``Nil`` over mpf is a dual number. A
+``Nil`` over ``Nil`` also carries a derivative, so that differentiation is exact arithmetic without difference
+quotients. Operations must not mix levels: all components in a computation have the same depth, or are plain numbers.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ import numpy as np
 
 
 class Nil:
-    """Number a + ε b; plain numbers count as a + ε 0."""
+    """Number a + ε b; a plain number a counts as a + ε 0."""
 
     __slots__ = ("du", "re")
 
@@ -62,7 +61,7 @@ class Nil:
 
 
 class Field:
-    """A number type with its functions, lifted to nilpotent arguments by f(a + ε b) = f(a) + ε b f'(a)."""
+    """Number type with functions, lifted to nilpotent arguments by f(a + ε b) = f(a) + ε b f'(a)."""
 
     def __init__(self, number: Any, functions: Any) -> None:
         self.number = number
@@ -106,7 +105,7 @@ class Field:
 
 
 def mp_field(dps: int) -> Field:
-    """Return the field of mpmath numbers of `dps` digits, in a new context; floats of any type enter exactly."""
+    """Return the field of mpmath numbers of `dps` digits, in a new context; it converts floats of any type exactly."""
     context = mpmath.MPContext()
     context.dps = dps
 
@@ -120,19 +119,19 @@ def mp_field(dps: int) -> Field:
             return context.mpf(value.numerator) / value.denominator
         if isinstance(value, context.mpf | context.mpc):
             return value
-        # A number of another precision keeps its digits.
+        # Numbers of another precision keep their digits.
         return context.mpf(value._mpf_ if hasattr(value, "_mpf_") else float(value))
 
     return Field(number, context)
 
 
 def float_field() -> Field:
-    """Return the field of Python floats, accurate enough for the norms that errors are divided by."""
+    """Return the field of Python floats, which suffices for the norms in denominators of errors."""
     return Field(float, math)
 
 
 def exact_field() -> Field:
-    """Return the field of fractions, for computations without roots and trigonometry."""
+    """Return the field of fractions, for computations without roots or trigonometric functions."""
     return Field(Fraction, None)
 
 

@@ -1,4 +1,4 @@
-"""Oracle of a φ given by ``φ/α`` as a function of α²: analytic at 0, so that no root loses nilpotent parts."""
+"""Oracle of a φ given by ``φ/α`` as a function of α²; it is analytic at 0, so no root loses nilpotent parts."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from tests.support.oracle import Oracle
 Share = Callable[[Field, Any], Any]
 
 TERMS = 90
-"""Terms of series in α² up to (4π)², to 60 digits: 158^90/180! is 1e-131."""
+"""Number of terms of series in α² up to (4π)², for 60 digits: 158^90/180! is 1e-131."""
 NESTED = 4
-"""Number of nested nilpotent parts, in dual numbers and derivatives."""
+"""Number of Newton steps for nilpotent parts, enough for nested dual numbers and derivatives."""
 
 
 class OfSquare(Oracle):
-    """Oracle of v = α share(α²) u; Newton's method finds α², its nilpotent parts by the slope at the real part."""
+    """Oracle of v = α share(α²) u; α² comes from root finding, its nilpotent parts from steps with the real slope."""
 
     def __init__(self, share: Share) -> None:
         super().__init__(1, DIGITS)
@@ -42,7 +42,7 @@ class OfSquare(Oracle):
         return u * share * share
 
     def _bounds(self, x: Any) -> tuple[Any, Any]:
-        """Bracket α² by doubling and halving: x grows with α²."""
+        """Return bounds of α², by doubling and halving, since x grows with α²."""
         u = x / self._x(x * 0 + 1e-30) * 1e-30
         while self._x(u) > x:
             u = u / 2
@@ -64,7 +64,7 @@ def _real(number: Any) -> Any:
 
 
 def series(u: Any, first: int) -> Any:
-    """Return ``Σ u^k/(2k + first)!``: cosh √u for 0, sinh √u/√u for 1."""
+    """Return ``Σ u^k/(2k + first)!``: cosh √u for ``first`` = 0, sinh √u/√u for 1."""
     total = u * 0
     for k in range(TERMS, 0, -1):
         total = (total + 1) * u / ((2 * k + first) * (2 * k + first - 1))

@@ -1,4 +1,4 @@
-"""Oracle with derivatives: T is differentiated at a vector that moves along each axis."""
+"""Oracle with derivatives: T is differentiated along each axis of v."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def applied_jacobian(slopes: Any, w: Any) -> np.ndarray:
 
 @functools.cache
 def oracle_of(order: int, digits: int = DIGITS) -> Oracle:
-    """Return the oracle of an order; all tests share one, which remembers results."""
+    """Return the oracle of an order, shared by all tests because it remembers results."""
     return Oracle(order, digits)
 
 
@@ -87,14 +87,14 @@ class Oracle(Maps):
     # ---- of groups and motions, by their twists ----------------------------------------------------------------------
 
     def shadow_jacobian(self, v: Any, branch: int = 1) -> np.ndarray:
-        """Solve T(v_k) ∂v_k/∂v = T(v): v and its shadow have the same twist."""
+        """Solve T(v_k) ∂v_k/∂v = T(v), since v and its shadow v_k have the same twist."""
         if branch % self.order == 0:
             return np.eye(6)
         back = inverse(self.operator_by_spin(self.unpack(self.shadow(v, branch))))
         return matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v)))))
 
     def compose_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Solve T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1, the twist of a product."""
+        """Solve T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1, the twist of a product, for both Jacobians."""
         later, sooner = self.unpack(v2), self.unpack(v1)
         back = inverse(self.operator_by_spin(self.unpack(self.compose(v2, v1))))
         turned = matmul(self.rotation(later), self.operator_by_spin(sooner))
@@ -109,7 +109,7 @@ class Oracle(Maps):
 
     @remembered
     def step_operator(self, delta: Any) -> tuple[Any, ...]:
-        """Return dexp(δ), the twists 2 vec(ė e⁻¹) of exp(δ) as δ moves along axes; I + skew(δ)/2 for a translation."""
+        """Return dexp(δ), with columns 2 vec(ė e⁻¹) for δ moving along each axis; I + skew(δ)/2 for a translation."""
         if all(a.re == 0 for a in delta):
             (x, y, z), one = (a / 2 for a in delta), delta[0] * 0 + 1
             return ((one, -z, y), (z, one, -x), (-y, x, one))
@@ -121,7 +121,7 @@ class Oracle(Maps):
         return transpose(columns)
 
     def retract_jacobians(self, v: Any, delta: Any, body: bool = False) -> tuple[np.ndarray, np.ndarray]:
-        """Solve T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(v) v̇ + R(v) dexp(δ) δ̇ in the body."""
+        """Solve T(w) ẇ = dexp(δ) δ̇ + exp(δ) T(v) v̇, or T(w) ẇ = T(v) v̇ + R(v) dexp(δ) δ̇ in the body frame."""
         here, small = self.unpack(v), self.unpack(delta)
         back = inverse(self.operator_by_spin(self.unpack(self.retract(v, delta, body))))
         by_v, by_delta, q = self.operator_by_spin(here), self.step_operator(small), self.step(small)
@@ -160,7 +160,7 @@ class Oracle(Maps):
 
 
 class SineOracle(Oracle):
-    """Oracle of v = sin θ u, θ = α/2n brought into (−π/2, π/2]."""
+    """Oracle of v = sin θ u, with θ = α/2n reduced to (−π/2, π/2]."""
 
     def base(self, v: Any) -> Any:
         return self.field.sqrt(1 - dot(v, v))

@@ -1,4 +1,4 @@
-"""Kernel functions other than derivatives, from first principles, one pose at a time."""
+"""Kernel functions from first principles, without derivatives, one pose at a time."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Maps(FirstPrinciples):
         return pack(inverse(self.operator(self.unpack(v))))
 
     def body_tangent(self, v: Any) -> np.ndarray:
-        """Return the operator whose column j is the body twist of v moving along e_j."""
+        """Return the operator with the body twist for v̇ = e_j as column j."""
         dual = self.unpack(v)
 
         def column(e: Any) -> tuple[Any, ...]:
@@ -115,7 +115,7 @@ class Maps(FirstPrinciples):
         return pack([2 * self.order * theta * c for c in axis or dual])
 
     def from_exponential(self, w: Any) -> np.ndarray:
-        """Return v on the branch whose exponential coordinates are w, inside the edge."""
+        """Return v, inside the edge, on the branch with exponential coordinates w."""
         half, axis = self.half_screw(self.step(self.unpack(w)))
         along = sum(float(a.re) * float(b) for a, b in zip(axis or (), w, strict=False))
         return pack(self.on_branch(half, axis, round((along / 2 - float(half.re)) / np.pi)))
@@ -128,7 +128,7 @@ class Maps(FirstPrinciples):
         alpha, axis = self.reduced(dual)
         if axis is None:
             return pack(self.on_branch(alpha, None, branch))
-        # Branches are counted from v itself: from the multiple of 2π nearest to its angle along the axis.
+        # Branch 0 is v itself; other branches add turns to its angle along the axis.
         coefficient = dot(dual, axis)
         own = self.field.atan2(coefficient, self.base(dual)) + branch * self.field.pi / self.order
         size = self.size(own)
@@ -156,7 +156,7 @@ class Maps(FirstPrinciples):
         return (self.field.cos(length), *(self.field.sin(length) * c / length for c in half))
 
     def retract(self, v: Any, delta: Any, body: bool = False) -> np.ndarray:
-        """Return the vector on the branch whose angle along the new axis is nearest to the angle of v."""
+        """Return the new vector on the branch with the angle, along the new axis, nearest to the angle of v."""
         here, small = self.unpack(v), self.step(self.unpack(delta))
         q = hamilton(self.unit(here), small) if body else hamilton(small, self.unit(here))
         half, axis = self.half_screw(q)
@@ -175,7 +175,7 @@ class Maps(FirstPrinciples):
         return pack(tuple(2 * half * c for c in axis or (Nil(zero, zero),) * 3))
 
     def interpolate(self, v1: Any, v2: Any, t: Any, steps: int = 24) -> np.ndarray:
-        """Follow the motion in steps; at each pose take the exponential coordinates α u nearest to the last ones."""
+        """Follow the motion in small steps; each takes the exponential coordinates α u nearest to the previous ones."""
         here, (share,) = self.unpack(v1), np.ravel(t)
         way = hamilton(self.unit(self.unpack(v2)), conjugate(self.unit(here)))
         half, axis = self.half_screw(tuple(-c for c in way) if way[0].re < 0 else way)

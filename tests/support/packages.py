@@ -1,4 +1,4 @@
-"""Packages that tests read or run, with their orders; they are written without validation."""
+"""Packages that tests read or run, and their orders; packages are written without validation."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any
 
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
-"""Orders of the packages of other targets that tests share."""
+"""Orders in the packages shared by tests, by target."""
 
 EXECUTED = ("validate", "replay", "test")
-"""Members of a target that execute the emitted text."""
+"""Names of the members of a target that execute its text."""
 
 
 class Otherwise:
-    """Target with some of its members replaced."""
+    """Target with some replaced members."""
 
     def __init__(self, target: Any, **members: Any) -> None:
         self._target = target
@@ -31,7 +31,7 @@ def unvalidated(target: Any) -> Any:
 
 def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
     """Return the files of a package by name, proved and printed but not validated."""
-    from derive.codegen.build import print_package  # imported here, since kernels are tested without the toolkit
+    from derive.codegen.build import print_package  # imported late, because kernels are also tested without the toolkit
     from derive.codegen.targets import TARGETS
     from derive.maps import Cayley
 

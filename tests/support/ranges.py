@@ -1,4 +1,4 @@
-"""Range of v of the kernels of an order; longer vectors give NaN."""
+"""Range of v that the kernels of an order accept; longer vectors give NaN."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from derive.maps import Cayley
 
 
 def largest(order: int, dtype: DTypeLike) -> np.longdouble:
-    """Return the largest |Re v| at which powers of 1 + x, times their factors, are finite in a type."""
+    """Return the largest |Re v| for which powers of 1 + x and their multiples are finite in a type."""
     most = np.longdouble(np.finfo(dtype).max) / (4 * order)
     return np.longdouble(Cayley(order).overflow(most)[1])  # type: ignore[arg-type]  # wider than float
 

@@ -1,4 +1,4 @@
-"""Rational functions in a prime field, and bounds of their degrees: random points tell two of them apart."""
+"""Elements of prime fields, in which rational functions are compared at random points; bounds of their degrees."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import sympy
 
 @dataclass(frozen=True)
 class Residue:
-    """An element of a prime field."""
+    """Element of a prime field."""
 
     value: int
     prime: int
@@ -85,7 +85,7 @@ def degree_of(other: Any) -> Degree:
 
 @cache
 def _fraction(expression: sympy.Expr, symbol: sympy.Symbol, order: int) -> tuple[list[int], list[int]]:
-    """Return the coefficients of numerator and denominator of a derivative, highest power first."""
+    """Return the coefficients of numerator and denominator of a derivative, from the highest power down."""
     parts = sympy.fraction(sympy.cancel(sympy.diff(expression, symbol, order)))
     above, below = (sympy.Poly(part, symbol).all_coeffs() for part in parts)
     whole = sympy.ilcm(*(c.q for c in (*above, *below)))
@@ -93,7 +93,7 @@ def _fraction(expression: sympy.Expr, symbol: sympy.Symbol, order: int) -> tuple
 
 
 class Lifting:
-    """Evaluation of rational functions of one symbol, and their derivatives, at numbers of any kind."""
+    """Evaluation of rational functions of one symbol, and of their derivatives, at numbers of any kind."""
 
     def derivatives(self, expression: sympy.Expr, symbol: sympy.Symbol, at: Any, order: int) -> list[Any]:
         parts = (_fraction(expression, symbol, k) for k in range(order + 1))

@@ -1,4 +1,4 @@
-"""Arguments of rotation functions, and the tolerance between two programs of one function."""
+"""Arguments of rotation functions, and the tolerance between two programs of the same function."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from scipy.spatial.transform import Rotation
 from derive.codegen.rows import Function
 
 ROUNDINGS = 4096
-"""Largest difference between two programs of one function, in roundings of the largest component: at most a thousand
-operations, each of which changes the result by a few roundings away from singular angles."""
+"""Largest difference between two programs of one function, in roundings of the largest component. There are at most
+a thousand operations; each changes the result by a few roundings, except near singular angles."""
 
 
 def arguments(row: Function, module: ModuleType, shape: tuple[int, ...] = (5,)) -> list[np.ndarray]:
-    """Return rotations for arguments that are rotations, random numbers for all others."""
+    """Return rotations for arguments that must be rotations, and random numbers for all others."""
     rng = np.random.default_rng(11)
     vectors = [module.random(shape, max_angle=2.5, rng=seed) for seed in (1, 2)]
     made = {"v": vectors[0], "v2": vectors[1], "v1": vectors[0], "R": module.tensor(vectors[0])}

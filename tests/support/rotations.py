@@ -15,14 +15,14 @@ from tests.support.nilpotent import Nil
 from tests.support.trial import Result
 
 FUNCTIONS = tuple(name for name in EVERY if name in ROTATIONS.sources)
-"""Functions of rotations, by the names of their counterparts for poses."""
+"""Functions of rotations, under the names of their counterparts for poses."""
 
 REGIMES = tuple(r for r in sampling.REGIMES if r not in ("translation 1e6", "pure rotation", "pure translation"))
-"""Regimes that differ in their real parts."""
+"""Regimes with different real parts."""
 
 
 class Called:
-    """Module of rotations with the interface for poses; only real parts of arguments are used."""
+    """Module of rotations with the interface for poses; it uses only the real parts of arguments."""
 
     def __init__(self, module: ModuleType) -> None:
         self.module = module
@@ -39,14 +39,14 @@ class Called:
 
 
 def real(value: Any, pose: Any, rotation: Any) -> Any:
-    """Return the components of an array for poses that its counterpart for rotations has."""
+    """Return the components of an array for poses that the corresponding array for rotations has."""
     value = np.asarray(value)
     batch = value.shape[: value.ndim - len(pose.shape)]
     return value.reshape((*batch, pose.size))[..., list(pose.places)].reshape(batch + rotation.shape)
 
 
 class RotationTrial(CalculusTrial):
-    """Trial of pose functions with dual parts 0 in arguments, and none in results."""
+    """Trial of pose functions with dual parts 0 in arguments, and no dual parts in results."""
 
     def __init__(self, module: ModuleType, *arguments: Any, **options: Any) -> None:
         super().__init__(Called(module), *arguments, **options)

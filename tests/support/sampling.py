@@ -1,7 +1,8 @@
 """Seeded test poses, regime by regime.
 
-A sample is drawn as rotation angle, unit axis, translation along the axis, and a random rest of the dual part. Poses
-have natural sizes in every regime: v = tan(α/2n) u, and v° is the derivative along the screw plus a normal vector.
+A sample consists of a rotation angle, a unit axis, a translation along the axis, and a random rest of the dual part.
+Poses have natural sizes in every regime: v = tan(α/2n) u, and v° is the derivative along the screw plus a normal
+vector.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-# Number of poses, few because the oracle is slow. Seeds differ for every (order, regime), so no two share inputs.
+# Number of poses per regime, few because the oracle is slow; every (order, regime) has its own seed.
 COUNT = 3
 
 Angles = Callable[[np.random.Generator, int, int], np.ndarray]
@@ -22,7 +23,7 @@ def _log_uniform(rng: np.random.Generator, low: float, high: float, count: int) 
 
 
 def _shadow_angles(rng: np.random.Generator, order: int, count: int) -> np.ndarray:
-    """Draw angles beyond the principal range and away from multiples of π, where sides and poles are."""
+    """Draw angles beyond the principal range and away from multiples of π, where charts have poles or change sides."""
     if order == 2:
         return rng.uniform(np.pi + 0.2, 2 * np.pi - 0.2, count)
     turns = rng.integers(1, order - 1, count, endpoint=True)
@@ -46,12 +47,12 @@ ANGLES: dict[str, Angles] = {
     "identity": lambda rng, n, count: np.zeros(count),
 }
 
-# Regimes inside the principal range: the closed form's own domain, where every chart of the map is well conditioned.
+# Regimes inside the principal range, where every order is well conditioned.
 PRINCIPAL = (
     "uniform", "angle 1e-12", "angle 1e-7", "middle band", "below pi", "coordinate axes", "translation 1e6",
     "pure rotation", "pure translation", "identity",
 )  # fmt: skip
-# Regimes outside the principal range: n = 1 has no v at π, and only n ≥ 2 has one at 2π and beyond.
+# Regimes outside the principal range: n = 1 has no v at π, and only n ≥ 2 has v at 2π and beyond.
 OUTSIDE = ("above pi", "at pi", "near 2 pi", "shadow")
 REGIMES = PRINCIPAL + OUTSIDE
 
@@ -62,12 +63,12 @@ def has_regime(order: int, regime: str) -> bool:
 
 
 def generator(*key: object, seed: int = 0) -> np.random.Generator:
-    """Return a generator that depends on the key and the seed alone, in every process and on every machine."""
+    """Return a generator of random numbers; key and seed determine it, in every process and on every machine."""
     return np.random.default_rng(zlib.crc32(repr((*key, seed) if seed else key).encode()))
 
 
 def _filled(values: np.ndarray, rng: np.random.Generator, dtype: type) -> np.ndarray:
-    """Convert doubles to another type; digits beyond double precision are random."""
+    """Convert doubles to another type, with random digits beyond double precision."""
     if np.finfo(dtype).eps >= np.finfo(float).eps:
         return values.astype(dtype)
     return values.astype(dtype) * (1 + np.finfo(float).eps * rng.uniform(-0.5, 0.5, values.shape).astype(dtype))
@@ -79,7 +80,7 @@ def unit_vectors(rng: np.random.Generator, shape: tuple[int, ...]) -> np.ndarray
 
 
 def _leading_in_turn(vectors: np.ndarray) -> np.ndarray:
-    """Rotate components so that the largest is first, second, third in turn: inverse maps of matrices select by it."""
+    """Rotate components so that each in turn is the largest; inverse maps of matrices branch on the largest one."""
     for i, row in enumerate(vectors):
         row[:] = np.roll(row, i - np.argmax(np.abs(row)))
     return vectors
@@ -90,7 +91,7 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
     rng = generator(order, regime, np.dtype(dtype).name, seed=seed)
     angle = ANGLES[regime](rng, order, count)
     if np.dtype(dtype) == np.float32:
-        # In single precision the distance to π must not round away.
+        # Single precision would round smaller distances to π away.
         angle = np.where(np.abs(angle - np.pi) < 1e-4, np.pi + 1e-3 * np.sign(angle - np.pi), angle)
     axis, moment = _leading_in_turn(unit_vectors(rng, (count,))), rng.normal(size=(count, 3))
     if regime == "coordinate axes":
@@ -105,12 +106,12 @@ def poses(order: int, regime: str, dtype: type = np.float64, count: int = COUNT,
 
 
 def reached(order: int, regime: str, count: int = 6) -> np.ndarray:
-    """Return vectors of a regime, or uniform ones if the chart does not reach it."""
+    """Return vectors of a regime, or of the uniform regime if the chart does not reach it."""
     return poses(order, regime if has_regime(order, regime) else "uniform", count=count)
 
 
 def dual_vectors(key: str, dtype: type = np.float64, count: int = COUNT, seed: int = 0) -> np.ndarray:
-    """Draw twists, rates or lines: six normal numbers a row."""
+    """Draw twists, rates or lines: six normally distributed numbers in each row."""
     rng = generator(key, np.dtype(dtype).name, seed=seed)
     return _filled(rng.normal(size=(count, 6)), rng, dtype)
 

@@ -1,4 +1,4 @@
-"""Arithmetic on floats with root and tangent rounded once, independent of the platform's library."""
+"""Arithmetic on floats with correctly rounded root and tangent, independent of the platform's library."""
 
 from __future__ import annotations
 

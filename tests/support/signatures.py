@@ -15,14 +15,14 @@ RODRIGUES = ("v", "v1", "v2")
 
 
 def kind(array: Array) -> str:
-    """Return the kind of an argument: a vector v, any dual vector w, or its name."""
+    """Return the kind of an argument: "v" for a vector, "w" for any dual vector, or its own name."""
     if array.name in RODRIGUES:
         return "v"
     return "w" if array.shape == (6,) else array.name
 
 
 class Signature(NamedTuple):
-    """Kinds of the arguments (keys of SHAPES) and the shape of one result."""
+    """Kinds of the arguments (keys of SHAPES), and shape of the result."""
 
     arguments: str
     result: tuple[int, ...]
@@ -31,7 +31,7 @@ class Signature(NamedTuple):
 
 SHAPES = {kind(array): array.shape for row in PUBLIC.values() for array in row.arguments}
 
-# Functions that return one array and take axis= and out=. from_screw is left out: its second argument is named axis.
+# Functions that return one array and take axis= and out=. from_screw is excluded: an argument of it is named axis.
 SIGNATURES = {
     name: Signature("".join(map(kind, row.arguments)), row.shape, not row.real)
     for row in PUBLIC.values()
@@ -43,7 +43,7 @@ SIGNATURES = {
 def inputs(
     kernel: ModuleType, name: str, order: int, shape: tuple[int, ...] = (), dtype: Any = np.float64
 ) -> list[np.ndarray]:
-    """Draw arguments of one function in a batch shape, components last; every argument is different."""
+    """Draw different arguments of a function in a batch shape, with components last."""
     count = int(np.prod(shape))
     drawn = []
     for i, kind in enumerate(SIGNATURES[name].arguments):
@@ -67,7 +67,7 @@ def inputs(
 
 
 def components_first(array: Any, rank: int) -> np.ndarray:
-    """Return the structure-of-arrays form: the last `rank` axes move to the front."""
+    """Return an array with components first: the last `rank` axes move to the front."""
     array = np.asarray(array)
     return np.array(np.moveaxis(array, range(-rank, 0), range(rank)), order="C")
 
@@ -83,7 +83,7 @@ def components_last(array: Any, rank: int) -> np.ndarray:
 
 
 def assert_nearly_equal(got: Any, expected: Any, eps: int = 16) -> None:
-    """Require equality up to the order of roundings: one program on other blocks, or on Python floats."""
+    """Require equality up to rounding, for one program run on other blocks or on Python floats."""
     assert got.shape == expected.shape
     assert got.dtype == expected.dtype
     unit = np.finfo(got.dtype).eps

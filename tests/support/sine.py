@@ -1,4 +1,4 @@
-"""Chart outside the toolkit, v = sin(α/6) u, with all members of `Chart`, but without its code."""
+"""Chart v = sin(α/6) u defined outside the toolkit: it has all members of `Chart` and uses none of its code."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ COSINE = sympy.sqrt(1 - x)
 
 
 class SineScalars:
-    """Scalars at x = sin² θ, θ = α/6: q̂ = cos 3θ + u sin 3θ."""
+    """Scalars at x = sin² θ, with θ = α/6 and q̂ = cos 3θ + u sin 3θ."""
 
     def __init__(self, x: Coefficient, m: Arithmetic) -> None:
         self.x, self.m = x, m
@@ -191,7 +191,7 @@ class Sine:
     def coefficient(self, angle: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
         sine, cosine = _of_twice(m.name("t", m.tan(m.div(angle, 12))), m)
         further = m.name("further", cosine)
-        side = m.name("side", m.where(m.less(further, 0), -1, 1))  # beyond the edge v returns on the opposite side
+        side = m.name("side", m.where(m.less(further, 0), -1, 1))  # beyond the edge, v comes back on the opposite side
         return m.name("r", side * sine), m.name("slope", m.div(side * further, 6))
 
     def coefficient_of(
@@ -250,7 +250,7 @@ class Sine:
 
 
 def _of_twice(t: Coefficient, m: Arithmetic) -> tuple[Coefficient, Coefficient]:
-    """Return sine and cosine of twice the angle whose tangent is t."""
+    """Return sine and cosine of 2 arctan t."""
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)
     return 2 * t / below, (1 - tt) / below

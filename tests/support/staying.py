@@ -1,4 +1,4 @@
-"""Task that does not end on its own, for tests of processes that must end; this module imports little."""
+"""Task that never ends on its own, for tests of processes that must be ended; the module imports little."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def stay(folder: Path) -> None:
-    """Create a temporary file, write its name to ``folder/<pid>``, and sleep; create ``interrupted`` if interrupted."""
+    """Create a temporary file, write its name to ``folder/<pid>``, and sleep; on interrupt, create ``interrupted``."""
     _, name = tempfile.mkstemp()
     (folder / str(os.getpid())).write_text(name)
     try:

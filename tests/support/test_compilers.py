@@ -1,4 +1,4 @@
-"""Check that tests are deselected for lack of a compiler only where the toolkit finds none."""
+"""Check that tests which need a compiler are deselected only if the toolkit finds none."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from tests.support.kernels import ORDERS
 from tests.support.nilpotent import Nil, conjugate, hamilton, matmul, power, transpose
 from tests.support.oracle import Oracle
 
-DIGITS = 1e-40  # of 50 digits, the rest is lost to conditioning
+DIGITS = 1e-40  # of 50 digits; conditioning costs the others
 ORDER = pytest.mark.parametrize("order", ORDERS)
 
 

@@ -1,4 +1,4 @@
-"""Proved theorems, as premises of other theorems."""
+"""Proved theorems, for use as premises of other theorems."""
 
 from __future__ import annotations
 

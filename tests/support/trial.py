@@ -1,4 +1,4 @@
-"""Trial of one kernel module in one regime: its samples, and the comparison of results with their gates."""
+"""Trial of one kernel module in one regime: samples, and comparison of errors with gates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support.oracle import oracle_of
 
 
 class Result(NamedTuple):
-    """One computed value, its exact values (two where a tie leaves the side open), scales and gates."""
+    """Computed value, allowed exact values (two at a tie between sides), their scales, and gates."""
 
     got: np.ndarray
     exact: list[Any]
@@ -32,9 +32,9 @@ def rounded(exact: Any, dtype: Any) -> np.ndarray:
 
 
 class Measured:
-    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments of functions that take two.
+    """Samples of one regime, drawn by `seed` or `given`: vectors, and second arguments for functions that need them.
 
-    The functions themselves are methods of the subclass, which yield a `Result` for every sample.
+    Subclasses have a method for each function, which yields a `Result` for every sample.
     """
 
     def __init__(
@@ -62,13 +62,13 @@ class Measured:
         return draw(f"{name} {self.regime}", **self.drawn) if self.given is None else self.given[1]
 
     def partners(self) -> list[np.ndarray]:
-        """Return poses to compose with, from the same regime and from the uniform one."""
+        """Return second poses for compositions, from the same regime and from the uniform one."""
         if self.given is not None:
             return [self.given[1]]
         return [np.roll(self.v, 1, axis=0), sampling.poses(self.order, "uniform", **self.drawn)[::-1]]
 
     def branches(self) -> list[int]:
-        """Return some branches, except any whose angle α + 2kπ is the end nπ of the chart."""
+        """Return some branches, without a branch at the edge nπ of the chart."""
         n = self.order
         chosen = sorted({0, 1 % n, n // 2, n - 1})
         if self.regime == "identity":
@@ -91,7 +91,7 @@ class Measured:
         return [errors.errors(result.got, e, s, self.oracle) for e, s in zip(result.exact, result.scales, strict=True)]
 
     def fractions(self, result: Result) -> tuple[float, float]:
-        """Return the errors of both parts over their gates, against the nearest of the allowed exact values."""
+        """Return both errors divided by their gates, for the nearest of the allowed exact values."""
         found = [(re / result.gates[0], du / result.gates[1]) for re, du in self.in_eps(result)]
         return min(found, key=max)
 

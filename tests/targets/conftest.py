@@ -1,4 +1,4 @@
-"""Fixtures: packages of all targets but NumPy, each generated once."""
+"""Fixtures: packages of all targets except NumPy, each generated once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tests.support import packages
 
 @pytest.fixture(scope="session")
 def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[[str], Path]:
-    """Return a function for the folder of a target's package; folder and package have one name."""
+    """Provide a function that returns the folder of a target's package; the package has the folder's name."""
 
     def made(target: str) -> Path:
         name = f"generated_{target.replace('-', '_')}"
@@ -28,7 +28,7 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 def package(
     folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Callable[[str], str]]:
-    """Yield a function for the import name of a target's package.
+    """Provide a function that returns the import name of a target's package.
 
     Each process has its own Numba cache. In a shared cache, a loop and the function around it may come from different
     processes, and crash the next process that loads them.
@@ -46,11 +46,11 @@ def package(
 
 @pytest.fixture(scope="session")
 def array_api(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
-    """Return a function for the module of an order in the array-api target."""
+    """Provide a function that returns the array-api module of an order."""
     return lambda order: importlib.import_module(f"{package('array-api')}.cayley{order}")
 
 
 @pytest.fixture(scope="session")
 def compiled(package: Callable[[str], str]) -> Callable[[int], ModuleType]:
-    """Return a function for the module of an order in the numba target."""
+    """Provide a function that returns the Numba module of an order."""
     return lambda order: importlib.import_module(f"{package('numba')}.cayley{order}")

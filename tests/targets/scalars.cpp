@@ -1,4 +1,4 @@
-// The templates of the C target on jets, complex numbers and rationals: prints the largest error of each law.
+// Test of the C templates on jets, complex numbers and rationals; it prints the largest error of each law.
 #include "scalars.h"
 
 #include "cayley2.h"
@@ -16,7 +16,7 @@ static double larger(double a, double b) { return a < b || b != b ? b : a; }
 static const double V[6] = {0.31, -0.22, 0.17, 1.5, -0.4, 0.9}, W[6] = {-0.3, 0.8, 0.5, 0.2, 1.1, -0.7};
 
 #define LAWS(NAME) \
-    /* by jets: the derivative of the twist is its Jacobian, and that of from_pose(pose(v)) is the identity */ \
+    /* by jets: derivative of twist = its Jacobian; derivative of from_pose(pose(v)) = identity */            \
     static double NAME##_jets() \
     { \
         Jet<6> v[6], w[6], twist[6], pose[16], back[6]; \
@@ -50,7 +50,7 @@ static const double V[6] = {0.31, -0.22, 0.17, 1.5, -0.4, 0.9}, W[6] = {-0.3, 0.
             } \
         return error; \
     } \
-    /* by a complex step along w: the derivative of the quaternion is half the twist's product with it */ \
+    /* by a complex step along w: derivative of the quaternion q = half of twist times q */               \
     static double NAME##_complex() \
     { \
         const double h = 1e-100; \
@@ -69,7 +69,7 @@ static const double V[6] = {0.31, -0.22, 0.17, 1.5, -0.4, 0.9}, W[6] = {-0.3, 0.
         } \
         return error; \
     } \
-    /* of exact numbers: rate(twist(w)) is w */ \
+    /* in exact numbers: rate(twist(w)) = w */  \
     template <class Number> static bool NAME##_inverts() \
     { \
         Number v[6], w[6], twist[6], back[6]; \

@@ -1,4 +1,4 @@
-// Scalars that the templates of the C target are tried on: residues, jets, and exact rationals.
+// Scalars for tests of the C templates: residues, jets, and exact rationals.
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 __extension__ typedef unsigned __int128 Wide;
 
-// Element of a prime field of at most 61 bits; made of integers, and of doubles that are multiples of 1/2.
+// Element of a prime field of at most 61 bits; it can be made from an integer or from a double multiple of 1/2.
 struct Residue {
     static uint64_t prime;
     uint64_t value;
@@ -41,7 +41,7 @@ inline Residue operator/(Residue a, Residue b)
 
 inline Residue::Residue(double halves) { *this = Residue((int)(2 * halves)) / Residue(2); }
 
-// A number and its derivatives by N variables, of the shape of ceres::Jet: made of a double explicitly only.
+// Number with its derivatives by N variables, like ceres::Jet; conversion from double is explicit.
 template <int N> struct Jet {
     double a, v[N];
     Jet() : a(0), v() {}

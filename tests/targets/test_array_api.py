@@ -1,4 +1,4 @@
-"""Array-api target in every library: compared with the oracle, the NumPy kernels and the documented interface."""
+"""Array-api target in every library, in comparison with the oracle, the NumPy kernels and the documented interface."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ from tests.support.signatures import SIGNATURES, assert_nearly_equal, components
 
 LIBRARIES = ["numpy", "array-api-strict", "jax", "jax.jit", "dask", pytest.param("torch", marks=pytest.mark.torch)]
 LIBRARY = pytest.mark.parametrize("library", LIBRARIES)
-# libraries that compute with NumPy warn of IEEE results at singular points
+# libraries based on NumPy warn of NaN and infinity at singular points
 pytestmark = pytest.mark.filterwarnings("ignore:(invalid value|divide by zero):RuntimeWarning")
 
 SOME = ("uniform", "pure translation", "shadow")
-"""Regimes of poses that suffice for libraries with the arithmetic of NumPy, in which the text was validated."""
+"""Regimes for libraries that compute with NumPy; few suffice, since validation also computes with NumPy."""
 REGIMES = (*SOME, "angle 1e-7", "below pi", "translation 1e6")
 SLOW = ("jax", "jax.jit", "dask")
-"""Libraries that compile or plan every operation: tests use one order, one type and few functions."""
+"""Slow libraries, which compile or plan every operation; tests use one order, one type and few functions."""
 
 COMPILED = ("pose", "tangent_inv", "twist", "from_pose", "compose", "shadow", "rate_jacobian")
-"""Functions that are compared in slow libraries."""
+"""Functions compared in slow libraries."""
 
 KINDS = {(len(row.arguments), len(row.result)): name for name, row in SIGNATURES.items()}
-"""One function for each number of arguments and number of result axes."""
+"""Sample of functions: one for each number of arguments and of result axes."""
 
 
 @LIBRARY

@@ -1,4 +1,4 @@
-"""Derivatives by JAX and PyTorch equal complex steps and tangent operators, and are finite at v = 0."""
+"""Derivatives by JAX and PyTorch: they equal complex steps and tangent operators, and are finite at v = 0."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.support.libraries import LIBRARIES, QUICKLY
 pytestmark = pytest.mark.thorough
 
 ORDERS = pytest.mark.parametrize("order", [3])
-# all orders from 2 on share their geometry, and a tensor has the gain of its pose
+# orders from 2 on share their geometry
 ROADS = pytest.mark.parametrize(
     ("order", "road"),
     [(1, "quaternion"), (1, "tensor"), (2, "quaternion"), (2, "pose"), (3, "quaternion"), (3, "tensor"), (3, "pose")],
@@ -23,7 +23,7 @@ EPS = 2.0**-52
 
 
 def jax_jacobians(function, *values):
-    """Return Jacobians of all rows in forward mode, after a check against reverse mode; one compiled call does both."""
+    """Return Jacobians of all rows by forward mode, compared with reverse mode; one compiled call computes both."""
     LIBRARIES["jax"]()
     import jax
 
@@ -54,7 +54,7 @@ def samples(order, *regimes):
 
 
 def complex_step(function, v):
-    """Return the derivative with columns Im f(v + i h e_j) / h, exact to rounding."""
+    """Return the derivative with columns Im f(v + i h e_j) / h, accurate to rounding."""
     steps = v + 1e-30j * np.eye(v.size)
     return np.moveaxis(function(steps).imag / 1e-30, 0, -1)
 
@@ -117,7 +117,7 @@ def test_composition_with_the_identity_and_principal_v(array_api, order, jacobia
 @JACOBIANS
 @ORDERS
 def test_shadows_and_screws(array_api, order, jacobians):
-    """Derivatives of shadows equal T(v_k)⁻¹ T(v); derivatives of screws are finite."""
+    """Compare derivatives of shadows with T(v_k)⁻¹ T(v); expect finite derivatives of screws."""
     module, kernel = array_api(order), load(order)
     if order > 1:
         at = samples(order, "uniform", *(("pure translation",) if order != 2 else ()))
@@ -132,7 +132,7 @@ def test_shadows_and_screws(array_api, order, jacobians):
 
 @JACOBIANS
 def test_steps_of_half_a_turn_and_more(array_api, jacobians):
-    """Derivatives by δ equal T(v')⁻¹ dexp(δ), although tan(|δ|/2) is huge at half a turn and 0 at a whole turn."""
+    """Compare derivatives by δ with T(v')⁻¹ dexp(δ); tan(|δ|/2) is huge at half a turn and 0 at a whole turn."""
     module, v = array_api(3), np.repeat(samples(3, "uniform"), 3, axis=0)
     third = np.pi / 3
     delta = np.array([[0, 0, np.pi, 0.1, 0.2, 0.3], [-third, 2 * third, 2 * third, 1, 2, 3], [0, 5, 0, 1, 0, 0]])
@@ -143,9 +143,9 @@ def test_steps_of_half_a_turn_and_more(array_api, jacobians):
 
 @JACOBIANS
 def test_motions_past_a_whole_turn(array_api, jacobians):
-    """Motion about the axis of v is differentiated by v: n = 1 has one branch, so nothing is singular there.
+    """Differentiate by v a motion about the axis of v; n = 1 has one branch, so nothing is singular at a whole turn.
 
-    Tolerance 1e-8: central differences with step 1e-6 of a function with derivatives of about ten.
+    Allow 1e-8 for central differences with step 1e-6, of a function with derivatives of about ten.
     """
     module, kernel = array_api(1), load(1)
     at, end = np.array([0, 0, 0.1, 0.3, 0.2, 0.1]), np.array([0, 0, 2, 0, 0, 0.0])
@@ -183,7 +183,7 @@ def test_torch_vmap_and_backward(array_api):
 
 @JACOBIANS
 def test_closed_forms_are_the_derivatives(array_api, jacobians):
-    """One weighted sum of all functions is differentiated, so that only one compilation is needed."""
+    """Differentiate one weighted sum of all functions, to compile only once."""
     module, kernel, at = array_api(3), load(3), samples(3, "uniform", "angle 1e-7", "pure translation", "shadow")
     w = np.broadcast_to(0.3 * sampling.dual_vectors("closed forms")[0], at.shape)
 

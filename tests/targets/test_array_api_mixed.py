@@ -1,4 +1,4 @@
-"""Calls of the array-api target with arrays of several libraries: NumPy arrays are converted to the other library."""
+"""Calls of array-api kernels with arrays of several libraries: NumPy arrays are converted to the other library."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def rotations(package):
 
 
 def assert_taken(function, values, convert):
-    """Require results of the library for any mix of its arrays with NumPy arrays, equal to the NumPy results."""
+    """Require, for any mix with NumPy arrays, that results are arrays of the library and equal the NumPy results."""
     expected, kind = several(function(*values)), type(convert(V))
     for chosen in product([True, False], repeat=len(values)):
         if any(chosen):
@@ -106,7 +106,7 @@ def test_conversion_stays_in_the_library(package, module, strict):
 # --- types, devices, arguments that are no arrays -----------------------------------------------------------------
 
 
-def test_types_are_those_of_the_library_alone(module, strict):
+def test_types_match_the_library_alone(module, strict):
     single = strict.asarray(W, dtype=strict.float32)
     for v, expected in ((np.float32(V), strict.float32), (V, strict.float64), ((10 * V).astype(int), strict.float32)):
         assert module.twist(v, single).dtype == module.twist(single, v).dtype == expected
@@ -166,7 +166,7 @@ def test_a_constant_first_argument_in_compiled_functions(module, jax, name):
 
 
 def test_gradients_by_the_second_argument(module, jax):
-    """Gradients of summed results equal the column sums of the tangent operator and of the composition Jacobian."""
+    """Compare gradients of summed results with column sums of the tangent operator and of the composition Jacobian."""
     kernel = load(3)
 
     def slope(function):

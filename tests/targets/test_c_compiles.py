@@ -1,4 +1,4 @@
-"""Generated C: no warnings in any promised dialect, correct results at any optimisation, a CMake package."""
+"""Generated C: no warnings in any supported dialect, correct results at any optimisation, a CMake package."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ REALS = ("float", "double")
 
 
 def includes(orders: Sequence[int]) -> str:
-    """Return the include lines for some orders."""
+    """Return the #include lines for some orders."""
     return "".join(f'#include "{inside(table, f"cayley{n}.h")}"\n' for n in orders for table in TABLES)
 
 
@@ -117,7 +117,7 @@ def test_rational_maps_build_without_any_library(package, tmp_path):
 
 
 def test_device_qualifiers_stand_before_every_function(package, tmp_path):
-    """Preprocessing for CUDA makes every function one for host and device, and leaves no loop pragma."""
+    """Preprocess for CUDA; expect host and device qualifiers on every function, and no loop pragma."""
     source = written(tmp_path, "device.cpp", INCLUDE_ALL)
     keywords = ("-D__CUDACC__", "-D__host__=HOST", "-D__device__=DEVICE", "-D__forceinline__=inline")
     text = run(tool("g++"), "-E", "-P", *keywords, f"-I{package}", source)
@@ -128,7 +128,7 @@ def test_device_qualifiers_stand_before_every_function(package, tmp_path):
     assert "GCC ivdep" not in text
 
 
-# each order runs in one real type; orders 3 and 8 run with every compiler, as vector code with fused multiply-add
+# each order in one real type; orders 3 and 8 with every compiler, as vector code with fused multiply-add
 @pytest.mark.parametrize(
     ("compiler", "order", "real", "flags"),
     [
@@ -170,12 +170,12 @@ def test_results_agree_with_exact_ones_in_cpp(package, tmp_path, real, compilers
     [(3, POSES, 3, ()), (8, POSES, 3, ()), (3, ROTATIONS, 2, ()), (3, POSES, 3, ("-DDUALCAY_SIMD_MATH",))],
 )
 def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, turns, math):
-    """Loops without tan and atan2 become vector code; with libmvec all loops do, including loops over turns."""
+    """Expect vector code for loops without tan and atan2, and with libmvec for all loops, also over turns."""
     header = (package / inside(table, "geometry.h")).read_text(encoding="utf-8").splitlines()
     begin = prefix(Cayley(order), table)
     uses = "".join(f"void *use_{name} = (void *){begin}_{name}_rows;\n" for name in table.public)
     source = written(tmp_path, "rows.c", f'#include "{inside(table, f"cayley{order}.h")}"\n{uses}')
-    # -fno-ipa-icf: gcc would merge identical loops and report only one
+    # without -fno-ipa-icf, gcc merges identical loops and reports only one
     flags = ("-std=c99", "-O3", "-mavx2", "-fno-math-errno", "-fno-trapping-math", "-fno-ipa-icf", *math)
     command = (tool("gcc"), *flags, f"-I{package}")
     report = run(*command, "-fopt-info-vec-optimized", "-c", source, "-o", tmp_path / "rows.o")
@@ -190,7 +190,7 @@ def test_loops_over_rows_become_vector_code(package, tmp_path, order, table, tur
 
 @pytest.mark.parametrize(("minor", "asked"), [(34, False), (35, True)])
 def test_vector_functions_are_asked_for_where_the_library_has_them(package, tmp_path, minor, asked):
-    """Version 2.35 of glibc is the first whose libmvec has vector functions for tan and atan2."""
+    """Compare glibc 2.34 with 2.35, the first version with vector functions for tan and atan2 in libmvec."""
     text = f"#include <math.h>\n#undef __GLIBC_MINOR__\n#define __GLIBC_MINOR__ {minor}\n"
     source = written(tmp_path, "asked.c", text + '#include "dualcay.h"\n')
     command = (tool("gcc"), "-std=c99", "-DDUALCAY_SIMD_MATH", f"-I{package}", "-E", "-dM", source)

@@ -44,7 +44,7 @@ STRICT = ("-std=c++11", "-O0", "-Wall", "-Wextra", "-Wshadow", "-pedantic", "-We
 PRIMES = (2**61 - 1, *(sympy.nextprime(random.Random(k).randrange(2**60, 2**61 - 2**20)) for k in range(2)))
 POINTS = 2
 ROUNDING = 1e-12
-"""Tolerance of jets: about 300 operations on numbers up to 10, times a condition number below 1000."""
+"""Tolerance for jets: about 300 operations on numbers up to 10, times a condition number below 1000."""
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +91,7 @@ def test_jets_complex_numbers_and_rationals(compiler, headers, tmp_path):
             assert value == 1, name
 
 
-def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
+def test_every_law_detects_a_wrong_sign(headers, tmp_path):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
     for table in C.tables:
@@ -110,7 +110,7 @@ def test_a_wrong_sign_is_seen_by_every_law(headers, tmp_path):
 
 
 def rational(chart: Cayley) -> list[tuple[Table, Function]]:
-    """Return the functions of the headers without root, selection or angle, with their tables."""
+    """Return the rational functions of the headers, without root, selection or angle, with their tables."""
     needed = {table.name: levels(lower_chart(chart, table)) for table in C.tables}
     rows = ((table, table.sources[name]) for table in C.tables for name in ALGEBRAIC if name in table.sources)
     return [(table, row) for table, row in rows if not needed[table.name][row.kernel]]
@@ -121,7 +121,7 @@ def expected(chart: Cayley, row: Function, arguments: Sequence[Sequence[Any]]) -
 
 
 def dispatcher(folder: Path) -> Path:
-    """Build a program that reads a prime, a function's number and arguments, and prints results modulo the prime."""
+    """Write a program that reads a prime, a function number and arguments; it prints results modulo the prime."""
     includes = "".join(f'#include "{inside(table, chart.name)}.h"\n' for chart in CHARTS for table in C.tables)
     cases, index = [], 0
     for chart in CHARTS:
@@ -166,7 +166,7 @@ int main()
 
 @dataclass(frozen=True)
 class Query:
-    """Evaluation of a chart's function at a point of a prime field."""
+    """Question to the program: a chart's function, and a point in a prime field."""
 
     chart: Cayley
     index: int
@@ -200,7 +200,7 @@ def answers(program: Path, asked: Sequence[Query]) -> list[list[int]]:
 
 
 def differing(program: Path, asked: Sequence[Query]) -> set[str]:
-    """Return the names of functions with an answer that differs from the formula."""
+    """Return the names of functions with a result that differs from the formula."""
     found = zip(asked, answers(program, asked), strict=True)
     return {
         f"{prefix(query.chart, query.table)}_{query.row.name}"
@@ -210,7 +210,7 @@ def differing(program: Path, asked: Sequence[Query]) -> set[str]:
 
 
 def degree(chart: Cayley, table: Table, row: Function) -> int:
-    """Return a degree bound for the numerator of the difference between a printed function and its formula."""
+    """Return a bound of the degree of the numerator, in the difference of a printed function and its formula."""
     arguments = [[Degree() for _ in range(array.size)] for array in row.arguments]
     module = importlib.import_module(".".join(filter(None, ("dualcay", table.name, chart.name))))
     arrays = [np.array(given, object).reshape(array.shape) for given, array in zip(arguments, row.arguments)]
@@ -231,7 +231,7 @@ def test_rational_functions_are_their_formulas_in_prime_fields(compiler, headers
     assert bound < 1e-60
 
 
-def test_a_wrong_coefficient_is_seen_in_a_prime_field(headers, tmp_path):
+def test_prime_field_shows_a_wrong_coefficient(headers, tmp_path):
     wrong = tmp_path / "headers"
     shutil.copytree(headers, wrong)
     text = (wrong / "cayley3.h").read_text(encoding="utf-8")

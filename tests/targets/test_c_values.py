@@ -1,4 +1,4 @@
-"""C kernels give the numbers of the NumPy kernels, including singular points."""
+"""C kernels: their results equal the NumPy kernels' results, also at singular points."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ORDERS = (1, 3, 8)
 LIBRARY = {"tan", "atan2"}
-"""Functions that C libraries and NumPy round differently."""
+"""Functions rounded differently by C libraries and NumPy."""
 
 COUNT = 300
 
 QUICKLY = (*FLAGS, "-O1")
-"""Flags for a fast build: the final -O1 overrides earlier levels, and avoids slow vectorization."""
+"""Flags for quick compilation: the final -O1 overrides earlier levels, and avoids slow vectorization."""
 
 
-# all orders share their geometry, so each order runs in one real type
+# one real type for each order, since all orders share their geometry
 @pytest.fixture(scope="module", params=zip(ORDERS, itertools.cycle(TYPES)), ids=lambda p: f"{p[0]}-{p[1]}")
 def both(request, folder, shared):
     """Return the C kernels and the NumPy kernels of an order, and the real type."""
@@ -37,7 +37,7 @@ def both(request, folder, shared):
 
 
 def special(rng, size):
-    """Return columns of components: ordinary, zero, pure translations, tiny, huge, infinite, NaN."""
+    """Return columns of components: ordinary values, zeros, pure translations, tiny, huge and infinite values, NaN."""
     columns = rng.uniform(-1, 1, (size, COUNT))
     columns[:, 0] = 0
     columns[: size // 2, 1:4] = 0
@@ -51,7 +51,7 @@ def special(rng, size):
 
 
 def arguments(name, module, dtype, rng, table=POSES):
-    """Return arguments of a function, components first; inverse maps take proper poses."""
+    """Return arguments of a function, components first; inverse maps get valid poses."""
     v = special(rng, table.functions["shadow"].results[0].size)
     if name in ("from_quaternion", "from_tensor", "from_pose"):
         made = getattr(module, {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}[name])
@@ -107,7 +107,7 @@ def test_both_layouts_agree_up_to_rounding(both, name, layout):
 
 
 def test_rotations_agree_up_to_rounding(folder, tmp_path):
-    """One order suffices: rotations share the scalars of poses, which are compared above."""
+    """Compare one order; rotations share the scalars of poses, compared above for every order."""
     command = compiler()
     library = compiled(command, folder("c"), 3, "double", tmp_path, ROTATIONS, QUICKLY)
     form, module = CForm(library, "double", ROTATIONS), importlib.import_module("dualcay.rotation.cayley3")
@@ -121,7 +121,7 @@ def test_rotations_agree_up_to_rounding(folder, tmp_path):
 
 
 def assert_close(found, expected):
-    """Require equality up to rounding, column by column; small angles and poles amplify the rounding."""
+    """Require equality up to rounding, column by column; the tolerance is larger near small angles and poles."""
     finite = np.isfinite(expected)
     size = np.where(finite, np.abs(expected), 0).astype(np.float64)
     room = 1000 * np.finfo(found.dtype).eps * size.max(axis=0) * (1 + size[:3].max(axis=0))

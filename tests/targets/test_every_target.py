@@ -1,4 +1,4 @@
-"""Properties of every target: its printed text agrees with the formulas."""
+"""Tests of every target: printed text agrees with the formulas."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from derive.maps import Cayley
 from derive.output import files
 from derive.proof import prove
 
-# tests/derive/codegen/test_c_text.py interprets the C headers, which the native target uses too
+# tests/derive/codegen/test_c_text.py interprets the C headers, also used by the native target
 NAMES = [name for name in TARGETS if name not in ("c", "native", "numpy")]
 
 

@@ -1,6 +1,6 @@
-"""Compiled NumPy functions behind the committed kernels: equal results and errors, and a switch that disables them.
+"""Compiled NumPy functions beneath the committed kernels: equal results and errors, and a switch to disable them.
 
-One distribution holds the functions of poses and of rotations.
+One distribution contains the functions of poses and of rotations.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ OF_ROTATIONS = sorted(
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Return the folder with the installed package; all test processes share one build."""
+    """Return the folder of the installed package, built once for all test processes."""
     return shared("native", lambda place: build(place, CHARTS, PLAIN)) / "site"
 
 
@@ -82,7 +82,7 @@ def test_every_program_is_compiled(native, rotations):
 
 
 def test_reimport_reuses_compiled_functions(native):
-    """Check that a second import does not recreate tables of the extension module, which NumPy keeps."""
+    """Check that a second import does not recreate tables of the extension module, because NumPy keeps them."""
     native(3).pose(np.zeros(6))
     name = "dualcay_native.cayley3"
     first = sys.modules.pop(name)
@@ -114,7 +114,7 @@ def test_layouts_of_rotations_agree_to_the_digit(rotations, name):
 
 @pytest.mark.parametrize("name", ["pose", "compose", "from_pose", "rate"])
 def test_fast_path_takes_plain_float64_arrays_and_agrees_to_the_digit(native, name):
-    """Check that the fast path takes aligned float64 arrays of any batch shape, and silently refuses bad arguments."""
+    """Check that the fast path takes aligned float64 arrays of any batch shape, and declines others silently."""
     function, directly = native(3).CHART.native[name]
     values = inputs(load(3), name, 3, (12,))
     parts = [array.shape for array in PUBLIC[name].arguments]
@@ -180,7 +180,7 @@ def test_other_number_types_run_in_numpy(native):
         lambda m: m.pose(["a"] * 6),
     ],
 )
-def test_errors_are_those_of_numpy_kernels(native, call):
+def test_errors_match_numpy_kernels(native, call):
     with pytest.raises((ValueError, TypeError)) as expected:
         call(load(3))
     with pytest.raises(expected.type) as found:
@@ -189,7 +189,7 @@ def test_errors_are_those_of_numpy_kernels(native, call):
 
 
 def test_singular_points_raise_no_floating_point_error(native):
-    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # pole where q is nearly 0
+    pole = np.array([np.sqrt(3.0), 0, 0, 1, 1, 1])  # next to a pole, q is nearly 0
     with np.errstate(all="raise"), warnings.catch_warnings():
         warnings.simplefilter("error")
         assert not np.isfinite(native(3).shadow(np.zeros(6), 1)).any()
@@ -199,7 +199,7 @@ def test_singular_points_raise_no_floating_point_error(native):
 
 
 def test_other_threads_run_during_a_call(native):
-    """Check that a counting thread continues during a long call, which therefore does not hold the GIL."""
+    """Check that a long call releases the GIL: a counting thread continues during the call."""
     v, out = np.broadcast_to(native(3).random(rng=3), (400_000, 6)), np.empty((400_000, 6))
     counted, done = [0], threading.Event()
 
@@ -226,7 +226,7 @@ print({runs for kind in (dualcay, dualcay.rotation) for runs in kind.backend().v
 
 
 def said(site: Path, **environment: str) -> tuple[str, str]:
-    """Return the output and warnings of a fresh process."""
+    """Return the output and the warnings of code in a fresh process."""
     paths = os.pathsep.join([str(site), str(ROOT.parent)])
     env = {**os.environ, "PYTHONPATH": paths, "DUALCAY_NATIVE": "", **environment}
     done = subprocess.run([sys.executable, "-c", CALL], env=env, capture_output=True, text=True, check=True)

@@ -1,4 +1,4 @@
-"""Compiled NumPy functions as vector code: always whole vectors, so that results do not depend on the batch."""
+"""Compiled NumPy functions as vector code: only whole vectors are computed, so results do not depend on the batch."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 CHARTS = (Cayley(3),)
 NAMES = ("from_quaternion", "compose", "local", "to_exponential", "interpolate", "rate", "tensor")
-"""Functions that compute angles, and two that do not."""
+"""Functions that compute angles, and two without angles."""
 
 
 @pytest.fixture(scope="module")
 def site(shared: Callable[[str, Callable[[Path], object]], Path]) -> Path:
-    """Return the folder of a build of rotations alone, which takes only half a minute."""
+    """Return the folder of a build for rotations alone; such a build takes only half a minute."""
     return shared("native_vectors", lambda place: build(place, CHARTS, "optimization=3", only="rotation")) / "site"
 
 
@@ -56,7 +56,7 @@ def test_layouts_agree_to_the_digit(rotations: ModuleType, name: str) -> None:
 def test_rows_of_any_number_are_read_and_written_within_their_bounds(
     rotations: ModuleType, count: int, dtype: type
 ) -> None:
-    """Only whole vectors are written in place; memory beside the results stays unchanged."""
+    """Expect unchanged memory beside the results, since only whole vectors are written in place."""
     v = np.full((3, count + 32), np.nan, dtype)[:, 16:-16]
     v[...] = rotations.random(count, rng=1).T
     made = rotations.compose(v, v, axis=0)

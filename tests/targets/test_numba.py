@@ -1,4 +1,4 @@
-"""Numba target: compared with the oracle, the NumPy kernels in every layout, and the documented interface."""
+"""Numba target, in comparison with the oracle, the NumPy kernels in every layout and the documented interface."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ pytestmark = pytest.mark.thorough
 
 ORDER = 3
 KINDS = {(row.arguments, row.result): name for name, row in SIGNATURES.items() if not name.startswith("dcay")}
-"""One function for each kind of arguments and result, since loops over columns take seconds to compile."""
+"""Sample of functions, one for each kind of arguments and result: a loop over columns takes seconds to compile."""
 REGIMES = [r for r in sampling.REGIMES if r != "identity"]
 
 
 @pytest.fixture
 def inside(package):
-    """Return the package function that makes a kernel callable from compiled code."""
+    """Return the function ``compiled`` of the package, which makes a kernel callable from compiled code."""
     return importlib.import_module(package("numba")).compiled
 
 
@@ -46,7 +46,7 @@ def test_gates_of_the_oracle_hold(compiled, name):
 
 
 def test_the_replay_runs_on_compiled_loops(package):
-    """Replay in double precision only, for which other tests compile these loops anyway."""
+    """Replay in double precision only, because other tests compile the same loops."""
     doubles = Library("numpy", np.asarray, NUMPY.dtypes[:1])
     assert replay(package("numba"), Cayley(ORDER), Machinery(), [doubles], geometry=False) > 100
 
@@ -61,7 +61,7 @@ def test_rows_are_the_same_program(compiled, name):
     assert_nearly_equal(last, getattr(load(ORDER), name)(*values), eps=40)
 
 
-# compiled loops of other charts, with and without selections; the source is validated for every order elsewhere
+# compiled loops of further charts, with and without selections; validation covers the source of every order
 @pytest.mark.parametrize(
     ("order", "name"), [(1, "pose"), (1, "from_pose"), (2, "quaternion"), (2, "rate"), (8, "pose"), (8, "principal")]
 )
@@ -156,7 +156,7 @@ def test_no_loop_stores_more_than_is_vectorised():
 def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
     module = compiled(ORDER)
     kernel = module.CHART.kernels[name]
-    # Numba has no LLVM text of loops loaded from the disk cache, so the loops are compiled again
+    # loops from the disk cache have no LLVM text, so they are compiled again
     loops = [jit(**loop.targetoptions)(loop.py_func) for loop in kernel.loops]
     monkeypatch.setattr(kernel, "loops", loops)
     getattr(module, name)(*(components_first(a, 1) for a in inputs(load(ORDER), name, ORDER, (9,))), axis=0)
@@ -167,7 +167,7 @@ def test_loops_without_trigonometry_are_vectorised(compiled, name, monkeypatch):
 
 @pytest.fixture
 def imported(package, tmp_path, monkeypatch):
-    """Return a function that changes a module in a copy of the package and imports it afresh, like another process."""
+    """Provide a function that changes a module in a copy of the package and imports the copy, like another process."""
     name = package("numba")
     source = next(Path(p) / name for p in sys.path if (Path(p) / name).is_dir())
     folder = shutil.copytree(source, tmp_path / "kept_on_disk", ignore=shutil.ignore_patterns("__pycache__"))
@@ -236,8 +236,8 @@ def test_kernels_are_called_pose_by_pose(compiled, inside, name):
     assert_nearly_equal(found.reshape(expected.shape), expected, eps=40)
 
 
-def test_code_that_numba_compiles_calls_kernels(compiled, inside):
-    """Functions of the space frame and the body frame share one kernel, with different constants."""
+def test_kernels_are_callable_from_compiled_code(compiled, inside):
+    """Call functions of the space and the body frame, which share a kernel with different constants."""
     rate, twist = inside(compiled(ORDER).rate), inside(compiled(ORDER).body_twist)
 
     @njit
@@ -255,7 +255,7 @@ def test_code_that_numba_compiles_calls_kernels(compiled, inside):
 
 
 def test_compiled_functions_are_cached(compiled, inside):
-    """Check that each function is compiled once, and that functions of one kernel with other constants are separate."""
+    """Check that each function is compiled once, and separately for other constants of the same kernel."""
     module = compiled(ORDER)
     assert inside(module.twist) is inside(module.twist)
     assert inside(module.twist) is not inside(module.body_twist)

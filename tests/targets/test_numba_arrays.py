@@ -1,4 +1,4 @@
-"""Array handling of the numba target: arguments that take the fast path, and results that loops write directly."""
+"""Array handling of the Numba target: arguments on the fast path, and results written directly by loops."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from derive.output import files
 
 @pytest.fixture(scope="module")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """Yield the run-time module of the templates; nothing is compiled."""
+    """Provide the run-time module from the templates, without compilation."""
     folder: Path = tmp_path_factory.mktemp("kernels")
     files.write(folder, shared_texts(TARGETS["numba"]))
     with loaded(folder) as package:
@@ -27,7 +27,7 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
 
 
 def added(arrays: list[Any], result: Any) -> None:
-    """Compute 3 result components from two arguments of 2 components, in place of a kernel."""
+    """Stand in for a kernel: compute 3 result components from two arguments of 2 components."""
     first, second = arrays
     result[...] = np.stack([first[..., 0], second[..., 1], first[..., 1] + second[..., 0]], axis=-1)
 

@@ -1,4 +1,4 @@
-"""Rotations alone in other targets agree with the NumPy kernels."""
+"""Rotations alone in other targets: agreement with the NumPy kernels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.support.rotation_arguments import ROUNDINGS, arguments
 
 EPS = np.finfo(float).eps
 COMPILED = ("tensor", "twist", "compose", "shadow", "from_angle_axis", "to_angle_axis", "rate_jacobian")
-"""Selection of one function of each kind, since each takes a second to compile."""
+"""Sample of functions, one of each kind: a function takes a second to compile."""
 
 
 def require_equal(module: ModuleType, kernels: ModuleType, name: str, make: Callable[[np.ndarray], Any]) -> None:

@@ -1,4 +1,4 @@
-"""Dual numbers: a commutative ring whose zero divisors are the numbers with real part zero."""
+"""Dual numbers: a commutative ring; zero divisors are the numbers with real part zero."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_quotient_undoes_product(a: Dual, b: Dual) -> None:
 
 @pytest.mark.parametrize("divide", [lambda z: 1 / z, lambda z: Dual(0, 1) / z, lambda z: z.inverse(), lambda z: z**-1])
 @pytest.mark.parametrize("zero", [0, 0.0, Fraction(0), mpmath.mpf(0), sympy.Integer(0)])
-def test_zero_divisor_is_an_error_that_says_so(divide, zero) -> None:
+def test_division_by_zero_divisor_names_the_reason(divide, zero) -> None:
     with pytest.raises(ZeroDivisorError, match="real part zero: it is a zero divisor"):
         divide(Dual(zero, 1))
     assert issubclass(ZeroDivisorError, ZeroDivisionError)

@@ -48,7 +48,7 @@ def test_dual_part_is_the_derivative(f) -> None:
 
 
 @pytest.mark.parametrize("f", [expm1, log1p])
-def test_dual_parts_near_0_too(f) -> None:
+def test_dual_parts_near_0_agree_with_central_differences(f) -> None:
     """Compare the dual parts of functions missing in SymPy with central differences of 50 digits."""
     for at in ("0.6", "1e-20"):
         with mpmath.workdps(50):

@@ -1,4 +1,4 @@
-"""The algebra {I, skew(v), v⊗v}: every operation on (a, b, c, x) agrees with the expanded tensors."""
+"""Algebra spanned by I, skew(v), v⊗v: every operation on (a, b, c, x) agrees with the expanded tensors."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ few = settings(max_examples=15, deadline=None)
 
 @few
 @given(triples, triples, vectors, vectors)
-def test_operations_are_those_of_tensors(f, g, v: Vector, w: Vector) -> None:
+def test_operations_match_tensors(f, g, v: Vector, w: Vector) -> None:
     x = v.dot(v)
     S, T = Isotropic(*f, x), Isotropic(*g, x)
     assert (S @ T).tensor(v) == S.tensor(v) @ T.tensor(v)

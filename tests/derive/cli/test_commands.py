@@ -1,4 +1,4 @@
-"""The commands: output, exit codes and messages."""
+"""Commands of ``dualcay``: output, exit codes and messages."""
 
 from __future__ import annotations
 
@@ -220,7 +220,7 @@ def test_about_matches_the_tables_it_names():
     assert all(hasattr(Cayley, name) for name in about.FORMULAS)
 
 
-def test_needed_libraries_are_those_of_the_extra():
+def test_needed_libraries_match_the_extra():
     extra = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     installed = {re.split(r"[>=\[]", requirement)[0] for requirement in extra["derive"]}
     assert installed - {"python-flint"} == set(NEEDED)

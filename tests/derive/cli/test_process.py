@@ -1,4 +1,4 @@
-"""The command as a process: exit code, streams, encoding, imports."""
+"""Command ``dualcay`` as a process: exit code, streams, encoding, imports."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_process_has_exit_code_and_separate_streams():
 
 
 @pytest.mark.parametrize("place", ["derive.cli.show.show", "derive.cli.run"])
-def test_interrupt_ends_with_one_line_and_130(place: str):
+def test_interrupt_prints_one_line_and_exits_with_130(place: str):
     module, _, name = place.rpartition(".")
     code = (
         "import importlib, os, signal, sys, time\n"

@@ -73,7 +73,7 @@ def test_unexecuted_integer_division_is_refused() -> None:
         load("double f(double a) {\n    if (a < a) {\n        return 1 / 2;\n    }\n    return a;\n}")
 
 
-def test_remainders_are_those_of_c() -> None:
+def test_remainders_match_c() -> None:
     text = "int f(int a, int b) { const int r = a % b; return r < 0 ? r + b : r; }"
     assert [run(text, a, 3) for a in (-4, -3, -1, 0, 5)] == [2, 0, 2, 0, 2]
     assert run("int f(int a, int b) { return a % b; }", -7, 3) == -1
@@ -141,7 +141,7 @@ def test_function_that_ends_without_its_value_is_refused() -> None:
         run(text, Fraction(1))
 
 
-def test_library_functions_are_those_of_the_number_type() -> None:
+def test_library_functions_match_the_number_type() -> None:
     class Number(Fraction):
         def sqrt(self) -> str:
             return "root"

@@ -203,7 +203,7 @@ def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     "first",
     ["cayley3.h", "geometry.h", "rotation/cayley3.h", "rotation/geometry.h", "differential.h", "test_cayley3.c"],
 )
-def test_half_written_headers_do_not_compile_and_say_how_to_finish_them(staged, first):
+def test_half_written_headers_fail_to_compile_and_name_the_command(staged, first):
     """Expect an error that names the command, for any header included first, even with other headers missing."""
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
     for name in {"geometry.h", "rotation/geometry.h"} - {first}:
@@ -271,7 +271,7 @@ def test_a_changed_kernel_fails_validation(staged, monkeypatch, file, function, 
 
 
 @pytest.mark.compiler
-def test_a_result_that_is_nan_fails_validation(staged):
+def test_nan_result_fails_validation(staged):
     header = staged / "geometry.h"
     text = header.read_text(encoding="utf-8")
     header.write_text(text.replace("pose_at[0] = ", "pose_at[0] = (v1 - v1) / (v1 - v1) + ", 1), encoding="utf-8")

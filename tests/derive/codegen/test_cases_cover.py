@@ -94,7 +94,7 @@ def test_fewer_cases_leave_comparisons_one_sided() -> None:
     assert len(one_sided(sides(3, slice(1)))) > 5
 
 
-def test_directions_of_the_lattice_differ_and_have_one_to_three_components():
+def test_lattice_directions_differ_and_have_one_to_three_components():
     """Expect |v| = 1, √2 and √3, and components of both signs."""
     squares = sorted(sum(c * c for c in u) for u in samples.LATTICE)
     assert squares == [1, 1, 2, 3, 3]

@@ -87,7 +87,7 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
 
 
 @pytest.mark.parametrize("name", ["sqrt", "tan", "expm1", "log1p"])
-def test_functions_are_those_of_mpmath(name: str) -> None:
+def test_functions_match_mpmath(name: str) -> None:
     with mpmath.workdps(DIGITS):
         for number in (mpmath.mpf(7) / 9, mpmath.mpf(3) * 10**-30, mpmath.mpf(2) ** 70):
             wanted = getattr(mpmath, name)(number)

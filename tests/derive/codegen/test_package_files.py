@@ -49,7 +49,7 @@ def test_every_committed_header_names_the_licence() -> None:
         assert heads(path.read_text(encoding="utf-8"))[1] == LICENCE
 
 
-def test_licence_is_that_of_the_project() -> None:
+def test_licence_matches_the_project() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert f"SPDX-License-Identifier: {project['license']}" == LICENCE
 

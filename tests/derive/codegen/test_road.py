@@ -138,7 +138,7 @@ def test_function_without_docstring_is_not_generated():
         NUMPY.require_interface({python.INTERFACE: bare_interface(keywords=True)})
 
 
-def test_keywords_are_those_of_the_table():
+def test_keywords_must_match_the_table():
     with pytest.raises(ValueError, match="keywords of quaternion are axis, out, not axis, out, scalar_first"):
         NUMPY.require_interface({python.INTERFACE: bare_interface(keywords=False)})
 

@@ -34,7 +34,7 @@ def test_nan_is_the_largest_violation(part: Callable[[str], Any], spoilt: int) -
     checks = part("_checks")
     q = np.zeros((3, 8))
     q[:, 0] = 1
-    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # |re|² is off by 3, re·du by 1
+    q[1] = 2, 0, 0, 0, 1, 0, 0, 0  # violates the square of the real part by 3, the product of both parts by 1
     for largest in ("3", "nan"):
         with pytest.raises(ValueError, match=rf"q\[1\] is no unit dual quaternion: .*, off by {largest} "):
             checks.require(checks.LAWS["from_quaternion"], q, -1)

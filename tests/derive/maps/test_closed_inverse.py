@@ -24,7 +24,7 @@ INVERSES = {
     "alpha*sqrt(1 + alpha**2)": None,
     "alpha*sqrt((1 + alpha**2)/(3 + alpha**2))": None,
 }
-"""Closed inverses by φ; None for an inverse whose form is not compared."""
+"""Closed inverses by φ; None if the form of the inverse is not compared."""
 
 
 @pytest.mark.parametrize("phi", list(INVERSES))

@@ -29,7 +29,7 @@ EXPRESSIONS = (
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
-def test_values_and_slopes_are_those_of_sympy(expression: sympy.Expr) -> None:
+def test_values_and_slopes_match_sympy(expression: sympy.Expr) -> None:
     with mpmath.workdps(30):
         at = mpmath.mpf(AT.numerator) / AT.denominator
         found = evaluate(expression, a, Dual(at, mpmath.mpf(3)))

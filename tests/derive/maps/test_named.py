@@ -104,7 +104,7 @@ def test_a_multiple_names_its_base_and_factor():
 
 
 @pytest.mark.parametrize("phi", ["6*tan(alpha/6)", "3*sin(alpha/6)", "5*alpha/4"])
-def test_scalars_of_a_multiple_are_those_of_its_base_by_powers_of_the_factor(phi: str):
+def test_scalars_of_a_multiple_match_its_base_by_powers_of_the_factor(phi: str):
     chart = parameterization(phi, "mine")
     x, K = mpmath.mpf("0.7"), mpmath.mpf(chart.factor.numerator) / chart.factor.denominator
     here, there = chart.scalars(x, PLAIN), chart.base.scalars(x / K**2, PLAIN)

@@ -72,7 +72,7 @@ def close(found: mpmath.mpf, expected: mpmath.mpf) -> bool:
 
 
 @pytest.mark.parametrize("of", PHI, indirect=True)
-def test_scalars_are_those_of_the_angle(of: Any) -> None:
+def test_scalars_match_the_angle(of: Any) -> None:
     with mpmath.workdps(40):
         for x in squares(of)[1:]:
             r = mpmath.sqrt(x)

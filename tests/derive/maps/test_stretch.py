@@ -18,7 +18,7 @@ CHARTS = [(Cayley(2), cayley2), (family("exponential"), exponential), (family("l
 
 @pytest.mark.parametrize(("chart", "kernels"), CHARTS)
 @pytest.mark.parametrize("angle", [0.0, 0.7, 2.9])
-def test_singular_values_are_those_of_the_kernels(chart, kernels, angle: float):
+def test_singular_values_match_the_kernels(chart, kernels, angle: float):
     found = stretch(chart.phi, angle)
     v = np.array([0.0, found.size, 0, 1, 2, 3])
     values = np.linalg.svd(kernels.tangent(v)[0], compute_uv=False)

@@ -41,7 +41,7 @@ def test_table_is_ruled_from_its_least_width_on() -> None:
     assert "3456 │" in COUNTS.text(min(ruled))
 
 
-def test_width_is_that_of_the_screen_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_width_matches_the_screen_up_to_a_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     for given, expected in (("40", 40), ("500", WIDTH)):
         monkeypatch.setenv("COLUMNS", given)
         assert columns() == expected

@@ -175,7 +175,7 @@ def test_condition_with_a_true_point_outside_is_not_sharp() -> None:
     assert result.method.endswith("also true at a: real part 0, b: real part 0")
 
 
-def test_value_where_the_form_says_none_is_refused(monkeypatch) -> None:
+def test_value_is_refused_if_the_form_states_none(monkeypatch) -> None:
     monkeypatch.setattr(sys.modules["derive.papers.decide"], "is_sharp", lambda *_: True)
     with pytest.raises(UndecidedError, match="its form says no value, but there is one"):
         decided(equal(norm(a) * norm(a) / norm(a), a), condition=positive(Re(a)))

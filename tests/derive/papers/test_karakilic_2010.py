@@ -57,7 +57,7 @@ def test_domain_of_14_ends_at_a_half_turn(results) -> None:
     assert result["corrected"].endswith(r"1 - s_1^{2} \neq 0, \quad 0 < f < \pi")
 
 
-def test_no_frame_is_chosen_where_components_are_taken() -> None:
+def test_frame_is_not_chosen_if_components_are_read() -> None:
     marks = {"K10 entry", "K10 component", "K10 matrix", "K10 sum over i and j", "K10 everywhere"}
     for entry in PAPER.entries():
         heads = {node.operator.name for r in entry.readings for node in walk(r.statement) if isinstance(node, Apply)}

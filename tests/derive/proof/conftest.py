@@ -1,4 +1,4 @@
-"""Copies of Cayley maps with one error each."""
+"""Copies of Cayley maps, each with one error."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from derive.maps import Cayley, x
 
 
 class StatedCayley:
-    """Cayley map of an order with other values of some attributes."""
+    """Cayley map with replaced values of some attributes."""
 
     def __init__(self, order: int, **changes: Any) -> None:
         self.right, self.cayley = Cayley(order), self
@@ -28,13 +28,13 @@ class StatedCayley:
 
 @pytest.fixture
 def stated() -> Callable[..., StatedCayley]:
-    """Provide the formulas of an order, each replaceable."""
+    """Provide a function that returns the Cayley map of an order with replaced formulas."""
     return StatedCayley
 
 
 @pytest.fixture
 def mutations() -> Callable[[int], Iterator[tuple[str, str, StatedCayley]]]:
-    """Provide all changes of a single coefficient in the three tensors of an order."""
+    """Provide a function that yields all changes of a single coefficient in the three tensors of an order."""
     return _mutations
 
 

@@ -1,4 +1,4 @@
-"""Conditions of cited theorems: their orders, their definitions of symbols, and their relations."""
+"""Conditions for citing a theorem: its orders, definitions of symbols and relations must apply."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def test_cited_theorems_need_equal_definitions() -> None:
     assert right.decide(known()).proved
     other = right.with_premise(0, definition(x, 5))
     assert [residue.label.split(",")[0] for residue in other.decide(known()).failures] == ["required"]
-    between = Theorem("between", ANGLES.claim[:1], (ANGLES.premise(0),), symbols)  # where nothing defines x
+    between = Theorem("between", ANGLES.claim[:1], (ANGLES.premise(0),), symbols)  # nothing defines x
     proved = known() | {"between": between.decide(known())}
     assert proved["between"].proved
     resting = Theorem("resting", between.claim, (definition(x, 5), between.premise(0)), symbols)

@@ -1,4 +1,4 @@
-"""Every kernel function is covered by existing theorems and by a validation that runs."""
+"""Coverage of kernel functions: each cites existing theorems, and its validation runs."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ABOUT = {
     "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
     "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
 }  # fmt: skip
-"""Symbols that a theorem cited for a function must contain."""
+"""Symbols that the theorems cited for a function must contain."""
 
 
 @pytest.mark.parametrize("name", ABOUT)
@@ -45,7 +45,7 @@ def test_cited_theorems_mention_the_operator(name: str) -> None:
 
 
 def test_validation_column_matches_the_table() -> None:
-    """Compare the column with the signature table, which marks each expectation as exact or not."""
+    """Compare the column with the signature table, which marks expected values as exact or not."""
     for name, coverage in COVERAGE.items():
         row = PUBLIC.get(ALIASES.get(name, name))
         if row is None:

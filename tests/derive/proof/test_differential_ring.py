@@ -1,4 +1,4 @@
-"""The differential ring: factors of denominators are certified, and derivation obeys the product rule."""
+"""Differential ring: factors of denominators are certified, and derivation obeys the product rule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The limit of Cayley maps for growing order, and its rate."""
+"""Limit of Cayley maps for growing order, and rate of convergence."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_theorems_hold_and_controls_fail():
 
 
 def test_scaled_charts_solve_the_differential_equation():
-    """Check φ′ = 1 + φ²/(2n)² and φ(0) = 0 with n as a symbol, and the chart of order 3 as an instance."""
+    """Check φ′ = 1 + φ²/(2n)² and φ(0) = 0 for symbolic n, and the chart of order 3 as an instance."""
     n = sympy.Symbol("n", positive=True)
     phi = 2 * n * sympy.tan(alpha / (2 * n))
     assert sympy.expand(phi.diff(alpha) - 1 - (phi / (2 * n)) ** 2) == 0
@@ -54,7 +54,7 @@ def test_difference_to_the_limit_has_the_stated_slope(length: str):
                 change = (_maps(family(f"scaled{n}"), r, u)[name] - limits[name]) * (1 / epsilon)
                 left.append(max(abs(entry) for entry in change - slope))
                 assert left[-1] < 20 * epsilon * (1 + r * r) ** 3
-            if left[1] > mpmath.mpf(10) ** -12:  # error of the exponential, whose series ends at 1e-24, over ε
+            if left[1] > mpmath.mpf(10) ** -12:  # below, the exponential's series dominates: it ends at 1e-24
                 assert abs(left[0] / left[1] - 4) < 0.001
 
 

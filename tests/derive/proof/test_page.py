@@ -1,4 +1,4 @@
-"""The page of theorems is current, and all controls fail."""
+"""Page of theorems: it is current, and all controls fail."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ TEXT = PAGE.read_text(encoding="utf-8")
 COUNTS = {
     name: int(count) for name, count in re.findall(r"^### (.+)\n\n(?:.+\n)*?- controls: (\d+)$", TEXT, re.M)
 }
-"""Numbers of controls by title."""
+"""Number of controls by title of a part of the page."""
 
 
 @pytest.fixture(scope="module")
 def claimed() -> tuple[Proof, ...]:
-    """Return the proofs of all theorems, each decided from the proofs before it."""
+    """Return the proofs of all theorems; a proof uses only earlier proofs."""
     return decided(command.claims())
 
 
@@ -63,7 +63,7 @@ def test_missing_value_is_no_failed_control() -> None:
 
 
 SAMPLE = 4
-"""Step of the sample: controls run here for every fourth theorem, and for all in `make check-theorems`."""
+"""Stride of the sample: tests run the controls of every fourth theorem, `make check-theorems` runs all."""
 
 
 @pytest.mark.parametrize("theorem", command.claims()[::SAMPLE], ids=lambda theorem: theorem.name)

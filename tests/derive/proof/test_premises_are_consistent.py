@@ -1,4 +1,4 @@
-"""Consistency of premises: contradictory or incomplete ones prove nothing."""
+"""Consistency of premises: contradictory or incomplete premises prove nothing."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ ANGULAR = Symbols((COSINE, SINE, TURN, RISE), free=(TURN, RISE))
 
 
 def by_steps(right: sympy.Expr, following: sympy.Expr, symbol: sympy.Symbol, *others: Premise) -> Theorem:
-    """Return a theorem that claims A = right, with A = 1 at n = 1, S = n − 1, and too few premises on a symbol."""
+    """Return a theorem with too few premises on ``symbol``: it claims A = right, with A = 1 at n = 1 and S = n − 1."""
     given = (*recurring(n, (A, 1, following), (S, 0, S + 1)), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((S, symbol)), ONE))
 
 
 def by_rates(right: sympy.Expr, start: int, law: sympy.Expr | int, *others: Premise) -> Theorem:
-    """Return a theorem that claims A = right for a function A of α."""
+    """Return a theorem that claims A = right, for A as a function of α given by its start and its rate."""
     given = (definition(Shifted(A, alpha, 0), start), definition(rate(A), law), *others)
     return Theorem("t", (Equation(A, right),), given, Determined(Symbols((alpha,)), ZERO))
 

@@ -63,7 +63,7 @@ def test_wrong_quaternion_fails(n: int, stated: Callable[[int], Any]) -> None:
         changed = right.with_map("quaternion", wrong)
         assert noticed(Components(changed).quaternion())
         assert not all(proof.proved for proof in instances(changed))
-    both = right.with_map("quaternion", (-s, -t))  # −q̂ is the same rotation, and the statement allows it
+    both = right.with_map("quaternion", (-s, -t))  # −q̂ is the same rotation, so the statement holds
     assert not noticed(Components(both).quaternion())
 
 

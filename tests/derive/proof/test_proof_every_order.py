@@ -117,8 +117,8 @@ def test_multipliers_are_named_and_certified() -> None:
     assert set(found) == {"x", "1 + x", "n", "q_n", "q_n^2*x + p_n^2"}
     assert all(multiplier.nonzero for multiplier in found.values())
     zeroed = theorem("inverse").decide(known(), zeroed=1 + x)
-    assert not zeroed.failures  # everything is 0 = 0 ...
-    assert not zeroed.proved  # ... and that is noticed
+    assert not zeroed.failures  # every equation became 0 = 0
+    assert not zeroed.proved  # but a zero multiplier proves nothing
 
 
 def test_initial_values_matter() -> None:
@@ -127,7 +127,7 @@ def test_initial_values_matter() -> None:
     assert not EXPONENTIAL.with_claim(0, seven).decide({}).proved
     doubled = DOUBLE_ANGLE.with_claim(0, Equation(sympy.cos(alpha), 2 - 4 * sympy.sin(alpha / 2) ** 2))
     doubled = doubled.with_claim(1, Equation(sympy.sin(alpha), 4 * sympy.sin(alpha / 2) * sympy.cos(alpha / 2)))
-    failed = doubled.decide({})  # solves the differential equation
+    failed = doubled.decide({})  # 2 cos α and 2 sin α solve the differential equation
     assert [residue.label for residue in failed.failures] == ["start, cos(alpha)"]
 
 
@@ -142,7 +142,7 @@ def test_indices_of_binomial_sums_matter() -> None:
 
 
 @pytest.mark.parametrize("order", range(1, 9))
-def test_slopes_are_those_of_the_polynomials(order: int) -> None:
+def test_slopes_match_the_polynomials(order: int) -> None:
     at = sympy.Rational(3, 7)
     values = polynomials.pair_with_derivative(order, at)
     for equation, slope in zip(SLOPES.claim, values[2:], strict=True):

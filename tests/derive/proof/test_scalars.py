@@ -1,4 +1,4 @@
-"""Scalars of charts: every way to compute them is proved, and wrong scalars fail."""
+"""Scalars of charts: proofs cover every way of computing them, and wrong scalars fail."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ def ring(backend: str, root: int = 0) -> Ring:
 
 
 def value(element: Element) -> Fraction:
-    """Return the value of an element at the point, from its stored form."""
+    """Return the value of an element at `POINT`, from its stored numerator and denominator."""
     numbers = {**POINT, "x": SQUARE}
 
     def at(polynomial: Any) -> Fraction:
@@ -45,7 +45,7 @@ def value(element: Element) -> Fraction:
 
 
 def program(steps: list[tuple[str, int, int]], numbers: list[Any], square: Any) -> Any:
-    """Run a straight-line program on any kind of number."""
+    """Run the steps of a straight-line program on any kind of number."""
     values = list(numbers)
     for operation, i, j in steps:
         a, b = values[i % len(values)], values[j % len(values)]
@@ -170,7 +170,7 @@ def test_square_roots_of_odd_powers(backend: str) -> None:
         assert (one_plus**5).sqrt() == s**5
         assert (1 / one_plus).sqrt() == 1 / s
         assert ((s - 2) ** 2).sqrt() == 2 - s  # positive near v = 0, where s = 1
-        assert ((s - 1) ** 2 / one_plus).sqrt() == (1 if root > 0 else -1) * (s - 1) / s  # s > 1 there, or s < 1
+        assert ((s - 1) ** 2 / one_plus).sqrt() == (1 if root > 0 else -1) * (s - 1) / s  # s > 1 or < 1 near v = 0
         radicand = 1 + x / root
         lifted = exact.lift(sympy.sqrt(radicand) / radicand**2 - x, {x: exact.x})
         assert lifted == 1 / s**3 - exact.x
@@ -214,7 +214,7 @@ def test_quotients_are_in_lowest_terms(backend: str) -> None:
     one_plus, one = 1 + exact.x, exact.library.one
     again = exact.constant(1)
     for _ in range(5):
-        again = (again / one_plus) * one_plus**2 / one_plus  # would grow by one power each time
+        again = (again / one_plus) * one_plus**2 / one_plus  # without reduction, one more power each time
     assert (again.numerator, again.denominator) == (one, one)
     third = one_plus / (one_plus * one_plus * 3)
     assert (third * 3).numerator == one
@@ -241,7 +241,7 @@ def test_backends_agree() -> None:
         factors = sorted((str(factor), power) for factor, power in library.factors(f))
         results = (library.gcd(f, g), f / (b + c), library.derivative(f, 1), library.square_root(f * (b + c)))
         terms = [library.terms(result) for result in results]
-        for term in terms[3:]:  # the root, up to its sign
+        for term in terms[3:]:  # the sign of the root is arbitrary
             sign = 1 if term[1, 1, 0] > 0 else -1
             term.update({exponents: sign * value for exponents, value in term.items()})
         found.append((len(factors), [power for _, power in factors], terms))

@@ -27,7 +27,7 @@ def test_function_of_a_paper_has_the_mutants_of_the_common_one() -> None:
     assert {text(mutant) for _, mutant in changed(sin(a))} == {"cos a", "a"}
 
 
-def test_operators_that_take_dual_numbers_apart() -> None:
+def test_operators_with_separate_real_and_dual_parts() -> None:
     assert takes_apart(equal(Re(a), b))
     assert takes_apart(equal(a, b + epsilon * b))
     assert takes_apart(equal(a, r))

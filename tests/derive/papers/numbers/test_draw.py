@@ -109,7 +109,7 @@ def test_series_is_the_exponential(a: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["generic", *QUANTITIES["smooth function"].special])
-def test_derivatives_are_those_of_the_function(name: str) -> None:
+def test_derivatives_match_the_function(name: str) -> None:
     quantity = QUANTITIES["smooth function"]
     f = {"generic": quantity.generic, **quantity.special}[name](Draw("f"))
     for a in (mpmath.mpf("0.7"), mpmath.mpf("-1.2")):

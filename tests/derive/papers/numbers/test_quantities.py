@@ -131,7 +131,7 @@ def test_constants_have_their_values() -> None:
     assert {quantity.name for quantity in QUANTITIES.values() if not quantity.varies} == {*values, "∞", "index"}
 
 
-def test_quantities_that_take_dual_numbers_apart() -> None:
+def test_quantities_with_separate_real_and_dual_parts() -> None:
     apart = {quantity.name for quantity in QUANTITIES.values() if quantity.apart}
     real = {name for name in QUANTITIES if name.startswith("real")}
     assert apart == {*real, "proposition", "line", "dual unit"}
