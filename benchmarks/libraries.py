@@ -60,7 +60,7 @@ def label(chart: Chart) -> str:
 
 
 def libraries(function: str, size: int) -> Iterator[tuple[str, Call | None]]:
-    """Yield calls of other libraries on the same poses."""
+    """Yield each library with its call on common poses."""
     poses = Poses.draw(importlib.import_module("dualcay.exponential"), size)
     for name, make in LIBRARIES.items():
         yield name, make(function, poses)

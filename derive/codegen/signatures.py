@@ -64,7 +64,7 @@ def _way_back(name: str, given: Array, recipe: Recipe, *keywords: str) -> Functi
 
 
 def _both_frames(name: str, arguments: tuple[Array, ...], result: Array, recipe: Recipe) -> tuple[Function, Function]:
-    """Return the rows of a function in space and of its body form, which has the other side of T."""
+    """Return the rows of a function in space and in the body, which differ in the side of T."""
     return (
         Function(name, arguments, (result,), recipe, constants=SPACE),
         Function(f"body_{name}", arguments, (result,), None, constants=BODY, shares=name),

@@ -87,7 +87,7 @@ class Chart(ABC):
     @property
     @abstractmethod
     def branches(self) -> int:
-        """Number of distinct vectors v_k = φ(α + 2πk) u of a pose, a period in k; 0 without a period."""
+        """Period in k of the vectors ``v_k = φ(α + 2πk) u`` of a pose; 0 if they have no period."""
 
     @property
     @abstractmethod

@@ -116,7 +116,7 @@ def _ladder(n: int, cosine: Coefficient, size: Coefficient, m: Arithmetic) -> Co
 def near_pole(
     n: int, angle: Coefficient, sine: Coefficient, cosine: Coefficient, m: Arithmetic
 ) -> tuple[Any, Coefficient, Coefficient]:
-    """Return whether |α| is near the pole nπ, the distance ``nπ − |α|`` if so or |α| if not, and the sign of α.
+    """Return whether |α| is near the pole nπ, then ``nπ − |α|`` if it is near or |α| if not, then the sign of α.
 
     The arguments ``sine >= 0`` and ``cosine`` belong to α/2, up to a common factor. They give all digits of the
     distance; the rounded angle does not. The tangent of half of it is ``−tan(α/2)`` for even n, else ``cot(α/2)``.

@@ -29,7 +29,7 @@ def _parts(condition: Term) -> Iterator[Term]:
 
 
 def _subject(part: Term) -> Term | None:
-    """Return the term whose real part a condition requires to be nonzero."""
+    """Return a if the condition is ``a ≠ 0`` or ``Re a ≠ 0``, else None."""
     if part.operator is not nonzero:
         return None
     (subject,) = part.arguments

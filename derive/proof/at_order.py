@@ -140,7 +140,7 @@ def _coefficients(found: Any) -> tuple[Any, ...]:
 
 
 def _singular_angles(at: AtOrder, functions: Mapping[str, Function]) -> Proof:
-    """Decide whether sin α/2 = 0 at the singular angles before the last, nπ, and their tan α/2n are the poles."""
+    """Decide that the last singular angle is nπ, sin α/2 = 0 at the others, and their tan α/2n are the poles."""
     names = [f"polynomials.{name}({at.order})" for name in ("singular_angles", "poles")]
     turns, last, poles = map(sympy.Symbol, (f"{names[0]}[:-1]", f"{names[0]}[-1]", names[1]))
     claim = (

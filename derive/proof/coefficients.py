@@ -253,7 +253,7 @@ def _between(form: sympy.Expr, low: int, high: int) -> Any:
 
 
 def _together(terms: Sequence[_Term], first: int) -> Any:
-    """Return the sum of terms of one `kind`, divided by their common factorials; these must exist for n >= first."""
+    """Return the sum of terms of one `kind` without their common factorials; numerators must exist at n = first."""
     least = [min(a for _, a in column) for column in zip(*(t.above for t in terms), strict=True)]
     greatest = [max(c for _, c in column) for column in zip(*(t.below for t in terms), strict=True)]
     for (form, _), a in zip(terms[0].above, least, strict=True):

@@ -1,8 +1,8 @@
 """Controls: theorems with one deliberate error each; every control must fail.
 
 Controls alter each equation of a claim, each integer in it, each premise, each free symbol and each multiplier. At one
-order, controls alter each formula, claim, premise and definition of the componentwise road. If a control is proved, a
-check cannot fail, a premise is unused, or a theorem claims too little.
+order, controls alter each formula, claim, premise and definition of the componentwise road. A proved control reveals a
+check that cannot fail, an unused premise, or too weak a claim.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""All theorems for every order n ≥ 1, and proofs of a chart; only `prove` makes a `Proved`."""
+"""Theorems for every order n ≥ 1, proofs of a chart, and `Proved`, a chart with its proofs; only `prove` makes it."""
 
 from __future__ import annotations
 

@@ -32,13 +32,13 @@ class Chart:
     module : str
         Name of the chart's module.
     branches : int
-        Number of vectors of a pose.
+        Number of vectors of a pose; 0 if there are infinitely many.
     singular_angles : tuple of float
         Angles where the chart or its operators are singular; the edge of the chart is last.
     turns : tuple of pairs
-        Pairs of numbers for the turns from the principal branch, by branch, as decimals.
+        Decimals by branch: cosine and sine of the turn, or 1 and the angle if ``branches = 0``.
     returns : tuple
-        For each turn back to the principal branch: the limit of v·v, then the pair of numbers for the turn.
+        Three decimals for each turn back to branch 0: the v·v where it begins, then a pair as in ``turns``.
     functions : mapping
         Scalar programs by name.
     kernels : mapping

@@ -1135,7 +1135,7 @@ def exponential_scalars(m: Any, delta: Components) -> Result:
 
 
 def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
-    """Vector φ(α) u of a quaternion e, its factor times e0, and the angle α, within π of v's own angle along u."""
+    """Vector ``factor · vec e = φ(α) u`` of a quaternion e, factor · e0, and α: the angle nearest v's along u."""
     v1, v2, v3 = v
     e0, e1, e2, e3 = e
     ss = e1 * e1 + e2 * e2 + e3 * e3

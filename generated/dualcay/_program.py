@@ -164,7 +164,7 @@ class Rows:
                 yield functions, tuple(itemgetter(*column) for column in zip(*rows, strict=True))
 
     def _number(self, function: Function, kind: str, row: int, start: dict[str, int]) -> int:
-        """Return the number of a row; bitwise operations use an integer view of a row of numbers."""
+        """Return the index of a row or, for bitwise operations on numbers, of its integer view."""
         if function not in BITWISE or kind == "mask":
             return row
         return self.views.setdefault(row, start["mask"] + self.masks.size + len(self.views))

@@ -77,7 +77,7 @@ class Number:
 
 
 class Tape:
-    """Constants and operations on earlier entries, in numbered entries. Methods are the functions that kernels call."""
+    """List of numbered entries: arguments, constants, operations. Methods are the functions that kernels call."""
 
     def __init__(self, dtype: np.dtype[Any]) -> None:
         self.bits = bits(dtype) is not None

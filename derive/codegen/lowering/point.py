@@ -212,7 +212,7 @@ def _program(trace: Geometry, recipe: Recipe) -> Program:
 
 
 def narrowed(statement: Statement) -> Statement:
-    """Return a call that asks the smallest scalar program with all results that are read."""
+    """Replace the scalar program of a call by the smallest one with all results that are read."""
     if not isinstance(statement, Call) or statement.result:
         return statement
     row = SCALARS[statement.function]

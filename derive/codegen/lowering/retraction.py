@@ -23,7 +23,7 @@ EXPONENTIAL = Exponential()
 def retracted(
     trace: Geometry, scalars: Sequence[Number], delta: Sequence[Number], v: Sequence[Number], body: bool = False
 ) -> tuple[Vector, Number, Number, Vector]:
-    """Return the vector nearest v for exp(δ) R(v) or R(v) exp(δ), its factor times e0, its angle, and ρ."""
+    """Return the results of `nearest` for exp(δ) R(v) or, with `body`, R(v) exp(δ), and the product's ρ."""
     s, w, f, g, h = scalars
     *large, _, f1, g1, r1, r2, r3 = trace.apply(displacement, "{}_1", v)
     small = (s, *(w * Vector(*delta[:3])))
@@ -42,7 +42,7 @@ def exponential_scalars(trace: Geometry) -> Results:
 
 
 def nearest(trace: Geometry) -> Results:
-    """Vector φ(α) u of a quaternion e, its factor times e0, and the angle α, within π of v's own angle along u."""
+    """Vector ``factor · vec e = φ(α) u`` of a quaternion e, factor · e0, and α: the angle nearest v's along u."""
     point = Point(trace, (*trace.real_vector("v"), 0, 0, 0))
     e = Quaternion.from_components(trace.components("e", "e", 4))
     ss = trace.name("ss", e.vector.dot(e.vector))

@@ -104,7 +104,7 @@ def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Numb
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
-    """Return an angle α ≥ 0; an angle beyond the edge is reduced by whole turns to the nearest one in the chart."""
+    """Return α ≥ 0 unchanged up to the edge; beyond it, subtract the fewest whole turns that end in the chart."""
     if float(chart.edge) < math.pi:
         reason = f"ends at alpha = {chart.edge}, and poses that turn further, up to pi, have no v"
         raise PhiError(f"phi = {chart.phi} {reason}: {SYMBOLIC_ONLY}")

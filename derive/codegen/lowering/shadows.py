@@ -175,7 +175,7 @@ def from_exponential(trace: Geometry) -> Results:
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether the length is 0, then its square and itself; both are 1 at length 0, to avoid the root of 0."""
+    """Return whether |v| = 0, then |v|² and |v|; at |v| = 0 both are 1, to avoid the root of 0."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
     return resting, square, trace.name("length", trace.sqrt(square))

@@ -121,7 +121,7 @@ class PythonTarget:
         return printed_scalars(facts)
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
-        """Return the data for a chart's template for rotations, besides its description."""
+        """Return data for the template of a rotation module, in addition to `described`."""
         return {}
 
     def module(self, facts: Facts) -> Data:

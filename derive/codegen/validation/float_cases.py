@@ -89,14 +89,14 @@ class Case:
             return tuple(float(max(found)) for found in sums)
 
     def _moved(self, place: int, components: Sequence[int]) -> Flat:
-        """Return the change of the result, to first order, when components of an argument change by their own size."""
+        """Return ``Σ c · ∂result/∂c`` over some components c of an argument."""
         given = self.arguments
         stepped = tuple(c * (1 + STEP) if j in components else c for j, c in enumerate(given[place]))
         there = value(self.chart, self.row, self.branch, [*given[:place], stepped, *given[place + 1 :]])
         return tuple((b - a) / STEP for a, b in zip(self.result, there, strict=True))
 
     def _by_angle(self) -> list[Flat]:
-        """Return the change of a vector when its angle changes by its own size, if the program computes the angle."""
+        """Return the derivative of a vector by its angle, times the angle; empty if no angle is computed."""
         pose, result = self.row.pose or self.row, self.result
         if "coefficient" not in {call.function for call in geometry()[pose.kernel].calls} or pose.shape != (6,):
             return []

@@ -94,8 +94,7 @@ def by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]
 def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
     """Yield cases of poses in the form that the functions of a table take.
 
-    Rotations take the real parts. The first of several cases with equal real parts is kept: the identity, or a
-    translation along v.
+    Functions of rotations take the real parts. Only the first of several cases with equal real parts is kept.
     """
     seen = set()
     for case in cases:

@@ -92,7 +92,7 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """Value of x if beyond the limit, else an unused value beyond the limit."""
+        """Value of x beyond the limit; elsewhere, an unused number beyond it."""
         limit = self.chart.near.limit
         beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))

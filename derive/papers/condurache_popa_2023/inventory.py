@@ -1,4 +1,4 @@
-"""Inventory of further lines of the text, with the entries that decide them or the reason for no claim.
+"""Inventory of the text's other lines: the entries that decide each, or the reason why it has no claim.
 
 Blank lines, lines added by the journal and the reference list are omitted.
 """

@@ -1,8 +1,8 @@
 """Printed formulas as trees that are typeset, evaluated and mutated.
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
-build terms, so an entry reads like the formula. Operators are rows of the table in
-:mod:`derive.papers.language.notation`, quantities of symbols in :mod:`derive.papers.numbers.quantities`.
+build terms, so an entry reads like the formula. Module :mod:`derive.papers.language.notation` lists operators;
+:mod:`derive.papers.numbers.quantities` lists quantities of symbols.
 """
 
 from __future__ import annotations

@@ -203,7 +203,7 @@ def innermost(a: Any) -> Any:
 
 
 def integer_power(base: Any, exponent: int) -> Any:
-    """Return an integer power by the product of the base's type; a negative exponent inverts the base."""
+    """Return ``base^exponent`` by products of the base's type; a negative exponent inverts the base."""
     if exponent < 0:
         inverse = base.inverse() if isinstance(base, Quaternion | Tensor) else one_over(base)
         return integer_power(inverse, -exponent)

@@ -20,7 +20,7 @@ from .orders import cayley
 
 
 def proved(*numbers: int) -> Callable[[Env], bool]:
-    """Return the definition of the claim that proved theorems for every order state these equations."""
+    """Return a definition that is true if theorems for every order prove all these equations."""
     return lambda env: set(numbers) <= _proved_among(numbers)
 
 

@@ -66,7 +66,7 @@ def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
 
 
 def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on the moment of an axis along Re u: its displacement by α equals the one about u."""
+    """Return the condition on m: α about the axis ``Re u + ε m`` gives the same displacement as about u."""
     R = screw_tensor(env, alpha, u)
 
     def is_moment(m: Vector) -> bool:

@@ -19,7 +19,7 @@ for −q. The preimages are thus the real roots of :math:`F_n`. All roots are re
   :math:`F_n'` changes its sign, and so does :math:`G_n`: one root gives q, the next −q.
 
 Translations have Re s = 0: v may be taken along the displacement, and :math:`F_n` has nonzero roots from order 3 on.
-The only root at order 1 has the sign of c; the two roots at order 2 give q and −q if s ≠ 0.
+At order 1 the root gives q if c > 0, else −q. At order 2 the two roots give both, if s ≠ 0.
 
 The module checks the polynomial identities on which these steps and the induction on n depend.
 """
