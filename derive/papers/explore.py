@@ -121,7 +121,7 @@ def _truth(env: Env, statement: Term) -> bool | None:
 
 
 def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
-    """Yield, per denominator and symbol, the first multiple of the symbol that makes the denominator's real part 0."""
+    """Yield the first multiple of a symbol at which a denominator has real part 0, for each denominator and symbol."""
     for below in dict.fromkeys(denominators(statement)):
         for symbol in symbols(below):
             if symbol.quantity.name in SCALED and symbol not in env.definitions:

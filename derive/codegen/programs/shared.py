@@ -16,7 +16,7 @@ LEAST_SAVING = 10
 """Least number of printed lines that a helper saves."""
 
 HEAD = 5
-"""Number of printed lines of a helper besides its steps: comment, head, result, blank lines."""
+"""Number of printed lines of a helper in addition to its steps: comment, head, result, blank lines."""
 
 OPERATIONS_PER_CALL = 41
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
@@ -47,7 +47,7 @@ def _with_room(found: Mapping[str, Program], programs: Mapping[str, Program]) ->
 
 
 def _with_inline_zero(program: Program) -> Program:
-    """Return the program with each ``x - x`` that is read once inline, as in programs that do not name this zero."""
+    """Mark each ``x - x`` that is read once as inline, to match programs that do not name this zero."""
     reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
     zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
     once = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}

@@ -22,7 +22,7 @@ IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle, less the fewest whole turns that bring it down to the edge or below."""
+    """Return the angle less the fewest whole turns after which it does not exceed the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle

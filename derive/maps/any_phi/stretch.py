@@ -104,7 +104,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _worst(sized: Callable[[Angles], tuple[Angles, Angles]], angle: float) -> float:
-    """Return the largest singular value or inverse of one up to an angle; `sized` returns φ and φ′ of angles."""
+    """Return the largest of both singular values and their inverses up to an angle; `sized` returns φ and φ′."""
     at = np.linspace(0, angle, POINTS + 1)[1:]
     size, slope = sized(at)
     if not (np.all(size > 0) and np.all(slope > 0)):
