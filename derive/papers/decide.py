@@ -24,11 +24,11 @@ from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
 SHORT_DECIMALS = 1
-"""Decimals of the numbers drawn for a counterexample, if the statement also fails at such a point."""
+"""Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
 
 
 def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
-    """Compute the status of an entry of a paper, given by its slug and the characters lost by its text extraction.
+    """Return the result of an entry; ``paper`` is the paper's slug, ``lost`` the characters that its extraction lost.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
 
 
 def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """Return a point outside the condition where the statement is true and two symbols are special, if any.
+    """Return the first outcome outside the condition at which the statement is true, if any.
 
     Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
     raise if the statement has a value outside a condition that its denominators show to be sharp.
@@ -130,13 +130,13 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
 
 
 def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
-    """Prove a statement exactly; return the method, or None if no exact field has all its operations.
+    """Prove a statement exactly; return the method, or None if no exact field suits its operations and domain.
 
     Raise if the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
     order, branch, sign = (next((s for s in free if s.quantity is q), None) for q in (ORDER, BRANCH, SIGN))
-    # vectors with a magnitude first: the magnitude of the first vector is rational
+    # sort vectors whose magnitude occurs to the front: only the first vector has a rational magnitude
     lengths = {symbol for part in with_trait(Trait.LENGTH, statement) for symbol in entry.free(part)}
     generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
@@ -161,13 +161,13 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
 
 
 def _steps(statement: Term) -> int:
-    """Return an integer M such that all angles in the statement are multiples of angle/M."""
+    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
     divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
 def _checked(entry: Equation, statement: Term, point: Generic) -> bool:
-    """Return False if generic values lie outside the domain; else check the statement there and return True."""
+    """Return whether the generic values lie in the domain; if they do, raise unless the statement is true there."""
 
     def value(part: Term) -> Any:
         return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving).value(part)

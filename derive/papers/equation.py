@@ -62,7 +62,7 @@ class Equation:
     corrected: Term | None = None  # correction of an erratum
     because: Term | None = None  # identity that supports a statement for which points are only evidence
     argument: str = ""  # name of the module whose argument proves the statement from this identity
-    also: Points | None = field(default=None, compare=False)  # draws further values of free symbols, by name
+    also: Points | None = field(default=None, compare=False)  # draws the free symbols of further points, by label
     moving: bool = False  # whether the symbols are functions of time
     orders: tuple[int, ...] | None = None  # orders that the entry is about; all by default
     branches: int | None = None  # number of values of a branch symbol; n by default
@@ -79,7 +79,7 @@ class Equation:
         return {definition.symbol: definition for definition in self.where}
 
     def free(self, statement: Term) -> tuple[Symbol, ...]:
-        """Return the free symbols of a statement, of its domain and of the definitions that they use."""
+        """Return the free symbols of a statement, of the domain and condition, and of the definitions in use."""
         parts = (statement, *(part for part in (self.claimed, self.condition) if part is not None))
         found = list(dict.fromkeys(symbol for part in parts for symbol in symbols(part)))
         for symbol in found:

@@ -35,7 +35,7 @@ SCALED = ("dual vector", "dual number", "argument")
 
 Values = dict[Symbol, Any]
 Point = tuple[str, Values, bool]
-"""Label, values of all free symbols, and whether two symbols are special."""
+"""Label of a point, values of all free symbols there, and whether two symbols have special values."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int 
 
 
 def _points(entry: Equation, statement: Term, fixed: Values, draw: Draw, real: Draw) -> Iterator[Point]:
-    """Yield points at one order and branch: generic, special, from the entry, all real, poles, two special symbols."""
+    """Yield points at one order and branch: generic, one special symbol, the entry's, real, poles, two special."""
     free = [symbol for symbol in entry.free(statement) if symbol.quantity not in (ORDER, BRANCH)]
     special = [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
 
@@ -121,7 +121,7 @@ def _truth(env: Env, statement: Term) -> bool | None:
 
 
 def poles(statement: Term, env: Env) -> Iterator[tuple[str, Mapping[Symbol, Any]]]:
-    """Yield, per denominator and symbol, the first multiple of the symbol that makes the denominator's real part 0."""
+    """Yield the first multiple of a symbol at which a denominator has real part 0, for each denominator and symbol."""
     for below in dict.fromkeys(denominators(statement)):
         for symbol in symbols(below):
             if symbol.quantity.name in SCALED and symbol not in env.definitions:
@@ -177,7 +177,7 @@ def _sides(env: Env, statement: Term) -> tuple[list[str], ...]:
 
 
 def shown(value: Any) -> list[str]:
-    """Return all parts of a value as decimal numbers; none if the value does not consist of numbers."""
+    """Return the numbers of a value as decimals; an empty list if the value does not consist of numbers."""
     first = value.first if isinstance(value, Either) else value
     if isinstance(first, bool) or not isinstance(first, Structure | Pose | Dual | mpmath.mpf | int):
         return []

@@ -93,7 +93,7 @@ def composed(trace: Geometry) -> Results:
 
 
 def product(trace: Geometry, second: Numbers, first: Numbers) -> tuple[Numbers, Numbers, Numbers]:
-    """Return e and ρ of the composition of two displacements, and the sizes of both quaternions."""
+    """Return e and ρ of R(second) R(first), and the sizes of both quaternions."""
     *e2, size2, f, g, r1, r2, r3 = trace.apply(displacement, "{}_2", second)
     *e1, size1, _, _, s1, s2, s3 = trace.apply(displacement, "{}_1", first)
     found = trace.apply(composed, "{}", e2, f, g, second, (r1, r2, r3), e1, (s1, s2, s3))

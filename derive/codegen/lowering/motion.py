@@ -15,7 +15,7 @@ from .point import LAYOUTS, Geometry, Point, Results
 from .retraction import exponential_scalars, local
 
 HALF_TURN = 3
-"""Angle in rad: a motion about any axis reaches no whole turn if it begins below this angle and ends before one."""
+"""Bound of α at v1, in rad. A motion that begins below it and ends before a whole turn passes through no whole turn."""
 
 OWN_AXIS = 64
 """Limit of δ × v in units of |v| eps/2. Smaller values count as 0: the rounding of two quaternions and their product
@@ -81,7 +81,7 @@ class _Followed:
         still = name("still", trace.equal(sine, 0))
         angle = name("angle", where(still, sine, whole + 2 * half))
         size, slope = trace.ask("coefficient", (angle,), "n")
-        # the vector part keeps a turn whose square underflows to 0
+        # use the vector part even if its square underflows to 0
         least = 2 * slope / name("z0s", where(still, z.scalar, 1))
         turned = size / name("nosine", where(still, 1 + sine, sine))
         factor = name("factor", where(still, least, turned))

@@ -2,8 +2,8 @@
 
 A recipe is a function of a trace that returns the results of a program. A mapping gives the names of the results; other
 results are named by `LAYOUTS`. The recipe's name is the program's name, and its docstring the program's contract. The
-first paragraph describes the whole result, the second one the dual part. Names of dual parts end in ``o``, marked ° in
-formulas, or in °, which is not printed: ``rho1°`` becomes ``rho1``.
+first paragraph describes the whole result, the second one the dual part. Formulas mark dual parts by °. Names of dual
+parts end in ``o``, or in °, which is not printed: ``rho1°`` becomes ``rho1``.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def dual_tensor(entries: Sequence[Number]) -> Tensor:
 
 
 class Found(NamedTuple):
-    """Replacement of a pose program's result for rotations: a result, a given component, or a constant."""
+    """Source of a pose result in the program for rotations: a result number, an input name or a constant."""
 
     result: int | None = None
     given: str = ""

@@ -54,7 +54,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "coefficient": ("r = phi(alpha) and phi'", "", ()),
     "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
-"""Formulas by scalar program: a formula for every chart, one for order n, and the maps with cited equations."""
+"""Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited."""
 
 TABLE = ("limit", "cos", "sin")
 """Names of the numbers in one row of the table of returns."""

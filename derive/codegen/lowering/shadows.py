@@ -13,7 +13,7 @@ from .calculus import entries6
 from .point import TABLE, Geometry, Point, Results
 
 Axis = tuple[Number, Vector, Number, Vector]
-"""Magnitude and direction of a dual vector, followed by the dual parts of both."""
+"""Magnitude r and direction u of a dual vector, then their dual parts: ``(r, u, r°, u°)``."""
 
 
 def turn(trace: Geometry) -> Results:
@@ -71,7 +71,7 @@ def identity_jacobian(trace: Geometry) -> Results:
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
-    """Return |v| and v/|v|, then the dual parts of both."""
+    """Return r = |v|, u = v/r, r° and u°."""
     r, *found = trace.apply(axis_of, "{}", point.components)
     return r, Vector(*found[:3]), found[3], Vector(*found[4:])
 
@@ -182,6 +182,6 @@ def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:
-    """Return a vector scaled by ``share``, new over old length; ``slope`` is the derivative of the new length."""
+    """Return v times ``share``, the new length over the old; ``slope`` is the derivative of the new by the old."""
     bend = trace.name("bend", (slope - share) * point.y / square)
     return *(share * point.re), *(share * point.du + bend * point.re)

@@ -76,7 +76,7 @@ class Program:
 
     @property
     def context(self) -> str:
-        """Needed leading arguments: ``m`` (number functions) with ``c`` (the chart's scalars), ``m`` alone, or none."""
+        """Leading arguments: ``m`` (functions of numbers) and ``c`` (the chart's scalars), ``m`` alone, or none."""
         if any(not call.result or "c" in call.context for call in self.calls):
             return "m, c"
         functions = {*FUNCTIONS, "where"}.intersection(self.operations)

@@ -16,7 +16,7 @@ LEAST_SAVING = 10
 """Least number of printed lines that a helper saves."""
 
 HEAD = 5
-"""Number of printed lines of a helper besides its steps: comment, head, result, blank lines."""
+"""Number of printed lines of a helper in addition to its steps: comment, head, result, blank lines."""
 
 OPERATIONS_PER_CALL = 41
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
@@ -41,13 +41,13 @@ def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], d
 
 
 def _with_room(found: Mapping[str, Program], programs: Mapping[str, Program]) -> dict[str, Program]:
-    """Return the programs that may call another helper, given the original programs too."""
+    """Return the programs in ``found`` that may call one more helper, by the number of their original steps."""
     most = {name: len(program.steps) // OPERATIONS_PER_CALL for name, program in programs.items()}
     return {name: program for name, program in found.items() if len(program.calls) < max(most[name], 2)}
 
 
 def _with_inline_zero(program: Program) -> Program:
-    """Return the program with ``x - x`` inline if read once, as it is in programs that need no other zero."""
+    """Mark each ``x - x`` that is read once as inline, to match programs that do not name this zero."""
     reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
     zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
     once = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
@@ -86,9 +86,9 @@ def _written_out(program: Program) -> Steps:
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
-    """Return shared names without those that depend on other shared names through steps that are not shared.
+    """Return the shared names, less one of each pair whose second depends on the first through steps not shared.
 
-    Of two such names the later one is left out, or the earlier one if ``back``.
+    The second name of a pair is left out, or the first one if ``back``.
     """
     inside, outside, kept = set[Any](), set[Any](), set[str]()
     moved = {step.name for step in _moved(program, shared)}

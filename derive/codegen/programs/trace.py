@@ -204,7 +204,7 @@ METHODS = {"lt": "less", "eq": "equal", "and": "both", "or": "either"}
 
 
 def written_out(program: Program) -> Program:
-    """Return the program with calls of geometry programs written out; equal entries are computed once."""
+    """Return the program with calls of geometry programs written out; equal operations are recorded once."""
     trace = Trace()
     trace.name_rest("t")
     given = [value for argument, names in program.inputs for value in trace.inputs(argument, names)]

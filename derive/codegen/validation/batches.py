@@ -1,4 +1,4 @@
-"""Cases of every function of a chart, by function and branch, and the comparison of results with them."""
+"""Cases of a chart, grouped by function and branch, and the comparison of results with expected values."""
 
 from __future__ import annotations
 

@@ -28,9 +28,9 @@ SEED = 1863
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
     """Run the headers of a chart, one for each table; return the number of calls that equal the formula.
 
-    Algebraic functions run on symbols, others on numbers of 50 digits. All functions are called with ``geometry``, also
-    with results that overlap arguments, otherwise only `own_functions`. `ValidationFailed` names the function, or the
-    line that divides integers, leaves the bounds of an array or reads an unset cell.
+    Algebraic functions run on symbols, others on numbers of 50 digits. With ``geometry`` all functions are called, in
+    all array layouts; otherwise only `own_functions`. `ValidationFailed` names the function, or the line that divides
+    integers, leaves the bounds of an array or reads an unset cell.
     """
     headers = [inside(table, f"{chart.name}.h") for table in tables]
     try:
@@ -45,7 +45,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
 
 
 def check(unit: Unit, chart: Chart, given: Sequence[Batch], table: Table = POSES, layouts: bool = True) -> int:
-    """Compare both call forms of functions with their expected values, optionally in all layouts; return the count."""
+    """Compare functions in both call forms with the formulas, optionally in all layouts; return the number of calls."""
     count = 0
     with mpmath.workdps(decimals.DIGITS):
         for batch in given:
@@ -120,7 +120,7 @@ def _consecutive(cells: list[Any], start: int, sizes: Sequence[int]) -> list[Poi
 
 
 def _layouts(kernel: Kernel, chart: Chart, samples: Sequence[Sequence[Flat]]) -> int:
-    """Check that results stay bit-identical in rows, with overlapping arrays and with equivalent branch numbers."""
+    """Require bit-identical results in rows, overlapping arrays and equivalent branches; return the number of calls."""
     expected = [kernel.plain(arguments) for arguments in samples]
     room = sum(array.size for array in (*kernel.row.arguments, *kernel.row.results))
     for start in range(room):

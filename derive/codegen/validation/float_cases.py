@@ -1,9 +1,9 @@
 """Seeded cases in floating-point numbers, for replays on floats and for differential tests of compiled code.
 
 Arguments are exact floats or numbers that round to floats. Expected results come from the formula to 50 digits. Each
-real or dual part of a result has an error scale: its norm or, if larger, its change when arguments change by their own
-size. Forward maps are linear in dual components: these are varied one by one, each further argument as a whole. Inverse
-maps have every component varied. The angle is varied, too, if the program computes a vector from it.
+real or dual part of a result has an error scale: its norm or, if larger, a sum of norms of derivative times value.
+Inverse maps have one term for each component. Forward maps are linear in dual components, and have one sum over these
+and one over all further arguments, each as a whole. A vector computed from an angle also has a term for the angle.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ GRID = 2**18
 """Grid steps of arguments per unit: few enough for float32 to hold arguments exactly."""
 
 SMALL = 2.0**-8
-"""Size of the small quaternion components: rows of the rotation matrix that belong to them lose 16 bits."""
+"""Size of the small quaternion components: their rows of 4 q qᵀ lose 16 bits."""
 
 ORDINARY = 4
 """Number of screws for derivatives: the first ones from `covering`, which are far from every selection."""
@@ -116,7 +116,7 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[Case]:
         at = vectors_of(chart)
         calls = ((table.sources.get(name), branch, given) for name, branch, given in _calls(at, random.Random(SEED)))
         found = [Case(at, row, branch, row.restricted(given)) for row, branch, given in calls if row]
-        found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # φ of a small range has no v there
+        found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge
     names = list(table.functions)
     return tuple(sorted(found, key=lambda case: names.index(case.function)))
 
@@ -157,7 +157,7 @@ def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
         yield from _on_branch(screw, 0, v)
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws
-        for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # for some φ none is finite
+        for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # perhaps none
             v, v_k = (_short(flat(chart.at(screw, k))) for k in (0, branch))
             yield from _on_branch(screw, branch, v)
             for name in ("principal", "to_screw", "angle", "to_exponential"):

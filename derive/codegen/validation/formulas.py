@@ -226,7 +226,7 @@ ALGEBRAIC: Mapping[str, Value] = {
 
 
 def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
-    """Yield every algebraic function of a table on symbols, and `from_quaternion` if it needs only roots."""
+    """Yield a case on symbols for every algebraic function of a table, and for `from_quaternion` if roots suffice."""
     for name in filter(table.sources.__contains__, ALGEBRAIC):
         maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
         yield (case := _on_symbols(chart, table.sources[name], *maps))
@@ -244,7 +244,7 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
 
 
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
-    """Return the value of an algebraic function; rotations take its real part, at dual parts ``zero``."""
+    """Return the value of an algebraic function; for rotations, its real part with ``zero`` for all dual parts."""
     return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
 
 

@@ -22,7 +22,7 @@ IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
 def reached(chart: Vectors, angle: Dual) -> Dual:
-    """Return the angle reduced by whole turns until it is below the edge."""
+    """Return the angle less the fewest whole turns after which it does not exceed the edge."""
     while angle.re > chart.edge:
         angle = angle - 2 * mpmath.pi
     return angle
@@ -84,7 +84,7 @@ def _local(body: bool, chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
 def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
     """Return the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
 
-    The branch is chosen so that the angle is nearest to the projection of α u onto the new axis.
+    The branch is chosen so that the new angle is nearest to the projection of v's own α u onto the new axis.
     """
     small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
     q = here * small if body else small * here

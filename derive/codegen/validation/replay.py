@@ -41,13 +41,13 @@ BLOCK = 7
 """Block size of a replay: small, so that test batches fill several blocks and end with a shorter one."""
 
 CASES_MAX = 4
-"""Largest number of cases of a function and branch: one for each matrix row from which a quaternion may be read."""
+"""Largest number of cases of a function and branch: one for each row of 4 q qᵀ from which a quaternion may be read."""
 
 TOLERANCE = 1 / 2
 """Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
 
 GATE = 16
-"""Largest error of any result, in units of the machine epsilon times the scale of the case."""
+"""Largest error of an ill-conditioned result, in units of the machine epsilon times the scale of the case."""
 
 TOLERANCE_SAME = 1e-6
 """Largest relative difference between two calls on the same numbers: some eps of float32."""
@@ -91,8 +91,8 @@ def replay(
 ) -> int:
     """Call the functions of a package on floats; return the number of calls that agree with the formulas of a chart.
 
-    ``source`` is a folder or the name of a package that can be imported. All functions are called with ``geometry``,
-    and one of each kind also in all array layouts, otherwise only `own_functions`.
+    ``source`` is a folder or the name of a package that can be imported. With ``geometry`` all functions are called,
+    and one of each kind also in all array layouts; otherwise only `own_functions`.
     `ValidationFailed` names the first wrong component.
     """
     if not libraries:
@@ -251,7 +251,7 @@ def _long(rows: Sequence[Sequence[Any]]) -> Array:
 
 
 def _turned(array: Array, leading: int, axis: int) -> Array:
-    """Return the array; for ``axis=0`` move its leading axes behind the others."""
+    """Return the array with its leading axes moved behind the others for ``axis=0``, or unchanged for −1."""
     if axis == -1:
         return array
     return np.ascontiguousarray(np.moveaxis(array, range(leading), range(array.ndim - leading, array.ndim)))

@@ -33,8 +33,8 @@ ANGLE_ROUNDING = 2 * sys.float_info.epsilon
 def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table] = (POSES,)) -> int:
     """Compare the modules of a chart, one for each table, with its formulas; return the number of calls that agree.
 
-    All functions are called with ``geometry``, which also tests the geometry programs that all charts share; otherwise
-    only `own_functions` are called. `ValidationFailed` names the function and the first wrong component.
+    With ``geometry`` all functions are called, which also tests the geometry programs that all charts share; otherwise
+    only `own_functions`. `ValidationFailed` names the function and the first wrong component.
     """
     with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)

@@ -32,7 +32,7 @@ from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 SEED = 2011
 
 SMALL = 1e-21 / 7
-"""Size of the small quaternion components: rows of the rotation matrix that belong to them keep 28 digits.
+"""Size of the small quaternion components: their rows of 4 q qᵀ keep 28 digits.
 
 The factor 1/7 prevents sums from being exact."""
 
@@ -112,7 +112,7 @@ def _part(row: Function, case: Expectation) -> Flat:
     return row.part(case.result)
 
 
-@lru_cache(maxsize=1)  # the table of rotations takes the real parts next
+@lru_cache(maxsize=1)  # the table of rotations reuses the cases of poses
 def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
     return tuple(_cases(chart, random.Random(SEED)))
 

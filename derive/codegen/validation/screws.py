@@ -1,6 +1,6 @@
 """Seeded screws on which kernels take every side of every selection.
 
-Kernels read the quaternion of a rotation matrix from one of four rows: the row of the largest component. One screw
+Kernels compute 4 q qᵀ from a rotation matrix, and take the row of the largest component as a multiple of q. One screw
 for each row makes the row's component largest, with axes of both signs and angles below and beyond a quarter turn.
 Another screw makes all other components small: the other rows lose their digits, which reveals a wrong selection.
 """

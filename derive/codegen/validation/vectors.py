@@ -164,7 +164,7 @@ class Vectors:
         return self.chart.branches - branch if self.chart.branches else -branch
 
     def of_quaternion(self, q: Quaternion, branch: int = 0) -> Vector:
-        """Return v on a branch from q or −q, with scalar part >= 0; a scalar part 0 selects q itself."""
+        """Return v on a branch from q if its scalar part is >= 0, else from −q."""
         return self.at(screw_of_quaternion(q), branch)
 
     def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
@@ -183,7 +183,7 @@ class Vectors:
         angle = self.angle(length)
         halves = angle.re / mpmath.pi
         exact = is_whole(halves)
-        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # ties to even: same sin(α/2)
+        turns = int(mpmath.nint((mpmath.nint(halves) if exact else halves) / 2))  # ties to even keep sin(α/2)
         rest = (mpmath.nint(halves) - 2 * turns) * mpmath.pi if exact else angle.re - 2 * turns * mpmath.pi
         sign = orientation(rest, angle.du)
         return Screw(Dual(rest, angle.du) * sign, u * sign), turns * sign
@@ -221,7 +221,7 @@ _vectors = lru_cache(maxsize=4)(Vectors)
 
 
 def screw_of_quaternion(q: Quaternion) -> Screw:
-    """Return the screw of q or −q, with scalar part >= 0; a scalar part 0 selects q itself."""
+    """Return the screw of q if its scalar part is >= 0, else of −q."""
     q = q * orientation(real_part(q.scalar))
     length, u = polar(q.vector)
     return Screw(2 * atan2(length, q.scalar), u)

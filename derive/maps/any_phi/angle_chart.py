@@ -77,7 +77,7 @@ class AngleChart(QuaternionChart):
         return order_charts.by_length(self.phi_derivatives(angle, m), after, m)
 
     def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        """Return whether α exceeds half a turn, and the turn back to the principal angle."""
+        """Return whether α > π, and the turn back to the principal angle as the pair (1, angle)."""
         selected, (one, _) = order_charts.beyond(x, table, m)
         at, r = self.scalars(x, m), m.name("rx", m.sqrt(x))
         s, sine = at.s, m.name("sine", at.w * r)
@@ -89,7 +89,7 @@ class AngleChart(QuaternionChart):
         return mpmath.mpf(1), 2 * branch * mpmath.pi
 
     def returns(self) -> tuple[tuple[Any, Any, Any], ...]:
-        """Return one row: x at half a turn, and a turn of 0, since `beyond` computes the turn back."""
+        """Return one row, of x at α = π and a turn of 0 that `beyond` replaces; none if the edge is at most π."""
         if self.edge <= sympy.pi:
             return ()
         return ((order_charts.square(self.phi, sympy.pi), *self.turn(0)),)

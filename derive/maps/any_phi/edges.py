@@ -175,7 +175,7 @@ def _unwound(phi: sympy.Expr) -> sympy.Expr | None:
 
 
 def _root(phi: sympy.Expr) -> sympy.Expr | None:
-    """Return the inverse of an algebraic φ, from α² as the root of a quadratic."""
+    """Return the inverse if φ² is a quotient of quadratics in α², else None."""
     y = sympy.Dummy("y", positive=True)
     above, below = sympy.fraction(sympy.together((phi**2).subs(alpha, sympy.sqrt(y))))
     if not (above.is_polynomial(y) and below.is_polynomial(y)):

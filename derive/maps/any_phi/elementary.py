@@ -14,7 +14,7 @@ from ...algebra import Coefficient, functions, real_part
 from ..pose import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
-"""Functions that a library may provide besides sqrt."""
+"""Functions that a library may provide in addition to sqrt."""
 
 QUOTIENTS = {sympy.tan: (sympy.sin, sympy.cos), sympy.cot: (sympy.cos, sympy.sin)}
 

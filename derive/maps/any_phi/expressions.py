@@ -116,7 +116,7 @@ class _Builder:
 
 
 def parity(expression: sympy.Expr) -> int | None:
-    """Return −1 if the structure of an expression is odd in α, 1 if it is even, None if undecided."""
+    """Return −1 if the structure of an expression shows that it is odd in α, 1 if even, None if undecided."""
     if expression == alpha:
         return -1
     if alpha not in expression.free_symbols:
@@ -138,7 +138,7 @@ def parity(expression: sympy.Expr) -> int | None:
 
 
 def multiple_of_known(phi: sympy.Expr) -> Form | None:
-    """Return the form of φ; None for any other function."""
+    """Return the `Form` of a known φ; None for any other φ."""
     if phi.is_rational_function(alpha):
         factor = sympy.cancel(phi / alpha)
         return (_fraction(factor), None, 1) if _is_positive_rational(factor) else None

@@ -68,7 +68,7 @@ class Closed(Guess):
             raise PhiError(f"{self.inverse} divides by zero at alpha = {mpmath.nstr(mpmath.sqrt(x), 5)}") from None
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the guess; beyond the edge, where logarithms and roots are undefined, the guess at length 0."""
+        """Return the guess; a length beyond the edge is replaced by 0, since the inverse may be undefined there."""
         if mpmath.isfinite(self.size):
             r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
         return Lowering(r, m).at(self.inverse)

@@ -101,7 +101,7 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def far_angle(self) -> Coefficient:
-        """Angle α beyond the limit."""
+        """Angle α beyond the limit; elsewhere, an unused angle."""
         return self.chart.far_angle(self._square, self._length, self.m)
 
     def angle_of(self, r: Coefficient) -> Coefficient:

@@ -58,7 +58,7 @@ class Polynomial:
 
     @property
     def _is_long(self) -> bool:
-        """Tell whether this is a constant with several levels; its powers of two exceed the float32 integers."""
+        """Tell whether this is a constant with several levels, whose powers of two exceed the integers of float32."""
         return not any(any(level[1:]) for level in self.levels) and any(any(level) for level in self.levels[1:])
 
     @property

@@ -82,7 +82,7 @@ def best(angle: float, degrees: Sequence[int] = (3, 5)) -> Iterator[Best]:
 
     Among tangents ``2n tan(α/2n)`` the limit α is best: the worst stretch is at least ``φ(A)/(2 sin(A/2))``, and
     tangents have ``φ(A) > A``. Among sines ``c sin(α/c)`` this quotient falls and ``1/φ′(A)`` grows as c decreases.
-    The best c makes both equal: c = 4 for every A. Lambert's chart has the values ``1/cos(α/4)`` and ``cos(α/4)``.
+    The best c makes both equal: c = 4 for every A. Lambert's chart has singular values ``1/cos(α/4)``, ``cos(α/4)``.
     """
     yield Best("2n tan(α/2n), n without bound", "alpha", _worst(lambda at: (at, np.ones_like(at)), angle))
     c = _rounded(_golden(lambda c: _worst(partial(_sine, c), angle), 2 / math.pi * angle, 2 * angle + 8))
@@ -104,7 +104,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _worst(sized: Callable[[Angles], tuple[Angles, Angles]], angle: float) -> float:
-    """Return the greatest of both singular values and their inverses; `sized` returns φ and φ′ of angles."""
+    """Return the largest of both singular values and their inverses up to an angle; `sized` returns φ and φ′."""
     at = np.linspace(0, angle, POINTS + 1)[1:]
     size, slope = sized(at)
     if not (np.all(size > 0) and np.all(slope > 0)):

@@ -20,7 +20,7 @@ from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def plain(f: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the definition given by a function that needs only values."""
+    """Return the function of a `Definition` that ignores the environment and applies f to the values."""
     return lambda env, *arguments: f(*arguments)
 
 

@@ -24,7 +24,7 @@ class Trait(Flag):
     """Properties of an operator in addition to its value."""
 
     NONE = 0
-    DELICATE = auto()  # its value can change at special values of symbols
+    DELICATE = auto()  # an identity at generic values may fail at special values
     APART = auto()  # takes the real or the dual part
     RATE = auto()  # derivative in time
     TRANSCENDENTAL = auto()  # not composed of powers, roots and quotients
@@ -40,7 +40,7 @@ class Operator:
 
     name: str
     latex: str  # template with ``{0}``, ``{1}`` …; for a list of any length, only the separator
-    text: str  # similar template for the extracted characters
+    text: str  # template of the characters in the extracted text
     level: int  # binding strength of the result
     slots: tuple[int, ...]  # least level of each argument without brackets; the last slot serves all further arguments
     value: Callable[..., Any]  # function ``value(env, *arguments)`` of values, or of terms if `lazy`

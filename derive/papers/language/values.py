@@ -31,7 +31,7 @@ class Either:
 
 @dataclass(frozen=True)
 class Solution:
-    """Condition in place of a value; a value equals it if it satisfies the condition."""
+    """Condition in place of a value: `equal` is true for every value that satisfies the condition."""
 
     test: Callable[[Any], bool]
 
@@ -55,7 +55,7 @@ class Map:
     preimages: Callable[[Any], list[Any]]
 
     def reaches(self, field: Field, target: Any) -> int:
-        """Return the number of distinct preimages of a target; for ±, use the first sign that has any."""
+        """Return the number of distinct preimages of a target; for ±, of the first value that has a preimage."""
         if isinstance(target, Either):
             return self.reaches(field, target.first) or self.reaches(field, target.second)
         try:

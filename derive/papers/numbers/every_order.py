@@ -23,7 +23,7 @@ from .fields import Exact, one_over
 
 
 class EveryOrder(Exact):
-    """Rational functions with powers of exponent ``a n + b`` of 1 + X², 1 + v and their multiples.
+    """Field of rational functions that contains powers ``a n + b`` of 1 + X², 1 + v and their multiples.
 
     There is one vector v = X u of magnitude X, and one angle α = 2nθ. Multiples are products with 2n or with the symbol
     `scale`; their powers are further independent symbols.
@@ -64,7 +64,7 @@ class EveryOrder(Exact):
         raise NotExactError("powers with exponent n of numbers other than 1 + v²")
 
     def _quaternion(self, base: Quaternion, exponent: Element) -> Quaternion:
-        """Return a power of c + v = c (1 + X u)."""
+        """Return a power of ``c (1 + X u)``, or a root if the exponent is a multiple of 1/n."""
         try:
             self._linear(exponent)
         except NotExactError:

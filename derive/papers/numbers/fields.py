@@ -80,7 +80,7 @@ class Field:
         raise NotExactError("arc tangent")
 
     def magnitude(self, v: Vector) -> Any:
-        """Return the magnitude of a vector; ``ε |a°|`` for a dual one with real part zero."""
+        """Return the magnitude of a vector; ``ε |a°|`` for a dual vector ``ε a°``."""
         square = v.dot(v)
         if isinstance(square, Dual):
             zero = square.re == 0 if isinstance(square.re, Dual) else self.vanishes(square.re)
@@ -89,7 +89,7 @@ class Field:
         return self.sqrt(square)
 
     def power(self, base: Any, exponent: Any) -> Any:
-        """Return a power: integer for any value, rational for a quaternion or a number."""
+        """Return a power with an integer exponent, or with a rational exponent for a quaternion or number."""
         if isinstance(exponent, Fraction) and exponent.denominator == 1:
             exponent = int(exponent)
         if isinstance(exponent, int):

@@ -28,7 +28,7 @@ STEPS = 4  # sine and cosine of multiples of α/4 are exact
 class Generic:
     """Generic values of some free symbols.
 
-    Coefficients are dual and carry rates by `dual` and `moving`, as in `derive.papers.language.evaluation.Env`.
+    Coefficients are dual if `dual` and carry rates if `moving`, as in `derive.papers.language.evaluation.Env`.
     Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen along the vectors if `framed`. With the
     symbol `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """
@@ -100,7 +100,7 @@ class Generic:
         return sphere(self.number(name, 0), self.number(name, 1, zero if in_plane else None))
 
     def turn(self, name: str) -> Quaternion:
-        """Return a unit quaternion from half angle and axis, or a normalized square if the field lacks the angle."""
+        """Return a unit quaternion: from half angle and axis, or ``q²/|q|²`` if the field lacks the angle."""
         if self.moving:
             raise NotExactError("a moving displacement: give it by a definition")
         if name in self.field.functions.angles:
