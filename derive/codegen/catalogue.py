@@ -69,7 +69,7 @@ def chart_of(line: str) -> Chart | None:
 
 
 def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
-    """Yield the charts of modules in a folder whose first line is the command that generates them."""
+    """Yield the charts whose modules in a folder begin with the command that generates them."""
     for path in sorted(folder.glob(f"*.{target.extension}")):
         line = files.header_command(path) or ""
         chart = chart_of(line)

@@ -172,6 +172,6 @@ def _is_law(equation: Equation, index: sympy.Expr, values: Iterable[sympy.Expr])
 
 
 def _laws(premises: Iterable[Premise], index: sympy.Expr, value: sympy.Expr) -> dict[sympy.Expr, sympy.Expr]:
-    """Return the right sides of the premises ``[u](index -> value) = right side``, by u."""
+    """Map u to the right side of each premise ``[u](index -> value) = right side``."""
     equations = (premise.equation for premise in premises)
     return {e.left.args[0]: e.right for e in equations if _is_law(e, index, (value,))}

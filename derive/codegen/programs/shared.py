@@ -86,9 +86,9 @@ def _written_out(program: Program) -> Steps:
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
-    """Return the shared names, less one of each pair whose second depends on the first through steps not shared.
+    """Return the shared names, less each that depends on another through steps not shared.
 
-    The second name of a pair is left out, or the first one if ``back``.
+    If ``back``, leave out that other name instead.
     """
     inside, outside, kept = set[Any](), set[Any](), set[str]()
     moved = {step.name for step in _moved(program, shared)}
@@ -112,10 +112,10 @@ def _assigned(statement: Statement) -> tuple[str, ...]:
 def _moved(program: Program, shared: set[str]) -> list[Step]:
     """Return the steps of shared names, with the inline steps inside them."""
     needed, found = set[Any](shared), []
+    inline = {step.name for step in program.steps if step.inline}
     for step in reversed(program.steps):
         if step.name in needed:
             found.append(step)
-            inline = {other.name for other in program.steps if other.inline}
             needed |= inline.intersection(step.args)
     return found[::-1]
 
@@ -130,7 +130,7 @@ def _helper(name: str, program: Program, shared: set[str], callers: Sequence[Pro
 
 
 def _read_elsewhere(program: Program, shared: set[str]) -> set[Any]:
-    moved = _moved(program, shared)
+    moved = set(_moved(program, shared))
     return {arg for other in program.statements if other not in moved for arg in other.args} | set(program.outputs)
 
 

@@ -67,7 +67,7 @@ def interface(row: Function, table: Table) -> Data:
 
 
 def level(program: Program) -> int:
-    """Return the level of ``math.h`` that a program needs, without its scalars."""
+    """Return a program's level of ``math.h``, its scalar programs left out."""
     own = (LEVELS.get(op, 0) for op in program.operations)
     return max((*own, *map(level, program.called)), default=0)
 

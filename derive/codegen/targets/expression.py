@@ -152,7 +152,7 @@ def unpacked(names: Sequence[str], value: str) -> str:
 def _with_lists(
     outputs: Sequence[Operand], named: Collection[tuple[Operand, ...]]
 ) -> Iterator[Operand | tuple[Operand, ...]]:
-    """Yield outputs; consecutive components that make a whole list are one tuple."""
+    """Yield outputs; consecutive ones that form a named list are one tuple."""
     lengths = sorted({len(names) for names in named}, reverse=True)
     place = 0
     while place < len(outputs):

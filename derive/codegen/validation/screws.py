@@ -37,9 +37,9 @@ def covering(draw: random.Random, small: float) -> Iterator[Screw]:
 
 
 def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
-    """Yield one screw for each row; its other components are small, each ``ratio`` times the one before.
+    """Yield a screw for each row: quaternion ±1 in that component, ``small · ratioⁱ`` in others, up to scale.
 
-    The first screw has a tiny angle and no translation along its axis, which would swamp the digits of the axis.
+    The first screw's angle is tiny; translation along its axis, here 0, would swamp the axis's digits.
     """
     for row in range(4):
         e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]

@@ -134,7 +134,7 @@ def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
 def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Equation, ...]:
     """Return the entries about Cayley transforms of an order that are rotations, translations, or neither.
 
-    `slope` is the vector ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u`` divided by ``v · v⁰ v``.
+    `slope` is s in ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u = s (v · v⁰) v``, v real.
     """
     where = (let(R, orders.at_order(order, orders.rotation), v), *TYPES, let(Q, motions.rotation_of, R),
              let(rho, motions.displacement_of, R), let(v_re, real_of, v), let(v_du, dual_of, v))
