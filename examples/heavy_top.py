@@ -30,9 +30,7 @@ MOMENTUM = np.block([[ZERO, MASS * UNIT], [INERTIA, ZERO]])  # from twist [ω, v
 REACTION = np.vstack([UNIT, np.cross(ARM, UNIT)])  # from force at the fixed point, −ARM in the step's frame, to wrench
 AM, AF, GAMMA, BETA = 1 / 3, 4 / 9, 11 / 18, 25 / 81  # generalized-α of spectral radius 0.8
 TOLERANCE = 1e-11  # of the balance; a = v/(βh²) has a rounding error of 3e-13 of itself for h = 0.5 ms
-
-# Twist, its derivative and the algorithm's a are in the body frame, the reaction (N) is in space.
-State = namedtuple("State", "pose twist accel a reaction")
+State = namedtuple("State", "pose twist accel a reaction")  # twist, its derivative, a: body frame; reaction: space, N
 
 
 def euler(_: float, y: np.ndarray) -> np.ndarray:
@@ -69,8 +67,8 @@ def balance(chart: Any, state: State, v: np.ndarray, force: np.ndarray, h: float
 def simulate(chart: Any, h: float, end: float, full: bool = True) -> tuple[list[State], float]:
     """Return the states and the mean number of Newton iterations, with or without cotangent Jacobians."""
     scale, steps, total = chart.tangent(np.zeros(6))[0, 0, 0], round(end / h), 0
-    accel = euler(0, np.concatenate([UNIT.ravel(), SPIN]))[9:]
-    twist, accel = (np.concatenate([a, np.cross(a, ARM)]) for a in (SPIN, accel))
+    at_start = SPIN, euler(0, np.concatenate([UNIT.ravel(), SPIN]))[9:]
+    twist, accel = (np.concatenate([a, np.cross(a, ARM)]) for a in at_start)
     states = [State(np.block([[UNIT, ARM[:, None]], [0, 0, 0, 1]]), twist, accel, accel, np.zeros(3))]
     while len(states) <= steps:
         state, Q = states[-1], states[-1].pose[:3, :3]
@@ -98,8 +96,7 @@ def main(argv: Sequence[str] | None = None) -> None:
     for name, h in product(CHARTS, STEPS):
         (states, count), (_, plain) = (simulate(CHARTS[name], h, options.end, full) for full in (True, False))
         energy = np.array([s.twist @ np.roll(MOMENTUM @ s.twist, 3) / 2 - WEIGHT @ s.pose[:3, 3] for s in states])
-        error, drift = np.linalg.norm(states[-1].pose[:3, 3] - Q @ ARM), energy / energy[0] - 1
-        found[name, h] = error, drift
+        error, drift = found[name, h] = np.linalg.norm(states[-1].pose[:3, 3] - Q @ ARM), energy / energy[0] - 1
         print(f"{name:11} {1e3 * h:7} {error:10.2e} {np.linalg.norm(states[-1].reaction - reaction):15.2e}", end="")
         print(f" {np.ptp(drift):14.1e} {count:11.2f} {plain:18.2f}")
     if options.figure:
@@ -111,7 +108,9 @@ def main(argv: Sequence[str] | None = None) -> None:
             left.loglog(STEPS, [found[name, h][0] for h in STEPS], "o-", label=name)
             right.plot(np.linspace(0, options.end, len(found[name, 1e-3][1])), found[name, 1e-3][1], label=name)
         left.loglog(STEPS, np.square(STEPS) * 1e5, "k:", label="order 2")
-        left.set(xlabel="step h (s)", ylabel="error of the centre of mass (m)")
+        left.set(xlabel="step h (ms)", ylabel="error of the centre of mass (m)")
+        left.set_xticks(STEPS, [f"{1e3 * h:g}" for h in STEPS])
+        left.tick_params(axis="x", which="minor", labelbottom=False)
         right.set(xlabel="time (s)", ylabel="relative change of energy, h = 1 ms")
         left.legend()
         figure.savefig(options.figure, dpi=110, metadata={"Software": None})
