@@ -17,7 +17,7 @@ class Array:
     """Named array of components; ``part_of`` gives the part (real, dual and so on) of each component.
 
     The array of rotations alone keeps the first ``real`` components along every axis, named ``real_name`` if given.
-    ``real`` is None if rotations have no such array.
+    ``real`` is None if rotations have no such array. A ``vector`` is a vector v of the chart, which ends at its edge.
     """
 
     name: str
@@ -25,6 +25,7 @@ class Array:
     part_of: tuple[int, ...]
     real: tuple[int, ...] | None = None
     real_name: str = ""
+    vector: bool = False
 
     @property
     def size(self) -> int:
@@ -52,7 +53,8 @@ class Array:
     @property
     def of_rotation(self) -> Array:
         """Return the corresponding array of rotations alone."""
-        return Array(self.real_name or self.name, self.real or (), tuple(0 for _ in self.places), self.real)
+        parts = tuple(0 for _ in self.places)
+        return Array(self.real_name or self.name, self.real or (), parts, self.real, vector=self.vector)
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,7 +33,8 @@ def _jacobian(name: str) -> Array:
     return Array(name, (6, 6), (0,) * 18 + (1, 1, 1, 0, 0, 0) * 3, real=(3, 3))
 
 
-V, OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("v", "omega", "v_dot", "line", "v_k", "moved", "v_back"))
+V = replace(_dual("v"), vector=True)
+OMEGA, V_DOT, LINE, SHADOW, MOVED, BACK = map(_dual, ("omega", "v_dot", "line", "v_k", "moved", "v_back"))
 AXIS = replace(LINE, real_name="u")
 OMEGA_DOT, V_DDOT, WRENCH, MOMENTUM = map(_dual, ("omega_dot", "v_ddot", "z", "tau"))
 DELTA, MOVED_V, LOGARITHM = map(_dual, ("delta", "v_moved", "w"))
@@ -98,6 +99,8 @@ _ROWS = (
     *_both_frames("rate_dot", (V, OMEGA, OMEGA_DOT), V_DDOT, calculus.rate_dot),
     *_both_frames("twist_jacobian", (V, V_DOT), JACOBIAN, calculus.twist_jacobian),
     *_both_frames("rate_jacobian", (V, OMEGA), JACOBIAN, calculus.rate_jacobian),
+    Function("transition", (V, V.called("v0")), (JACOBIAN,), groups.transition, constants=BODY),
+    Function("body_transition", (V, V.called("v0")), (JACOBIAN,), None, constants=SPACE, shares="transition"),
     Function("cotangent", (V, WRENCH), (MOMENTUM,), None, constants=BODY, shares="twist"),
     Function("body_cotangent", (V, WRENCH), (MOMENTUM,), None, constants=SPACE, shares="twist"),
     Function("cotangent_jacobian", (V, WRENCH), (JACOBIAN,), None, constants=BODY, shares="twist_jacobian"),

@@ -20,6 +20,8 @@ NEAR_ZERO = Fraction(1, 10**30)
 class Ring(RationalFunctions):
     """Rational functions of the components v1, v2, v3 of a vector ``v``, of its square ``x``, and of further symbols.
 
+    A second vector w has the components w1, w2, w3 and the square ``y``.
+
     Parameters
     ----------
     extra : sequence of str
@@ -29,17 +31,24 @@ class Ring(RationalFunctions):
         square root. With 0, the generator is x.
     backend : {"flint", "sympy"}, optional
         Library for the polynomials; by default python-flint if installed.
+    vectors : str
+        Letters of the vectors, "v" or "vw". The root of the second vector is t.
     """
 
-    def __init__(self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None) -> None:
-        generator = "s" if root else "x"
+    def __init__(
+        self, extra: Iterable[str] = (), root: int = 0, backend: str | None = None, vectors: str = "v"
+    ) -> None:
+        generators = ("st" if root else "xy")[: len(vectors)]
         small = 1 + NEAR_ZERO * (1 if root > 0 else -1) if root else NEAR_ZERO
-        super().__init__(["v3", "v2", "v1", *extra, generator], {generator: small}, backend)
-        self.root, self.generator = root, self.symbol(generator)
-        self.v = self.symbol("v1"), self.symbol("v2"), self.symbol("v3")
-        self.x = (self.generator**2 - 1) * root if root else self.generator
-        v1, v2, v3 = self.v
-        self.relations.append((v3**2 + v2**2 + v1**2 - self.x).numerator)
+        components = [f"{letter}{i}" for letter in vectors for i in (3, 2, 1)]
+        super().__init__([*components, *extra, *generators], dict.fromkeys(generators, small), backend)
+        roots = [self.symbol(generator) for generator in generators]
+        self.root, self.generator = root, roots[0]
+        self.squares = [(s**2 - 1) * root if root else s for s in roots]
+        self.v, self.x = (self.symbol("v1"), self.symbol("v2"), self.symbol("v3")), self.squares[0]
+        for letter, square in zip(vectors, self.squares):
+            c1, c2, c3 = (self.symbol(f"{letter}{i}") for i in (1, 2, 3))
+            self.relations.append((c3**2 + c2**2 + c1**2 - square).numerator)
 
     def derivative(self, element: Element, name: str) -> Element:
         """Return a partial derivative.
@@ -50,20 +59,25 @@ class Ring(RationalFunctions):
         name : str
             A component or an extra symbol, or ``"x"`` for the square x with all components fixed.
         """
-        by_x = 1 / (2 * self.root * self.generator) if self.root else self.constant(1)  # s² = 1 + x/k
-        last = len(self.names) - 1
         if name == "x":
-            return element.derivative({last: by_x})
-        rates = {self.index(name): self.constant(1)}
+            return self._by_square(element, 0)
+        slope = element.derivative({self.index(name): self.constant(1)})
         if name in ("v1", "v2", "v3"):  # x = v·v depends on v1: its derivative is 2 v1
-            rates[last] = 2 * self.symbol(name) * by_x
-        return element.derivative(rates)
+            slope += 2 * self.symbol(name) * self._by_square(element, 0)
+        return slope
+
+    def _by_square(self, element: Element, place: int) -> Element:
+        """Return the derivative by the square of a vector with all components fixed."""
+        generator = len(self.names) - len(self.squares) + place
+        s = Element(self, self.library.generators[generator], self.library.one)
+        by_square = 1 / (2 * self.root * s) if self.root else self.constant(1)  # s² = 1 + x/k
+        return element.derivative({generator: by_square})
 
     def derivatives(self, expression: Any, symbol: Any, square: Element, order: int) -> list[Element]:
         """Return an expression at ``symbol = square``, followed by its derivatives by the symbol up to an order."""
-        if square != self.x:
-            raise ValueError(f"derivatives are by the square of v, not by {square!r}")
+        if square not in self.squares:
+            raise ValueError(f"derivatives are by the square of a vector, not by {square!r}")
         found = [self.lift(expression, {symbol: square})]
         while len(found) <= order:
-            found.append(self.derivative(found[-1], "x"))
+            found.append(self._by_square(found[-1], self.squares.index(square)))
         return found

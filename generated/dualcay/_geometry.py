@@ -650,6 +650,50 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     )
 
 
+def dual_product(A: Components, B: Components) -> Result:
+    """Product A B of two tensors.
+    The tensors are dual: the dual part is A° B + A B°.
+    """
+    A11, A12, A13, A21, A22, A23, A31, A32, A33, A11o, A12o, A13o, A21o, A22o, A23o, A31o, A32o, A33o = A
+    B11, B12, B13, B21, B22, B23, B31, B32, B33, B11o, B12o, B13o, B21o, B22o, B23o, B31o, B32o, B33o = B
+    return (
+        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
+        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
+        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
+        A11 * B11o + A11o * B11 + (A12 * B21o + A12o * B21) + (A13 * B31o + A13o * B31),
+        A11 * B12o + A11o * B12 + (A12 * B22o + A12o * B22) + (A13 * B32o + A13o * B32),
+        A11 * B13o + A11o * B13 + (A12 * B23o + A12o * B23) + (A13 * B33o + A13o * B33),
+        A21 * B11o + A21o * B11 + (A22 * B21o + A22o * B21) + (A23 * B31o + A23o * B31),
+        A21 * B12o + A21o * B12 + (A22 * B22o + A22o * B22) + (A23 * B32o + A23o * B32),
+        A21 * B13o + A21o * B13 + (A22 * B23o + A22o * B23) + (A23 * B33o + A23o * B33),
+        A31 * B11o + A31o * B11 + (A32 * B21o + A32o * B21) + (A33 * B31o + A33o * B31),
+        A31 * B12o + A31o * B12 + (A32 * B22o + A32o * B22) + (A33 * B32o + A33o * B32),
+        A31 * B13o + A31o * B13 + (A32 * B23o + A32o * B23) + (A33 * B33o + A33o * B33),
+    )
+
+
+def matrix6(D: Components) -> Result:
+    """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
+    D11, D12, D13, D21, D22, D23, D31, D32, D33, D11o, D12o, D13o, D21o, D22o, D23o, D31o, D32o, D33o = D
+    return (
+        D11, D12, D13, 0, 0, 0, D21, D22, D23, 0, 0, 0, D31, D32, D33, 0, 0, 0, D11o, D12o, D13o, D11, D12, D13, D21o,
+        D22o, D23o, D21, D22, D23, D31o, D32o, D33o, D31, D32, D33,
+    )
+
+
+def transition(m: Any, c: Any, v: Components, v0: Components, table: Components) -> Result:
+    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators.
+    With side −1 the space twist is given.
+    """
+    v1, v2, v3, v1o, v2o, v3o = v
+    a1, a2, a3, a1o, a2o, a3o = v0
+    side, = table
+    back = tangent_inv(m, c, (side * v1, side * v2, side * v3, side * v1o, side * v2o, side * v3o))
+    start = tangent(m, c, (side * a1, side * a2, side * a3, side * a1o, side * a2o, side * a3o))
+    D = dual_product(back, start)
+    return matrix6(D)
+
+
 def vector_of(m: Any, c: Any, gain: Any, e: Components, rho: Components) -> Result:
     """Vector v = gain vec e of a quaternion e.
     The dual part is v° = T⁻¹ ρ.
@@ -1004,37 +1048,6 @@ def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """Principal vector v of R(v1)⁻¹ R(v2), where R(v1)⁻¹ = R(−v1)."""
     a1, a2, a3, a1o, a2o, a3o = v1
     return compose(m, c, (-a1, -a2, -a3, -a1o, -a2o, -a3o), v2)
-
-
-def dual_product(A: Components, B: Components) -> Result:
-    """Product A B of two tensors.
-    The tensors are dual: the dual part is A° B + A B°.
-    """
-    A11, A12, A13, A21, A22, A23, A31, A32, A33, A11o, A12o, A13o, A21o, A22o, A23o, A31o, A32o, A33o = A
-    B11, B12, B13, B21, B22, B23, B31, B32, B33, B11o, B12o, B13o, B21o, B22o, B23o, B31o, B32o, B33o = B
-    return (
-        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
-        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
-        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
-        A11 * B11o + A11o * B11 + (A12 * B21o + A12o * B21) + (A13 * B31o + A13o * B31),
-        A11 * B12o + A11o * B12 + (A12 * B22o + A12o * B22) + (A13 * B32o + A13o * B32),
-        A11 * B13o + A11o * B13 + (A12 * B23o + A12o * B23) + (A13 * B33o + A13o * B33),
-        A21 * B11o + A21o * B11 + (A22 * B21o + A22o * B21) + (A23 * B31o + A23o * B31),
-        A21 * B12o + A21o * B12 + (A22 * B22o + A22o * B22) + (A23 * B32o + A23o * B32),
-        A21 * B13o + A21o * B13 + (A22 * B23o + A22o * B23) + (A23 * B33o + A23o * B33),
-        A31 * B11o + A31o * B11 + (A32 * B21o + A32o * B21) + (A33 * B31o + A33o * B31),
-        A31 * B12o + A31o * B12 + (A32 * B22o + A32o * B22) + (A33 * B32o + A33o * B32),
-        A31 * B13o + A31o * B13 + (A32 * B23o + A32o * B23) + (A33 * B33o + A33o * B33),
-    )
-
-
-def matrix6(D: Components) -> Result:
-    """Real matrix [[Re D, 0], [Du D, Re D]] of a dual tensor D, with the same action on dual vectors."""
-    D11, D12, D13, D21, D22, D23, D31, D32, D33, D11o, D12o, D13o, D21o, D22o, D23o, D31o, D32o, D33o = D
-    return (
-        D11, D12, D13, 0, 0, 0, D21, D22, D23, 0, 0, 0, D31, D32, D33, 0, 0, 0, D11o, D12o, D13o, D11, D12, D13, D21o,
-        D22o, D23o, D21, D22, D23, D31o, D32o, D33o, D31, D32, D33,
-    )
 
 
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -1532,6 +1545,7 @@ KERNELS: Mapping[str, Kernel] = {
     "rate_dot": Kernel(rate_dot, (("v", (6,)), ("omega", (6,)), ("omega_dot", (6,)),), (6,), real=False),
     "twist_jacobian": Kernel(twist_jacobian, (("v", (6,)), ("v_dot", (6,)),), (6, 6), real=False),
     "rate_jacobian": Kernel(rate_jacobian, (("v", (6,)), ("omega", (6,)),), (6, 6), real=False),
+    "transition": Kernel(transition, (("v", (6,)), ("v0", (6,)),), (6, 6), real=False),
     "from_quaternion": Kernel(from_quaternion, (("q", (8,)),), (6,), real=True),
     "from_tensor": Kernel(from_tensor, (("R", (2, 3, 3)),), (6,), real=True),
     "from_pose": Kernel(from_pose, (("T", (4, 4)),), (6,), real=True),

@@ -1171,6 +1171,34 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=SPACE)
 
+    def transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the space frame.
+
+        If ``ω = T v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻ᵀ T(v0)ᵀ``.
+
+        Parameters
+        ----------
+        v : array, shape (..., 6)
+            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+        v0 : array, shape (..., 6)
+            Vector at the initial time, on the branch that the motion continues to v.
+        axis : {-1, 0}, component axis of arguments and result
+        out : array, optional, for the result; it may overlap an argument
+
+        Returns
+        -------
+        array, shape (..., 6, 6)
+            Rows: components of v. Columns: components of v0. inf or NaN at the poles of ``tangent_inv(v)``.
+
+        Examples
+        --------
+        >>> v0, step, delta = np.arange(6) / 10, np.full(6, 1e-6), np.ones(6)
+        >>> w = cayley2.retract([v0 + step, v0 - step], delta)
+        >>> np.allclose(cayley2.transition(cayley2.retract(v0, delta), v0) @ step, (w[0] - w[1]) / 2)
+        True
+        """
+        return call(self._chart, "transition", axis, out, v, v0, table=BODY)
+
     def cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the space frame: ``τ = Tᵀ z``.
 
@@ -1496,6 +1524,34 @@ class PoseKernels(Kernels):
         True
         """
         return call(self._chart, "rate_jacobian", axis, out, v, omega, table=BODY)
+
+    def body_transition(self, v: ArrayLike, v0: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
+        r"""Return the derivative of v by its initial value v0 in a motion with a given twist in the body frame.
+
+        If ``ω_B = Tᵀ v̇`` is a given function of time, then ``∂v/∂v0 = T(v)⁻¹ T(v0)``.
+
+        Parameters
+        ----------
+        v : array, shape (..., 6)
+            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+        v0 : array, shape (..., 6)
+            Vector at the initial time, on the branch that the motion continues to v.
+        axis : {-1, 0}, component axis of arguments and result
+        out : array, optional, for the result; it may overlap an argument
+
+        Returns
+        -------
+        array, shape (..., 6, 6)
+            Rows: components of v. Columns: components of v0. inf or NaN at the poles of ``tangent_inv(v)``.
+
+        Examples
+        --------
+        >>> v0, step, delta = np.arange(6) / 10, np.full(6, 1e-6), np.ones(6)
+        >>> w = cayley2.body_retract([v0 + step, v0 - step], delta)
+        >>> np.allclose(cayley2.body_transition(cayley2.body_retract(v0, delta), v0) @ step, (w[0] - w[1]) / 2)
+        True
+        """
+        return call(self._chart, "transition", axis, out, v, v0, table=SPACE)
 
     def body_cotangent(self, v: ArrayLike, z: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the generalized force of a wrench in the body frame: ``τ = T z``.

@@ -210,7 +210,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="109686e19e6e49f4",
+    programs="1fd09a4fc0a63807",
 )
 
 KERNELS = PoseKernels(CHART)

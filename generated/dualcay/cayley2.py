@@ -280,7 +280,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b28638cf915f85e5",
+    programs="8c31895cd0d69dbb",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -323,7 +323,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="77234a6cc32acac0",
+    programs="e7484103121477e5",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -344,7 +344,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="a570902987b714c4",
+    programs="8f567292c473ceee",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -346,7 +346,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1d2738439cc35039",
+    programs="72da9c31b7a32ba6",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -371,7 +371,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="d11fedac8dfb6554",
+    programs="51d8a783f9627cce",
 )
 
 KERNELS = PoseKernels(CHART)

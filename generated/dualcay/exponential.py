@@ -384,7 +384,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="abc16f2fc3a2f467",
+    programs="084cd4b40a2f21df",
 )
 
 KERNELS = PoseKernels(CHART)

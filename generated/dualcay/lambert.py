@@ -338,7 +338,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1f4d74d90b068b2e",
+    programs="ced254eb77c94481",
 )
 
 KERNELS = PoseKernels(CHART)

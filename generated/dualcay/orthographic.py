@@ -253,7 +253,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="f685dbb38a58ae92",
+    programs="b9506811a032bb88",
 )
 
 KERNELS = PoseKernels(CHART)

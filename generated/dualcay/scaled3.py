@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="e8827c42b6a7f193"
+    BASE, __name__, 6, 1, constant=('ray',), programs="5d99337047efce40"
 )
 
 KERNELS = PoseKernels(CHART)

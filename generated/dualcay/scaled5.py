@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="aae6b5a8f39266af"
+    BASE, __name__, 10, 1, constant=('ray',), programs="d48d7e6e2474c17d"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -363,7 +363,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="6cd2e76a2ac78feb",
+    programs="320db9b5e0ad8fa3",
 )
 
 KERNELS = PoseKernels(CHART)

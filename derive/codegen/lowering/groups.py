@@ -11,7 +11,7 @@ from .calculus import matrix6
 from .forward import crossed, flat, rotated, rotation, rows_of, tensor, tensor_at, translation
 from .inverse import compose
 from .kinematics import opposite, tangent, tangent_at, tangent_inv
-from .point import Geometry, Numbers, Results, dual_tensor
+from .point import TABLE, Geometry, Numbers, Results, dual_tensor
 
 
 def dual_product(trace: Geometry) -> Results:
@@ -57,6 +57,18 @@ def transform_line_jacobians(trace: Geometry) -> Results:
     turned = Tensor.skew(trace.vector("back", -moved)) @ dual_tensor(T)
     by_line = trace.apply(matrix6, "by_line{}", R)
     return *trace.apply(matrix6, "by_v{}", (*turned.re, *turned.du)), *by_line
+
+
+def transition(trace: Geometry) -> Results:
+    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators.
+
+    With side −1 the space twist is given.
+    """
+    v, v0 = trace.components("v", "v", 6), trace.components("v0", "a", 6)
+    (side,) = trace.inputs(TABLE, ("side",))
+    back = trace.apply(tangent_inv, "back{}", [side * c for c in v])
+    start = trace.apply(tangent, "start{}", [side * c for c in v0])
+    return trace.apply(matrix6, "J{}", trace.apply(dual_product, "D{}", back, start))
 
 
 def compose_jacobians(trace: Geometry) -> Results:

@@ -23,7 +23,7 @@ from ..lowered import geometry
 from ..rows import Function, Table
 from ..signatures import POSES
 from .decimals import DIGITS
-from .formulas import ALGEBRAIC, rows_of_pose
+from .formulas import ALGEBRAIC, arguments_of, rows_of_pose
 from .inverse_maps import value
 from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
@@ -136,8 +136,7 @@ def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
     for _ in range(POINTS):
         drawn = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
         for name in ALGEBRAIC:
-            arrays = POSES.functions[name].arguments
-            yield name, None, tuple(given[: array.size] for given, array in zip(drawn, arrays))
+            yield name, None, arguments_of(POSES.functions[name], drawn)
     screws = list(covering(draw, SMALL))
     for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
         v, v2 = (_short(flat(chart.at(s))) for s in (screw, other))

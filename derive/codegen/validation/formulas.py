@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy
 
-from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Vector
+from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
 from ...maps import Formula, x
 from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
@@ -181,7 +181,16 @@ def _line_jacobians(at: Formulas, v: Flat, line: Flat) -> Flat:
 
 
 def _adjoint(at: Formulas, v: Flat) -> Flat:
-    return matrix6([Vector(*column) for column in at.tensor(dual(v)).tensor(dual(v)).transpose.rows])
+    return _matrix6(at.tensor(dual(v)).tensor(dual(v)))
+
+
+def _matrix6(tensor: Tensor) -> Flat:
+    return matrix6([Vector(*column) for column in tensor.transpose.rows])
+
+
+def _transition(hand: int, at: Formulas, v: Flat, v0: Flat) -> Flat:
+    here, start = dual(v), dual(v0)
+    return _matrix6(at.tangent_inv(here, -hand).tensor(here) @ at.tangent(start, -hand).tensor(start))
 
 
 BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: flat(at.quaternion(dual(v)))}
@@ -212,6 +221,7 @@ BY_HAND: Mapping[str, Value] = {
     "rate_dot": _rate_dot,
     "twist_jacobian": partial(_applied_jacobian, Formulas.tangent),
     "rate_jacobian": partial(_applied_jacobian, Formulas.tangent_inv),
+    "transition": _transition,
 }
 """Functions of the tangent operator: in the space frame with hand 1, in the body frame with hand −1."""
 
@@ -236,11 +246,21 @@ def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
 
 def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
     root = root_of(coefficient for formula in formulas for coefficient in formula.coefficients)
-    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in zip(LETTERS, row.arguments)]
-    ring = Ring(extra=[*names[0][3:], *(name for group in names[1:] for name in group)], root=root)
+    pairs = list(zip(LETTERS, row.arguments))
+    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in pairs]
+    further = (name for group, (_, array) in zip(names, pairs) for name in group[3 * array.vector :])
+    ring = Ring(further, root, vectors="".join(letter for letter, array in pairs if array.vector))
     arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
     zero = 0 * arguments[0][0]
     return Expectation(row.name, arguments, lambda: evaluated(row, Formulas(chart, ring), arguments, zero))
+
+
+def arguments_of(row: Function, drawn: Sequence[Flat]) -> tuple[Flat, ...]:
+    """Return drawn components as arguments of a function; a second vector of the chart is half of v, in other order."""
+    second = tuple(drawn[0][i] / 2 for i in (1, 2, 0, 4, 5, 3))
+    pairs = zip(row.arguments[1:], drawn[1:])
+    further = ((second if array.vector else given)[: array.size] for array, given in pairs)
+    return drawn[0][: row.arguments[0].size], *further
 
 
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:

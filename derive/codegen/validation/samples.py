@@ -24,7 +24,7 @@ from ...maps.pose import (
 from ..rows import Function, Table
 from ..signatures import POSES
 from .decimals import DIGITS
-from .formulas import ALGEBRAIC, Expectation, rows_of_pose
+from .formulas import ALGEBRAIC, Expectation, arguments_of, rows_of_pose
 from .inverse_maps import MAPS, reached, value
 from .screws import covering, half_turns, steep, translation
 from .vectors import Flat, Vectors, flat, is_whole, vectors_of
@@ -303,5 +303,5 @@ def algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
         rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
         points.append(((*re, *rest[0]), *rest[1:]))
     for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
-        given = [tuple(components[: a.size] for components, a in zip(rows, row.arguments)) for rows in points]
+        given = [arguments_of(row, rows) for rows in points]
         yield tuple(Expectation(row.name, each, partial(_computed, value, at, row, None, each)) for each in given)

@@ -349,6 +349,27 @@ def rate_jacobian(m: Any, c: Any, v: Components, omega: Components, table: Compo
     )
 
 
+def matrix_product(A: Components, B: Components) -> Result:
+    """Product A B of two tensors."""
+    A11, A12, A13, A21, A22, A23, A31, A32, A33 = A
+    B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
+    return (
+        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
+        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
+        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
+    )
+
+
+def transition(m: Any, c: Any, v: Components, v0: Components, table: Components) -> Result:
+    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators."""
+    v1, v2, v3 = v
+    a1, a2, a3 = v0
+    side, = table
+    back = tangent_inv(m, c, (side * v1, side * v2, side * v3))
+    start = tangent(m, c, (side * a1, side * a2, side * a3))
+    return matrix_product(back, start)
+
+
 def vector_of(gain: Any, e: Components) -> Result:
     """Vector v = gain vec e of a quaternion e."""
     _, e1, e2, e3 = e
@@ -590,17 +611,6 @@ def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     return compose(m, c, (-a1, -a2, -a3), v2)
 
 
-def matrix_product(A: Components, B: Components) -> Result:
-    """Product A B of two tensors."""
-    A11, A12, A13, A21, A22, A23, A31, A32, A33 = A
-    B11, B12, B13, B21, B22, B23, B31, B32, B33 = B
-    return (
-        A11 * B11 + A12 * B21 + A13 * B31, A11 * B12 + A12 * B22 + A13 * B32, A11 * B13 + A12 * B23 + A13 * B33,
-        A21 * B11 + A22 * B21 + A23 * B31, A21 * B12 + A22 * B22 + A23 * B32, A21 * B13 + A22 * B23 + A23 * B33,
-        A31 * B11 + A32 * B21 + A33 * B31, A31 * B12 + A32 * B22 + A33 * B32, A31 * B13 + A32 * B23 + A33 * B33,
-    )
-
-
 def compose_jacobians(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """Derivatives T(v)⁻¹ T(v2) and T(v)⁻¹ R(v2) T(v1) of v = compose(v2, v1), by v2 and by v1."""
     v = compose(m, c, v2, v1)
@@ -831,6 +841,7 @@ KERNELS: Mapping[str, Kernel] = {
     "rate_dot": Kernel(rate_dot, (("v", (3,)), ("omega", (3,)), ("omega_dot", (3,)),), (3,), real=False),
     "twist_jacobian": Kernel(twist_jacobian, (("v", (3,)), ("v_dot", (3,)),), (3, 3), real=False),
     "rate_jacobian": Kernel(rate_jacobian, (("v", (3,)), ("omega", (3,)),), (3, 3), real=False),
+    "transition": Kernel(transition, (("v", (3,)), ("v0", (3,)),), (3, 3), real=False),
     "from_quaternion": Kernel(from_quaternion, (("q", (4,)),), (3,), real=True),
     "from_tensor": Kernel(from_tensor, (("R", (3, 3)),), (3,), real=True),
     "from_angle_axis": Kernel(from_angle_axis, (("angle", ()), ("u", (3,)),), (3,), real=True),

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="7bf1459b073d0898",
+    programs="f9b005c1e90161a0",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="58900387d252eff7",
+    programs="e760a9230069726f",
 )
 
 KERNELS = RotationKernels(CHART)

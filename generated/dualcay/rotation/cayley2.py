@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="99b915332e01c570",
+    programs="2e4b07fae2d7f650",
 )
 
 KERNELS = RotationKernels(CHART)

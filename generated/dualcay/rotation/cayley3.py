@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2117c42e8d687637",
+    programs="55b756d1d688d643",
 )
 
 KERNELS = RotationKernels(CHART)

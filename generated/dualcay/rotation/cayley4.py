@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="20997e6f30e28011",
+    programs="f726d26f63ec302c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b22971895b0feff5",
+    programs="8589f818d776669e",
 )
 
 KERNELS = RotationKernels(CHART)

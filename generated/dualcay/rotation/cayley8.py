@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2f2ed07c6d700e13",
+    programs="bbac13ad65bfd6bb",
 )
 
 KERNELS = RotationKernels(CHART)

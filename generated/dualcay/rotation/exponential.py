@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d1d74b712b7be94e",
+    programs="27837200d167db06",
 )
 
 KERNELS = RotationKernels(CHART)

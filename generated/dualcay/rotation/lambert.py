@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3b76f6a61248bdf3",
+    programs="3c3891f8a52f920a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ed5ecd221d581fd3",
+    programs="9f82d2d8b0cfe66f",
 )
 
 KERNELS = RotationKernels(CHART)

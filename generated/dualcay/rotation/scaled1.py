@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1e10a641381a0f19",
+    programs="6e33ea16a7c49549",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="668512d01926b30f",
+    programs="cf17c8c3b5937c45",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="60aac62be190280a",
+    programs="9232977fe313bb01",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="406d19cc16eeb215",
+    programs="0fd768aee944450c",
 )
 
 KERNELS = RotationKernels(CHART)

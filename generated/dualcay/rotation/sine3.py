@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="532c1d09bb4c5587",
+    programs="543f1c714eb67960",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b2f2002d79631546",
+    programs="d26250626bba26e4",
 )
 
 KERNELS = RotationKernels(CHART)

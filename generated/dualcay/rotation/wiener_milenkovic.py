@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="98f15c3304bdb7c5",
+    programs="4bfe8b4b8a5cdf8a",
 )
 
 KERNELS = RotationKernels(CHART)
