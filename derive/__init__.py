@@ -34,12 +34,14 @@ if TYPE_CHECKING:
     from .front import Cayley, Parameterization, family
     from .maps import x
     from .maps.families import alpha
+    from .maps.motion_equations import motion_equation
     from .papers import verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
-    "alpha": "maps.families", "x": "maps", "generate": "codegen", "verify": "papers"
+    "alpha": "maps.families", "x": "maps", "motion_equation": "maps.motion_equations", "generate": "codegen",
+    "verify": "papers",
 }  # fmt: skip
-__all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "generate", "verify", "x"]
+__all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "generate", "motion_equation", "verify", "x"]
 
 _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",

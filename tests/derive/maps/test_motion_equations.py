@@ -1,0 +1,179 @@
+"""Kinematic equations: each is the printed equation exactly, and all lead a tumbling body to the same pose."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import derive
+from derive.algebra.arithmetic import Arithmetic
+from derive.maps.motion_equations import KINDS, MotionEquation, motion_equation
+from derive.papers.condurache_popa_2023 import PAPER, symbols
+from derive.papers.language import values
+from derive.papers.language.evaluation import Env
+from derive.papers.numbers.generic import Generic
+from tests.support import motions
+from tests.support.libraries import LIBRARIES, QUICKLY
+
+ALL = [(number, None) for number in KINDS if number < "90"] + [(k, n) for k in ("90", "91") for n in (1, 2, 3, 5)]
+EVERY = pytest.mark.parametrize(("number", "order"), ALL)
+MIRRORED = {"70": "74", "75": "76", "83": "85", "90": "91"}
+MIRRORED |= {body: space for space, body in MIRRORED.items()}
+TWIST = {"space": "omega", "body": "omega_B"}
+
+
+class ExactArithmetic(Arithmetic):
+    """Operations on elements of an exact field, beyond the limit up to which the exponential uses series."""
+
+    def __init__(self, field: Any) -> None:
+        self.sqrt = field.sqrt
+        self.tan = lambda a: field.sin(a) / field.cos(a)
+        self.less = lambda a, b: False
+
+
+@cache
+def true_reading(number: str) -> Any:
+    """Return the reading of a printed equation that is decided to be true."""
+    (result,) = derive.verify(PAPER.slug, number)
+    assert result.status in ("holds", "holds-if")
+    return result.equation, result.verdicts[0].statement
+
+
+def equals_printed(number: str, order: int | None, equation: MotionEquation) -> bool:
+    """Return whether an equation has the right-hand side of a printed one, at generic dual states and twists."""
+    entry, statement = true_reading(number)
+    rate, printed = statement.arguments
+    (state,) = rate.arguments
+    twist = next(symbol for symbol in entry.definitions if symbol.name == TWIST[KINDS[number][0]])
+    # tan(α/4) needs sine and cosine of eighths of an angle
+    free = [symbol for symbol in entry.free(printed) if symbol is not symbols.n]
+    at = Generic([*free, twist], dual=True, moving=False, steps=8)
+    env = Env(at.field, {**at.values, symbols.n: order}, entry.definitions)
+    found = equation.rate(env.value(state), at.values[twist], ExactArithmetic(at.field))
+    return values.equal(at.field, env.value(printed), found)
+
+
+@EVERY
+def test_right_hand_sides_are_the_printed_ones_exactly(number: str, order: int | None) -> None:
+    equation = motion_equation(number, order)
+    assert equals_printed(number, order, equation)
+    # controls: the other frame, and the next order
+    assert not equals_printed(number, order, motion_equation(MIRRORED[number], order))
+    assert order is None or not equals_printed(number, order, replace(equation, chart=derive.Cayley(order + 1)))
+
+
+def chart_module(equation: MotionEquation) -> Any:
+    return importlib.import_module(f"dualcay.{equation.chart.name if equation.chart else 'cayley2'}")
+
+
+@EVERY
+def test_states_and_rates_are_those_of_the_kernels(number: str, order: int | None) -> None:
+    equation = motion_equation(number, order)
+    module, pose, omega = chart_module(equation), motions.pose(0.7), np.arange(1.0, 7.0) / 7
+    state = equation.initial(pose)
+    v = module.from_pose(pose)
+    form = {18: module.tensor, 8: module.quaternion, 6: np.asarray}[equation.states]
+    np.testing.assert_allclose(state, form(v).ravel(), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(equation.pose(state), pose, rtol=0, atol=1e-14)
+    found = equation.rhs(0, state, lambda t: omega)
+    # a complex step of the kernels along v̇, accurate to rounding
+    v_dot = (module.rate if equation.frame == "space" else module.body_rate)(v, omega)
+    np.testing.assert_allclose(found, form(v + 1e-30j * v_dot).imag.ravel() / 1e-30, rtol=0, atol=1e-13)
+
+
+@EVERY
+def test_batches_are_their_rows(number: str, order: int | None) -> None:
+    equation = motion_equation(number, order)
+    y = np.stack([equation.initial(motions.pose(t)) for t in (0.0, 0.2, 0.9)], axis=-1)
+    twists = np.arange(18.0).reshape(6, 3) / 20
+    rates, poses = equation.rhs(0, y, lambda t: twists), equation.pose(y)
+    for i in range(3):
+        np.testing.assert_array_equal(rates[:, i], equation.rhs(0, y[:, i], lambda t, i=i: twists[:, i]))
+        np.testing.assert_array_equal(poses[..., i], equation.pose(y[:, i]))
+
+
+@pytest.mark.parametrize("number", ["70", "76", "91"])
+def test_fractions_stay_fractions(number: str) -> None:
+    equation = motion_equation(number, 3 if number == "91" else None)
+    y = np.array([Fraction(k, 30) for k in range(1, equation.states + 1)])
+    rate = equation.rhs(0, y, lambda t: np.array([Fraction(k) for k in range(6)]))
+    assert all(isinstance(c, Fraction) for c in rate)
+
+
+END = 6.0
+"""Almost a whole period of the tumbling body."""
+
+
+def end_pose(equation: MotionEquation, rtol: float, frame: str) -> np.ndarray:
+    y = equation.initial(motions.pose(0))
+    solved = solve_ivp(equation.rhs, (0, END), y, "DOP853", args=(motions.TWISTS[frame],), rtol=rtol, atol=rtol / 10)
+    return equation.pose(solved.y[:, -1])
+
+
+@EVERY
+def test_a_tumbling_body_reaches_the_pose_in_closed_form(number: str, order: int | None) -> None:
+    """Estimate the error of a run by a run at a tolerance 1000 times smaller; half the estimate is left for its own."""
+    equation = motion_equation(number, order)
+    coarse, fine = (end_pose(equation, rtol, equation.frame) for rtol in (1e-6, 1e-9))
+    estimate = abs(fine - coarse).max()
+    assert estimate < 1e-3
+    assert abs(coarse - motions.pose(END)).max() < 1.5 * estimate
+    assert abs(fine - motions.pose(END)).max() < 0.1 * estimate
+
+
+@pytest.mark.parametrize("number", ["70", "75", "83"])
+def test_a_twist_in_the_wrong_frame_leads_elsewhere(number: str) -> None:
+    assert abs(end_pose(motion_equation(number), 1e-6, "body") - motions.pose(END)).max() > 0.1
+
+
+@pytest.mark.parametrize("number", KINDS)
+def test_jax_integrates_by_compiled_steps(number: str) -> None:
+    """Estimate the error of fourth-order steps from steps of half the length, whose error is 16 times smaller."""
+    LIBRARIES["jax"]()
+    import jax
+
+    equation, steps = motion_equation(number, 3 if number >= "90" else None), 1000
+
+    def rate(t: Any, y: Any) -> Any:
+        return equation.rhs(t, y, lambda t: motions.TWISTS[equation.frame](t, jax.numpy))
+
+    @partial(jax.jit, compiler_options=QUICKLY)
+    def run(y: Any, start: float, h: float) -> Any:
+        def step(y: Any, t: Any) -> tuple[Any, None]:
+            first = rate(t, y)
+            second = rate(t + h / 2, y + h / 2 * first)
+            third = rate(t + h / 2, y + h / 2 * second)
+            return y + h / 6 * (first + 2 * second + 2 * third + rate(t + h, y + h * third)), None
+
+        return jax.lax.scan(step, y, start + h * jax.numpy.arange(steps))[0]
+
+    y, h = equation.initial(motions.pose(0)), END / steps
+    coarse, fine = run(y, 0.0, h), run(run(y, 0.0, h / 2), END / 2, h / 2)
+    error = abs(equation.pose(fine) - motions.pose(END)).max()
+    assert error < 1e-6
+    assert error < 2 * abs(equation.pose(fine) - equation.pose(coarse)).max() / 15
+
+
+def test_wrong_calls_say_what_is_expected() -> None:
+    equation = motion_equation("90", 1)
+    still = np.zeros(6)
+    for said, call in {
+        "expected the number of a kinematic equation, 70, 74, ": lambda: motion_equation("88"),
+        r"\(91\) needs an order": lambda: motion_equation("91"),
+        r"\(83\) has no order, got 2": lambda: motion_equation("83", 2),
+        r"expected 6 components of a state of \(90\), got 8": lambda: equation.rhs(0, np.zeros(8), lambda t: still),
+        "expected 6 components of the twist, got 3": lambda: equation.rhs(0, still, lambda t: still[:3]),
+        r"expected a pose of shape \(4, 4\), got \(3, 3\)": lambda: equation.initial(np.eye(3)),
+        r"\(90\) does not reach the angle 3.14": lambda: equation.initial(np.diag([1.0, -1, -1, 1])),
+    }.items():
+        with pytest.raises(ValueError, match=said):
+            call()
+    with pytest.raises(ValueError, match="order"):
+        motion_equation("90", 0)
