@@ -13,7 +13,8 @@ number  frame  equation                                              states
 91      body   :math:`\dot v = \mathrm{dcay}_n^{-T}(v)\,\omega_B`    6
 ======  =====  ====================================================  ======
 
-Here ``a = α u`` is the Euler dual vector and ``v = tan(α/2n) u`` the Rodrigues dual vector.
+Here ``a = α u`` is the Euler dual vector and ``v = tan(α/2n) u`` the Rodrigues dual vector. Tests
+prove each right-hand side equal to the printed one, which `derive.verify` decides. Near a = 0, (83) and (85) use series.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ KINDS: dict[str, tuple[str, type[Structure], type[Chart] | None]] = {
 }  # fmt: skip
 """Frame, kind of state and kind of chart of each equation, by its number."""
 
-HERE = Screw(Dual(0.0, 0.0), Vector.dual((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+IDENTITY = Screw(Dual(0.0, 0.0), Vector.dual((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
 """Screw of the identity; any axis would do."""
 
 
@@ -148,7 +149,7 @@ class MotionEquation:
         if matrix.shape != (4, 4):
             raise ValueError(f"expected a pose of shape (4, 4), got {matrix.shape}")
         R = tensor_from_pose(Pose(Tensor.from_entries(matrix[:3, :3].ravel()), Vector(*matrix[:3, 3])))
-        state: Any = R if self.kind is Tensor else self._of_screw(HERE if _is_identity(R) else natural_invariants(R))
+        state: Any = R if self.kind is Tensor else self._of_screw(IDENTITY if _is_identity(R) else natural_invariants(R))
         return np.array([*state.re, *state.du])
 
     def pose(self, y: Any) -> Any:
