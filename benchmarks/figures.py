@@ -51,10 +51,10 @@ PANELS = {
 }
 
 
-def save(figure: Figure, name: str) -> None:
+def save(figure: Figure, name: str, folder: Path = FOLDER) -> None:
     """Save a figure without matplotlib's version, so that equal data give equal bytes."""
-    FOLDER.mkdir(exist_ok=True)
-    figure.savefig(FOLDER / f"{name}.png", dpi=110, metadata={"Software": None})
+    folder.mkdir(exist_ok=True)
+    figure.savefig(folder / f"{name}.png", dpi=110, metadata={"Software": None})
 
 
 def accuracy(found: curves.Curves) -> Figure:

@@ -13,7 +13,9 @@ number  frame  equation                                              states
 91      body   :math:`\dot v = \mathrm{dcay}_n^{-T}(v)\,\omega_B`    6
 ======  =====  ====================================================  ======
 
-Here ``a = α u`` is the Euler dual vector and ``v = tan(α/2n) u`` the Rodrigues dual vector.
+Here ``a = α u`` is the Euler dual vector and ``v = tan(α/2n) u`` the Rodrigues dual vector. Tests
+prove each right-hand side equal to the printed one, which `derive.verify` decides. Near a = 0, (83) and (85) use
+series.
 """
 
 from __future__ import annotations
@@ -45,7 +47,7 @@ KINDS: dict[str, tuple[str, type[Structure], type[Chart] | None]] = {
 }  # fmt: skip
 """Frame, kind of state and kind of chart of each equation, by its number."""
 
-HERE = Screw(Dual(0.0, 0.0), Vector.dual((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
+IDENTITY = Screw(Dual(0.0, 0.0), Vector.dual((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)))
 """Screw of the identity; any axis would do."""
 
 
@@ -148,7 +150,7 @@ class MotionEquation:
         if matrix.shape != (4, 4):
             raise ValueError(f"expected a pose of shape (4, 4), got {matrix.shape}")
         R = tensor_from_pose(Pose(Tensor.from_entries(matrix[:3, :3].ravel()), Vector(*matrix[:3, 3])))
-        state: Any = R if self.kind is Tensor else self._of_screw(HERE if _is_identity(R) else natural_invariants(R))
+        state = R if self.kind is Tensor else self._of_tensor(R)
         return np.array([*state.re, *state.du])
 
     def pose(self, y: Any) -> Any:
@@ -173,8 +175,9 @@ class MotionEquation:
         at = self.chart.scalars(square.re, m)
         return Quaternion(_lifted(square, at.s, at.sy), state * _lifted(square, at.w, at.wy))
 
-    def _of_screw(self, screw: Screw) -> Any:
-        """Return the quaternion or vector of a screw."""
+    def _of_tensor(self, R: Tensor) -> Any:
+        """Return the quaternion or vector of an orthogonal dual tensor."""
+        screw = IDENTITY if all(a == b for a, b in zip(R, Tensor.identity(), strict=True)) else natural_invariants(R)
         if self.kind is Quaternion:
             return quaternion_from_screw(screw)
         if screw.angle.re >= float(self.chart.edge):
@@ -242,6 +245,3 @@ def _lifted(square: Dual, value: Coefficient, slope: Coefficient) -> Dual:
     """Return a scalar of the chart as a dual number, from its slope at ``v · v = x + 2 ε y``."""
     return Dual(value, slope * (square.du / 2))
 
-
-def _is_identity(R: Tensor) -> bool:
-    return all(a == b for a, b in zip(R, Tensor.identity(), strict=True))

@@ -1,4 +1,4 @@
-"""Checks of the README's pictures: files are small, and marks lie at singular angles and edges of charts."""
+"""Checks of the pictures: files are small, and marks lie at singular angles and edges of charts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LARGEST = 150_000
 
 def test_the_committed_pictures_are_small():
     files = sorted(figures.FOLDER.glob("*"))
-    assert [file.name for file in files] == ["accuracy.png", "charts.png", "screw.png"]
+    assert [file.name for file in files] == ["accuracy.png", "charts.png", "motion_equations.png", "screw.png"]
     assert all(file.stat().st_size < LARGEST for file in files)
 
 
