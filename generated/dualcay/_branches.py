@@ -9,9 +9,12 @@ import operator
 from decimal import Context, Decimal
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from ._chart import Chart
 from ._kernel import Array
-from ._runtime import call, unchanged
+from ._runtime import as_array, call, unchanged
 
 DECIMALS = Context(prec=50)
 """Decimal arithmetic for the turn angle of charts with infinitely many branches."""
@@ -60,3 +63,32 @@ def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
 def returned(chart: Chart, *given: Any) -> Array:
     """Return the vector on the principal branch; v itself if the chart has one branch only."""
     return call(chart, "principal", *given, table=chart.returns) if chart.returns else unchanged(chart, *given)
+
+
+def switched(
+    kernels: Any, axis: int, v: ArrayLike, v_dot: ArrayLike | None, covariance: ArrayLike | None
+) -> Array | tuple[Array, ...]:
+    """Return the principal vector, the rate and the covariance; the arguments themselves if nothing changes."""
+    n = len(kernels.identity())
+    given = {"v": (v, (n,)), "v_dot": (v_dot, (n,)), "covariance": (covariance, (n, n))}
+    arrays = [as_array(k, a, part, axis, real=True) if a is not None else None for k, (a, part) in given.items()]
+    v, rate, spread = arrays
+    moved = kernels.principal(v, axis=axis)
+    changed = np.any((moved != v) & (moved == moved), axis=axis, keepdims=True)
+    if changed.any():
+        if rate is not None:
+            arrays[1] = np.where(changed, kernels.rate(moved, kernels.twist(v, rate, axis=axis), axis=axis), rate)
+        if spread is not None:
+            arrays[2] = np.where(np.expand_dims(changed, axis), _spread(kernels, axis, v, moved, spread), spread)
+        arrays[0] = moved
+    found = tuple(array for array in arrays if array is not None)
+    return found if len(found) > 1 else found[0]
+
+
+def _spread(kernels: Any, axis: int, v: Array, moved: Array, covariance: Array) -> Array:
+    """Return ``J P Jᵀ`` by two passes over columns, ``J x = T(moved)⁻¹ T(v) x``."""
+    place, swap = (1, (0, 1)) if axis == 0 else (-2, (-1, -2))
+    v, moved = np.expand_dims(v, place), np.expand_dims(moved, place)
+    for _ in range(2):
+        covariance = kernels.rate(moved, kernels.twist(v, covariance, axis=axis), axis=axis).swapaxes(*swap)
+    return covariance
