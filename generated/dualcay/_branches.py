@@ -70,19 +70,21 @@ def switched(
 ) -> Array | tuple[Array, ...]:
     """Return the principal vector, the rate and the covariance; the arguments themselves if nothing changes."""
     n = len(kernels.identity())
-    given = {"v": (v, (n,)), "v_dot": (v_dot, (n,)), "covariance": (covariance, (n, n))}
-    arrays = [as_array(k, a, part, axis, real=True) if a is not None else None for k, (a, part) in given.items()]
-    v, rate, spread = arrays
-    moved = kernels.principal(v, axis=axis)
-    changed = np.any((moved != v) & (moved == moved), axis=axis, keepdims=True)
-    if changed.any():
+    array = as_array("v", v, (n,), axis, real=True)
+    rate = None if v_dot is None else as_array("v_dot", v_dot, (n,), axis, real=True)
+    spread = None if covariance is None else as_array("covariance", covariance, (n, n), axis, real=True)
+    moved = kernels.principal(array, axis=axis)
+    changed = np.any((moved != array) & (moved == moved), axis=axis, keepdims=True)
+    if not changed.any():
+        moved = array
+    else:
         if rate is not None:
-            arrays[1] = np.where(changed, kernels.rate(moved, kernels.twist(v, rate, axis=axis), axis=axis), rate)
+            rate = np.where(changed, kernels.rate(moved, kernels.twist(array, rate, axis=axis), axis=axis), rate)
         if spread is not None:
-            arrays[2] = np.where(np.expand_dims(changed, axis), _spread(kernels, axis, v, moved, spread), spread)
-        arrays[0] = moved
-    found = tuple(array for array in arrays if array is not None)
-    return found if len(found) > 1 else found[0]
+            spread = np.where(np.expand_dims(changed, axis), _spread(kernels, axis, array, moved, spread), spread)
+    found = (moved, *(value for value in (rate, spread) if value is not None))
+    return found if len(found) > 1 else moved
+
 
 
 def _spread(kernels: Any, axis: int, v: Array, moved: Array, covariance: Array) -> Array:
