@@ -15,7 +15,9 @@ class Numpy(PythonTarget):
 
     name = "numpy"
     options = "axis: int = -1, out: Array | None = None"
-    files = (*PythonTarget.files, "_kernel.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py")
+    files = (
+        *PythonTarget.files, "_kernel.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py", "_switching.py",
+    )  # fmt: skip
     imports_bases = True
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
