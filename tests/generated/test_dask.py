@@ -23,7 +23,8 @@ from dualcay.dask import apply
 
 RNG = np.random.default_rng(20)
 COUNT, CHUNKS, OTHERS = 120, (30, 60, 30), (60, 60)  # blocks above 20 poses: smaller ones run on Python floats
-ROWS = [(module, row) for module, table in ((cayley3, POSES), (rotation.cayley3, ROTATIONS)) for row in table.public.values()]
+MODULES = ((cayley3, POSES), (rotation.cayley3, ROTATIONS))
+ROWS = [(module, row) for module, table in MODULES for row in table.public.values()]
 
 
 def arguments(row: Function, axis: int) -> list[np.ndarray]:
@@ -95,8 +96,8 @@ def test_sizes_of_chunks_may_be_unknown() -> None:
 
 V = da.zeros((COUNT, 6), chunks=(CHUNKS, 6))
 REFUSED = [
-    (cayley3.pose, [V.rechunk((40, 3))], {}, ValueError, r"v must have one chunk .*\(3, 3\)\): call v.rechunk\({1: -1}\)"),
-    (cayley3.pose, [V.T.rechunk((3, 40))], {"axis": 0}, ValueError, r"v must have one chunk .* v.rechunk\({0: -1}\)"),
+    (cayley3.pose, [V.rechunk((40, 3))], {}, ValueError, r"one chunk .*\(3, 3\)\): call v.rechunk\({1: -1}\)"),
+    (cayley3.pose, [V.T.rechunk((3, 40))], {"axis": 0}, ValueError, r"v must have one chunk .*v.rechunk\({0: -1}\)"),
     (cayley3.pose, [V[:, :5]], {}, ValueError, r"v must have shape \(..., 6\), got \(120, 5\)"),
     (cayley3.twist, [V, V.T], {"axis": 0}, ValueError, r"v must have shape \(6, ...\), got \(120, 6\)"),
     (cayley3.compose, [V, V[:7]], {}, ValueError, r"broadcast together, got \(120,\) of v2 and \(7,\) of v1"),
@@ -110,7 +111,9 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("kernel", "arrays", "options", "error", "message"), REFUSED)
-def test_wrong_arguments_are_refused_before_computing(kernel: Any, arrays: Any, options: Any, error: Any, message: str) -> None:
+def test_wrong_arguments_are_refused_before_computing(
+    kernel: Any, arrays: Any, options: Any, error: Any, message: str
+) -> None:
     with pytest.raises(error, match=message):
         apply(kernel, *arrays, **options)
 
