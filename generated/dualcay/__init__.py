@@ -16,9 +16,10 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
+from ._switching import switch_event, unwrap
 from ._tools import convert, matrix6
 
-__all__ = ["backend", "convert", "matrix6"]
+__all__ = ["backend", "convert", "matrix6", "switch_event", "unwrap"]
 
 __version__ = "0.1.0"
 
@@ -68,7 +69,7 @@ def backend() -> dict[str, str]:
     modules = _modules()
     compiled = [name for name in modules if importlib.import_module(f".{name}", __name__).CHART.native]
     native = f"native in {', '.join(compiled)}" if len(compiled) < len(modules) else "native"
-    uncompiled = ("singular_angles", "identity", "random")
+    uncompiled = ("singular_angles", "switch", "identity", "random")
     return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
 
 

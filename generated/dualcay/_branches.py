@@ -9,9 +9,12 @@ import operator
 from decimal import Context, Decimal
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from ._chart import Chart
 from ._kernel import Array
-from ._runtime import call, unchanged
+from ._runtime import as_array, call, unchanged
 
 DECIMALS = Context(prec=50)
 """Decimal arithmetic for the turn angle of charts with infinitely many branches."""
@@ -60,3 +63,34 @@ def shifted_jacobian(chart: Chart, branch: int, *given: Any) -> Array:
 def returned(chart: Chart, *given: Any) -> Array:
     """Return the vector on the principal branch; v itself if the chart has one branch only."""
     return call(chart, "principal", *given, table=chart.returns) if chart.returns else unchanged(chart, *given)
+
+
+def switched(
+    kernels: Any, axis: int, v: ArrayLike, v_dot: ArrayLike | None, covariance: ArrayLike | None
+) -> Array | tuple[Array, ...]:
+    """Return the principal vector, the rate and the covariance; the arguments themselves if nothing changes."""
+    n = len(kernels.identity())
+    array = as_array("v", v, (n,), axis, real=True)
+    rate = None if v_dot is None else as_array("v_dot", v_dot, (n,), axis, real=True)
+    spread = None if covariance is None else as_array("covariance", covariance, (n, n), axis, real=True)
+    moved = kernels.principal(array, axis=axis)
+    changed = np.any((moved != array) & (moved == moved), axis=axis, keepdims=True)
+    if not changed.any():
+        moved = array
+    else:
+        if rate is not None:
+            rate = np.where(changed, kernels.rate(moved, kernels.twist(array, rate, axis=axis), axis=axis), rate)
+        if spread is not None:
+            spread = np.where(np.expand_dims(changed, axis), _spread(kernels, axis, array, moved, spread), spread)
+    found = (moved, *(value for value in (rate, spread) if value is not None))
+    return found if len(found) > 1 else moved
+
+
+
+def _spread(kernels: Any, axis: int, v: Array, moved: Array, covariance: Array) -> Array:
+    """Return ``J P Jᵀ`` by two passes over columns, ``J x = T(moved)⁻¹ T(v) x``."""
+    place, swap = (1, (0, 1)) if axis == 0 else (-2, (-1, -2))
+    v, moved = np.expand_dims(v, place), np.expand_dims(moved, place)
+    for _ in range(2):
+        covariance = kernels.rate(moved, kernels.twist(v, covariance, axis=axis), axis=axis).swapaxes(*swap)
+    return covariance

@@ -50,6 +50,7 @@ retract_jacobians = _kernels.retract_jacobians
 shadow = _kernels.shadow
 shadow_jacobian = _kernels.shadow_jacobian
 singular_angles = _kernels.singular_angles
+switch = _kernels.switch
 tangent = _kernels.tangent
 tangent_dot = _kernels.tangent_dot
 tangent_inv = _kernels.tangent_inv

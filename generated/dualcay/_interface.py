@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._branches import call_branch, returned, shifted, shifted_jacobian
+from ._branches import call_branch, returned, shifted, shifted_jacobian, switched
 from ._chart import Chart
 from ._checks import LAWS, require
 from ._kernel import Array
@@ -818,6 +818,40 @@ class PoseKernels(Kernels):
         True
         """
         return call(self._chart, "to_exponential", axis, out, v)
+
+    def switch(
+        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: int = -1
+    ) -> Array | tuple[Array, ...]:
+        r"""Return the principal vector, with the rate and the covariance that belong to it.
+
+        The pose and its twist stay. The rate becomes ``J v̇`` and the covariance ``J P Jᵀ``, ``J = T(v_k)⁻¹ T(v)``.
+        Elements that are principal already keep their values.
+
+        Parameters
+        ----------
+        v : array, shape (..., 6)
+            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Complex v is a TypeError.
+        v_dot : array, shape (..., 6)
+            Time derivative of v (1/s): real part, then dual part.
+        covariance : array, shape (..., 6, 6)
+            Covariance P of v, symmetric.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        array, or tuple of arrays
+            The principal vector; with a rate or a covariance, a tuple of all that was given.
+            If nothing changes, these are the arguments themselves, as arrays.
+
+        Examples
+        --------
+        >>> v, omega = np.arange(6) / 2, np.ones(6)
+        >>> moved, rate = cayley2.switch(v, cayley2.rate(v, omega))
+        >>> np.allclose(moved, cayley2.principal(v)), np.allclose(cayley2.twist(moved, rate), omega)
+        (True, True)
+        """
+        return switched(self, axis, v, v_dot, covariance)
 
     def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector φ(α) u of exponential coordinates α u, on the branch of α if the chart has it.

@@ -17,7 +17,7 @@ from derive.codegen.signatures import PUBLIC
 from tests.support import sampling
 from tests.support.kernels import ORDERS, load
 
-PLAIN = {"singular_angles", "identity", "random"}
+PLAIN = {"singular_angles", "switch", "identity", "random"}
 NAMES = sorted({*(alias for row in PUBLIC.values() for alias in (row.name, *row.aliases)), *PLAIN})
 
 

@@ -16,7 +16,9 @@ class Numpy(PythonTarget):
 
     name = "numpy"
     options = "axis: int = -1, out: Array | None = None"
-    files = (*PythonTarget.files, "_kernel.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py")
+    files = (
+        *PythonTarget.files, "_kernel.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py", "_switching.py",
+    )  # fmt: skip
     tools = ("dask",)
     imports_bases = True
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")

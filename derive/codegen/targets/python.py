@@ -64,8 +64,9 @@ class PythonTarget:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """Functions without array arguments, which have no row in the table; makers of arrays need ``out``."""
-        return ("singular_angles", "identity", "random") if "out" in self.keywords else ("singular_angles",)
+        """Functions without a program of their own, so without a row in the table; makers of arrays need ``out``."""
+        found = ("singular_angles", "switch")
+        return (*found, "identity", "random") if "out" in self.keywords else found
 
     def shared(self) -> dict[str, Data]:
         found: dict[str, Data] = {name: {} for name in (*self.files, "__main__.py", "py.typed")}

@@ -104,7 +104,7 @@ def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
 
 def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
     """Compare the names and constants of a module with its table and chart."""
-    own = (*table.public, "singular_angles", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
+    own = (*table.public, "singular_angles", "switch", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
     names = {name: name for name in own} | table.aliases(chart)
     for name, method in names.items():
         function = getattr(module, name, None)

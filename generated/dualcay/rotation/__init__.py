@@ -60,7 +60,7 @@ def backend() -> dict[str, str]:
     modules = _modules()
     compiled = [name for name in modules if importlib.import_module(f".{name}", __name__).CHART.native]
     native = f"native in {', '.join(compiled)}" if len(compiled) < len(modules) else "native"
-    uncompiled = ("singular_angles", "identity", "random")
+    uncompiled = ("singular_angles", "switch", "identity", "random")
     return {name: native if compiled and name not in uncompiled else "numpy" for name in names}
 
 

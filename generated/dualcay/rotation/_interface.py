@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._branches import call_branch, returned, shifted, shifted_jacobian
+from .._branches import call_branch, returned, shifted, shifted_jacobian, switched
 from .._checks import ROTATION_LAWS as LAWS
 from .._checks import require
 from .._interface import Kernels
@@ -654,6 +654,40 @@ class RotationKernels(Kernels):
         True
         """
         return call(self._chart, "to_exponential", axis, out, v)
+
+    def switch(
+        self, v: ArrayLike, v_dot: ArrayLike | None = None, covariance: ArrayLike | None = None, *, axis: int = -1
+    ) -> Array | tuple[Array, ...]:
+        r"""Return the principal vector, with the rate and the covariance that belong to it.
+
+        The pose and its twist stay. The rate becomes ``J v̇`` and the covariance ``J P Jᵀ``, ``J = T(v_k)⁻¹ T(v)``.
+        Elements that are principal already keep their values.
+
+        Parameters
+        ----------
+        v : array, shape (..., 3)
+            Rodrigues vector φ(α) u (dimensionless).
+            Complex v is a TypeError.
+        v_dot : array, shape (..., 3)
+            Time derivative of v (1/s).
+        covariance : array, shape (..., 3, 3)
+            Covariance P of v, symmetric.
+        axis : {-1, 0}, component axis of arguments and results
+
+        Returns
+        -------
+        array, or tuple of arrays
+            The principal vector; with a rate or a covariance, a tuple of all that was given.
+            If nothing changes, these are the arguments themselves, as arrays.
+
+        Examples
+        --------
+        >>> v, omega = np.arange(3) / 2, np.ones(3)
+        >>> moved, rate = cayley2.switch(v, cayley2.rate(v, omega))
+        >>> np.allclose(moved, cayley2.principal(v)), np.allclose(cayley2.twist(moved, rate), omega)
+        (True, True)
+        """
+        return switched(self, axis, v, v_dot, covariance)
 
     def from_exponential(self, w: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
         r"""Return the vector φ(α) u of exponential coordinates α u, on the branch of α if the chart has it.

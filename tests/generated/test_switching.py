@@ -1,0 +1,147 @@
+"""Switch of branches with rate and covariance, its event, and continuous branches of a sequence."""
+
+from __future__ import annotations
+
+import importlib
+from types import ModuleType
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import dualcay
+from dualcay import switch_event, unwrap
+from tests.support import examples
+
+NAMES = ("cayley2", "cayley3", "cayley5", "exponential", "sine4", "scaled3", "wiener_milenkovic")
+EPS = np.finfo(float).eps
+
+
+def charts(table: str = "") -> list[ModuleType]:
+    return [importlib.import_module(".".join(filter(None, ("dualcay", table, name)))) for name in NAMES]
+
+
+def on_shadows(module: ModuleType, count: int = 6) -> np.ndarray:
+    """Return vectors with angles from 0.5 to 5.5 on their own branch."""
+    w = dualcay.exponential.random(count, max_angle=1.0, rng=3)
+    w *= (np.linspace(0.5, 5.5, count) / np.linalg.norm(w[:, :3], axis=-1))[:, None]
+    return module.from_exponential(w if len(module.identity()) == 6 else w[:, :3])
+
+
+@pytest.mark.parametrize("table", ["", "rotation"])
+def test_a_switch_keeps_pose_and_twist_and_carries_the_covariance(table: str) -> None:
+    """Compare with the shadow's Jacobian, row by row; both lose digits by the condition of T, below 1e4 here."""
+    for module in charts(table):
+        v, rng = on_shadows(module), np.random.default_rng(0)
+        n = v.shape[-1]
+        v_dot, root = rng.normal(size=v.shape), rng.normal(size=(len(v), n, n))
+        P = root @ root.swapaxes(-1, -2)
+        moved, rate, spread = module.switch(v, v_dot, P)
+        np.testing.assert_array_equal(moved, module.principal(v))
+        for i, (x, y) in enumerate(zip(v, moved, strict=True)):
+            if np.array_equal(x, y):
+                assert np.array_equal(rate[i], v_dot[i])
+                assert np.array_equal(spread[i], P[i])
+                continue
+            branch = 1 if np.allclose(module.shadow(x, 1), y) else -1
+            J = module.shadow_jacobian(x, branch)
+            np.testing.assert_allclose(rate[i], J @ v_dot[i], rtol=0, atol=1e5 * EPS * abs(J).max())
+            wanted = J @ P[i] @ J.T
+            np.testing.assert_allclose(spread[i], wanted, rtol=0, atol=1e4 * EPS * abs(wanted).max())
+        first = module.switch(v.T, v_dot.T, np.moveaxis(P, 0, -1), axis=0)
+        np.testing.assert_allclose(np.moveaxis(first[2], -1, 0), spread, rtol=1e-9, atol=1e-9)
+        np.testing.assert_allclose(first[1].T, rate, rtol=1e-12, atol=1e-12)
+
+
+def test_arguments_that_need_no_switch_are_returned() -> None:
+    for module in (*charts(), dualcay.cayley1):
+        v, P = module.random(4, max_angle=3.0, rng=1), np.broadcast_to(np.eye(6), (4, 6, 6))
+        found = module.switch(v, v, P)
+        assert [a is b for a, b in zip(found, (v, v, P), strict=True)] == [True] * 3
+        assert module.switch(v) is v
+        v[0] = np.nan
+        assert module.switch(v) is v
+    with pytest.raises(ValueError, match=r"covariance must have shape \(..., 6, 6\), got \(6,\)"):
+        dualcay.cayley2.switch(np.zeros(6), covariance=np.zeros(6))
+
+
+def test_the_covariance_at_an_mrp_switch_is_the_closed_form() -> None:
+    """Compare with 2 σσᵀ/|σ|⁴ − I/|σ|², away from |σ| = 1 where a shorter formula holds by chance."""
+    s, P = np.array([0.9, -0.8, 0.4]), np.diag([1.0, 2.0, 3.0])
+    x = s @ s
+    J = 2 * np.outer(s, s) / x**2 - np.eye(3) / x
+    found = dualcay.rotation.cayley2.switch(s, covariance=P)[1]
+    np.testing.assert_allclose(found, J @ P @ J.T, rtol=50 * EPS)
+    wrong = 2 * np.outer(s, s) - np.eye(3)  # control: the formula for |σ| = 1
+    assert not np.allclose(found, wrong @ P @ wrong.T, rtol=0.1)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_event_stops_three_turns_before_every_singular_angle(name: str) -> None:
+    module = getattr(dualcay, name)
+    omega, t0, y0, times = np.array([0.2, 1.0, -0.1, 0.1, 0, 0.3]), 0.0, np.zeros(7), []
+    event, end = switch_event(module, slice(1, 7)), 6 * np.pi
+    while True:
+        piece = solve_ivp(
+            lambda t, y: np.concatenate([[1], module.rate(y[1:], omega)]), (t0, end), y0,
+            events=event, max_step=1.0, rtol=1e-10, atol=1e-12, method="DOP853",
+        )  # fmt: skip
+        if piece.status != 1:
+            break
+        t0, y0 = piece.t[-1], piece.y[:, -1]
+        y0[1:] = module.switch(y0[1:])
+        times.append(t0)
+    size = np.linalg.norm(omega[:3])
+    np.testing.assert_allclose(np.array(times) * size, np.pi * np.array([1.5, 3.5, 5.5]), rtol=1e-8)
+    wanted = dualcay.exponential.tensor(omega * end)
+    np.testing.assert_allclose(module.tensor(piece.y[1:, -1]), wanted, rtol=0, atol=1e-8)
+
+
+def test_charts_singular_at_half_a_turn_have_no_event() -> None:
+    for module in (dualcay.cayley1, dualcay.orthographic):
+        with pytest.raises(ValueError, match=r"is singular at the angle 3.14159, where no other branch helps"):
+            switch_event(module)
+
+
+@pytest.mark.parametrize("table", ["", "rotation"])
+def test_unwrapped_vectors_are_continuous_poses_with_gaps(table: str) -> None:
+    for module in charts(table):
+        w = np.linspace(0.1, 16, 81)[:, None] * np.array([0.3, 0.8, 0.52, 0.1, 0.2, -0.3])
+        w[:, :3] += 0.02 * np.sin(np.linspace(0, 9, 81))[:, None] * np.array([1, -0.5, 0.2])
+        w = w[:, : len(module.identity())]
+        source = dualcay.rotation.exponential if table else dualcay.exponential
+        given = module.from_quaternion(source.quaternion(w))
+        given[7:9] = np.nan
+        found, branch = unwrap(module, given, branch=True)
+        assert np.isnan(found[7:9]).all()
+        np.testing.assert_array_equal(found[:5], given[:5])
+        kept, q = np.isfinite(found[:, 0]), module.quaternion(found)
+        pairs = zip(q[kept], branch[kept], strict=True)
+        back = np.stack([module.from_quaternion(one, int(k)) for one, k in pairs])
+        np.testing.assert_allclose(found[kept], back, rtol=1e-7, atol=1e-7)  # near whole turns the axis loses digits
+        if source.__name__.endswith(module.__name__.rpartition(".")[2]):
+            np.testing.assert_allclose(found[kept], w[kept], rtol=1e-9, atol=1e-9)
+            both = unwrap(module, np.stack([given, np.full_like(given, np.nan)], axis=1))
+            np.testing.assert_array_equal(both[:, 0], found)
+
+
+def test_unwrap_of_rotation_vectors_that_jump_at_half_a_turn() -> None:
+    """Compare with numpy.unwrap about a fixed axis; the first vector keeps its branch. Control: the given ones jump."""
+    angles = 0.4 + 0.3 * np.arange(90) * np.cos(np.arange(90) / 30)
+    v = dualcay.rotation.exponential.principal(angles[:, None] * np.array([0.6, 0, 0.8]))
+    assert np.linalg.norm(np.diff(v, axis=0), axis=-1).max() > 3
+    for start in (0, 1, -1):
+        v[0] = dualcay.rotation.exponential.shadow(v[0], start) if start else v[0]
+        found, branch = unwrap(dualcay.rotation.exponential, v, branch=True)
+        wanted = angles + 2 * np.pi * branch[0]
+        np.testing.assert_allclose(found @ [0.6, 0, 0.8], wanted, rtol=0, atol=1e-12)
+        v[0] = found[0] - 2 * np.pi * branch[0] * np.array([0.6, 0, 0.8])
+
+
+def test_unwrap_refuses_a_single_vector() -> None:
+    with pytest.raises(ValueError, match=r"v must have shape \(T, ..., 6\), got \(6,\)"):
+        unwrap(dualcay.cayley2, np.zeros(6))
+
+
+def test_examples_in_docstrings_run() -> None:
+    assert examples.of_docstrings((switch_event, unwrap)) == ""
