@@ -24,19 +24,19 @@ __all__ = ["backend", "convert", "convert_jacobian", "matrix6", "switch_event", 
 __version__ = "0.1.0"
 
 
-PACKAGES = ("rotation",)
-"""Subpackages with modules of the same names, for rotations alone."""
+PARTS = ("rotation", "dask")
+"""Public parts that are no chart: the package of rotations alone, and tools that import further libraries."""
 
 
 def _modules() -> list[str]:
     found = (info.name for info in pkgutil.iter_modules(__path__) if not info.ispkg)
-    return sorted(name for name in found if not name.startswith("_"))
+    return sorted(name for name in found if not name.startswith("_") and name not in PARTS)
 
 
 if not TYPE_CHECKING:  # type checkers find the modules in the folder and must see no other name
 
     def __getattr__(name: str) -> Any:
-        if name in (*_modules(), *PACKAGES):
+        if name in (*_modules(), *PARTS):
             return importlib.import_module(f".{name}", __name__)
         there = f"kernel modules: {', '.join(_modules())}"
         order = re.fullmatch(r"cayley([1-9]\d*)", name)
@@ -74,4 +74,4 @@ def backend() -> dict[str, str]:
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, *_modules(), *PACKAGES, "__version__"})
+    return sorted({*__all__, *_modules(), *PARTS, "__version__"})

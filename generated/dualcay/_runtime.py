@@ -88,7 +88,7 @@ def call(
         if alone is not None:
             return alone
     dtype = arrays[0].dtype if len(arrays) == 1 else common_type(values, arrays)
-    batch = _batch(arguments, arrays, axis)
+    batch = batch_shape(arguments, arrays, axis)
     full = kernel.shape + batch if axis == 0 else batch + kernel.shape
     if out is not None:
         _check(out, full, dtype)
@@ -264,7 +264,7 @@ def as_array(name: str, value: ArrayLike, part: Shape, axis: int, real: bool = F
     return array
 
 
-def _batch(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
+def batch_shape(arguments: Sequence[tuple[str, Shape]], arrays: Sequence[Array], axis: int) -> Shape:
     """Return the broadcast shape of the batches."""
     parts = [len(part) for _, part in arguments]
     shapes = [a.shape[k:] if axis == 0 else a.shape[: a.ndim - k] for a, k in zip(arrays, parts, strict=True)]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from ..lowered import Lowered, lower_chart
 from ..package import Data, Facts, fingerprint
+from ..rows import Function
 from ..signatures import POSES
 from ..validation import Machinery
 from .expression import items
-from .python import PythonTarget, printed_scalars
+from .python import CLASSES, PythonTarget, printed_scalars
 
 
 class Numpy(PythonTarget):
@@ -18,9 +19,14 @@ class Numpy(PythonTarget):
     files = (
         *PythonTarget.files, "_kernel.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py", "_switching.py",
     )  # fmt: skip
+    tools = ("dask",)
     imports_bases = True
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
+
+    def shared(self) -> dict[str, Data]:
+        tables = {CLASSES[table]: {name: signature(row) for name, row in table.public.items()} for table in self.tables}
+        return {**super().shared(), "dask.py": {"tables": tables}}
 
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
@@ -38,3 +44,9 @@ class Numpy(PythonTarget):
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
         return {"programs": fingerprint(facts, lowered)}
+
+
+def signature(row: Function) -> str:
+    """Return the shapes of the arguments and results of a function as NumPy writes them: ``(6),(6)->(6,6)``."""
+    sides = (row.arguments, row.results)
+    return "->".join(",".join(f"({','.join(map(str, array.shape))})" for array in side) for side in sides)

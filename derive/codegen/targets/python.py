@@ -50,6 +50,8 @@ class PythonTarget:
     imports_bases = False
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
+    tools: tuple[str, ...] = ()
+    """Public modules that hold no chart, such as those that import further libraries."""
     name: str
     unproved: str
     options: str
@@ -83,7 +85,7 @@ class PythonTarget:
             "families": "|".join([*SINGLE, *(rf"{stem}[1-9]\d*" for stem in NUMBERED)]),
             "target": self.name,
             "uncompiled": self.plain if self.name == about.TARGET else (),  # not in ``dualcay-native``
-            "packages": [] if table.name else [inner.name for inner in self.tables if inner.name],
+            "parts": [] if table.name else [*(inner.name for inner in self.tables if inner.name), *self.tools],
             "package": table.name,
             "class": CLASSES[table],
         }

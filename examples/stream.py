@@ -1,0 +1,70 @@
+"""Ten million poses in constant memory: ``python examples/stream.py [--count N] [--chunk N] [--seed N]``.
+
+A camera stands on an arm whose pose is uncertain: a normal perturbation in the space frame about a known pose. A point
+that the camera sees has a mean and a covariance in space. The first-order formula J P Jᵀ uses a Jacobian of the
+kernels; the Monte Carlo sum shows what it leaves out, up to 2 per cent of a deviation here.
+
+Chunks are drawn, moved and summed one by one. The peak of memory depends on the size of a chunk, not on the count.
+"""
+
+import argparse
+import resource
+from collections.abc import Sequence
+
+import dask.array as da
+import numpy as np
+from dask.diagnostics import ProgressBar
+
+from dualcay import cayley2
+from dualcay.dask import apply
+
+POSE = np.array([0.2, -0.1, 0.4, 0.3, 0.5, -0.2])  # tan(α/4) u of the camera
+POINT = np.array([0.1, -0.2, 3])  # seen by the camera, m
+DEVIATION = np.array([0.05, 0.05, 0.05, 0.01, 0.01, 0.01])  # of the perturbation: rad, then m
+
+
+def points(count: int, chunk: int, seed: int) -> da.Array:
+    """Return the point in space for each drawn pose, lazily."""
+    delta = DEVIATION * da.random.default_rng(seed).standard_normal((count, 6), chunks=(chunk, 6))
+    return apply(cayley2.transform_point, apply(cayley2.retract, POSE, delta), POINT)
+
+
+def moments(moved: da.Array) -> tuple[np.ndarray, np.ndarray]:
+    """Return mean and covariance of points, from one small matrix of sums per chunk."""
+    shift = cayley2.transform_point(POSE, POINT)  # sums of small offsets lose no digits in the covariance
+
+    def sums(block: np.ndarray) -> np.ndarray:
+        offset = np.column_stack([block - shift, np.ones(len(block))])
+        return (offset.T @ offset)[None]
+
+    found = moved.map_blocks(sums, new_axis=2, chunks=((1,) * moved.numblocks[0], 4, 4), dtype=float).sum(axis=0)
+    total = found.compute() / len(moved)
+    mean = total[3, :3]
+    return shift + mean, total[:3, :3] - np.outer(mean, mean)
+
+
+def first_order() -> np.ndarray:
+    """Return the covariance J P Jᵀ of the point."""
+    _, by_delta = cayley2.retract_jacobians(POSE, np.zeros(6))
+    by_v, _ = cayley2.transform_point_jacobians(POSE, POINT)
+    slope = by_v @ by_delta
+    return slope @ np.diag(DEVIATION**2) @ slope.T
+
+
+def main(argv: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(description="Monte Carlo of poses in constant memory")
+    parser.add_argument("--count", type=int, default=10_000_000, help="number of poses")
+    parser.add_argument("--chunk", type=int, default=100_000, help="number of poses in a chunk")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random numbers")
+    options = parser.parse_args(argv)
+    with ProgressBar():
+        mean, covariance = moments(points(options.count, options.chunk, options.seed))
+    print(f"{options.count} poses in chunks of {options.chunk}; the poses alone hold {48e-6 * options.count:.0f} MB")
+    print(f"mean of the point   {mean.round(4)} m, at the mean pose {cayley2.transform_point(POSE, POINT).round(4)} m")
+    for name, found in (("Monte Carlo", covariance), ("first order", first_order())):
+        print(f"deviations, {name} {np.sqrt(np.diag(found)).round(5)} m")
+    print(f"peak of memory      {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
+
+
+if __name__ == "__main__":
+    main()
