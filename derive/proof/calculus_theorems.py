@@ -5,12 +5,15 @@ Then ``df/dt = f_y (v · v')``. The theorems concern:
 
 * slopes and second slopes in closed form, without division by x;
 * the derivatives by v in both frames: J(a) of the twist ``T a``, and K(a) of the rate ``T⁻¹ a``;
-* the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus sign in the body frame.
+* the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus sign in the body frame;
+* transition: for a given body twist a and a constant b, ``δ = T⁻¹ b`` solves the variational equation
+  ``δ' = K_B(a) δ``. Hence ``∂v/∂v0 = T(v)⁻¹ T(v0)``, and the space perturbation ``T δ`` of the pose is constant.
+  For a given space twist all operators are transposed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import sympy
 
@@ -73,6 +76,7 @@ def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
         identity("second slopes of the tangent operators", OF_X, SECOND, *given),
         *_along_motions(known, tangent, inverse),
         *_structure(known, tangent, formulas.defined(R, "tensor")),
+        *_transitions(known, tangent, inverse, formulas.defined(R, "tensor")),
     )
 
 
@@ -92,10 +96,53 @@ def _along_motions(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: 
         ),
         _image("Jacobian of the twist", dcay, _jacobian, (twist_jacobian, body_jacobian), *forward, *MOTION),
         _image(
-            "Jacobian of the rate", dcay_inv, _rate_jacobian, (rate_jacobian, body_rate_jacobian), *backward, inverse,
+            "Jacobian of the rate", dcay_inv, rate_jacobian_of, (rate_jacobian, body_rate_jacobian), *backward, inverse,
             *MOTION[:-1], ORIGIN_Q,
         ),
     )  # fmt: skip
+
+
+def _transitions(
+    known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise, tensor: Premise
+) -> Iterator[Theorem]:
+    """Yield the theorems on transition for a twist given in space, and in the body."""
+    for frame in ("space", "body"):
+        claim, motion = transition(frame, dcay, dcay_inv)
+        yield identity(
+            f"transition, {frame} twist given", Symbols((p, q, x, n), (v, a, b), (x,)), claim,
+            *(known[symbol] for symbol in BACKWARD), *BRACKETS, tangent, inverse, tensor, *motion, *MOTION[1:-1],
+            ORIGIN_P, ORIGIN_Q,
+        )  # fmt: skip
+
+
+def transition(
+    frame: str, operator: sympy.Expr, inverse: sympy.Expr
+) -> tuple[tuple[Equation, ...], tuple[Premise, ...]]:
+    """Return claim and premises on a perturbation δ of v in a motion whose twist a in a frame is given.
+
+    δ solves the variational equation. The perturbation of the pose is the constant b in the other frame.
+    """
+    body = frame == "body"
+
+    def given(tensor: sympy.Expr) -> sympy.Expr:
+        return transpose(tensor) if body else tensor
+
+    def other(tensor: sympy.Expr) -> sympy.Expr:
+        return tensor if body else transpose(tensor)
+
+    jacobian, hand = (body_rate_jacobian, -1) if body else (rate_jacobian, 1)
+    claim = (
+        Equation(rate(delta), jacobian * delta),
+        Equation(other(operator) * delta, b),
+        Equation(given(operator) * delta, given(R) * b),
+    )
+    premises = (
+        definition(v_dot, given(inverse) * a),
+        definition(rate(v), v_dot),
+        definition(delta, other(inverse) * b),
+        definition(jacobian, rate_jacobian_of(a, hand), wrong=rate_jacobian_of(a, -hand)),
+    )
+    return claim, premises
 
 
 def _jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
@@ -104,7 +151,7 @@ def _jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
     return dyad(image, v) - hand * g * skew(of) + h * (dyad(v, of) + dot(v, of) * I)
 
 
-def _rate_jacobian(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
+def rate_jacobian_of(of: sympy.Expr, hand: int = 1) -> sympy.Expr:
     """Return the derivative of ``T⁻¹ a`` by v for a = `of`; with hand −1, the derivative of ``T⁻ᵀ a``."""
     return (dyad(f_iy * of + h_iy * dot(v, of) * v, v) + hand * skew(of) + h_i * (dyad(v, of) + dot(v, of) * I)) / 2
 

@@ -52,6 +52,8 @@ _ROWS: Mapping[str, Coverage] = {
         "exact", (*_SLOPES, "Jacobian of the twist", "structure equation", "structure equation in the body")
     ),
     "rate_jacobian body_rate_jacobian": Coverage("exact", (*_SLOPES, "Jacobian of the rate")),
+    "transition": Coverage("exact", ("transition, space twist given", "Jacobian of the rate", "inverse")),
+    "body_transition": Coverage("exact", ("transition, body twist given", "Jacobian of the rate", "inverse")),
     "cotangent body_cotangent": Coverage("exact", ("tangent", "body twist")),
     "from_quaternion from_tensor": Coverage("50 digits", ("screw", "multiples of an angle"), _BRANCHES),
     "from_pose": Coverage("50 digits", ("screw", "multiples of an angle", "pose"), _BRANCHES),

@@ -44,6 +44,7 @@ b, b_1, b_2, sigma, sigma_1, sigma_2 = map(structure, ("b", "b_1", "b_2", "sigma
 v_dual, V, R_dual = map(structure, ("v°", "V", "R(V)"))
 twist_jacobian, twist_jacobian_b, body_jacobian = map(structure, ("J(a)", "J(b)", "J_B(a)"))
 rate_jacobian, body_rate_jacobian, dcay_k, transport = map(structure, ("K(a)", "K_B(a)", "dcay_n(v_k)", "S_k"))
+delta = structure("delta")
 f, g, h, f_i, h_i, f_y, g_y, h_y, f_iy, h_iy = sympy.symbols("f g h f_i h_i f_y g_y h_y f_iy h_iy")
 x_dual, p_dual, q_dual, r_k, r_jk = sympy.symbols("x(V) p_n(V) q_n(V) r_k r_{j+k}")
 scalar, scalar_1, scalar_2 = sympy.symbols("scalar scalar_1 scalar_2")

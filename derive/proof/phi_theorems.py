@@ -11,10 +11,12 @@ on sine and cosine are their derivatives and ``sin² + cos² = 1``. Hence every 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 
 import sympy
 
+from .calculus_theorems import rate_jacobian_of, transition
 from .identity import Proof
 from .methods import identity
 from .notation import *
@@ -26,7 +28,8 @@ SCOPE = "every phi"
 
 phi, phi_1, phi_2, phi_3 = PHI = sympy.symbols("phi phi' phi'' phi'''")
 cosine, sine = sympy.symbols("cos(alpha/2) sin(alpha/2)")
-T, T_inv = structure("T"), structure("T^-1")
+psi, psi_1 = sympy.symbols("psi psi'")
+T, T_inv, other_T, other_v, change = map(structure, ("T", "T^-1", "T(w)", "w", "C"))
 s, w, f, g, h, fi, hi, rho = sympy.symbols("s w f g h fi hi rho")
 
 SIN, COS = 2 * sine * cosine, 1 - 2 * sine**2
@@ -111,6 +114,56 @@ def _of_motion() -> tuple[Theorem, ...]:
     return twist, body
 
 
+def _of_transition() -> Iterator[Theorem]:
+    """Yield the theorems on the derivative of the rate by v, and on transition for a twist given in either frame.
+
+    The derivative of the rate has one form for any functions f_i and h_i of x.
+    """
+    along = tuple(definition(rate(c), slope * dot(v, v_dot)) for c, slope in ((f_i, f_iy), (h_i, h_iy)))
+    jacobians = definition(rate_jacobian, rate_jacobian_of(a)), definition(body_rate_jacobian, rate_jacobian_of(a, -1))
+    yield identity(
+        "any phi: Jacobian of the rate", Symbols((f_i, h_i, f_iy, h_iy), (v, v_dot, a)),
+        (
+            Equation(rate(T_inv) * a, rate_jacobian * v_dot),
+            Equation(transpose(rate(T_inv)) * a, body_rate_jacobian * v_dot),
+        ),
+        definition(T_inv, (f_i * I - skew(v) + h_i * dyad(v, v)) / 2), *jacobians, MOTION[0], *along, scope=SCOPE,
+    )  # fmt: skip
+    slopes = definition(h_i, hi), definition(f_iy, 2 * prime(fi)), definition(h_iy, 2 * prime(hi))
+    given = TENSOR, TANGENT, INVERSE, *SCALARS[3:], *slopes, *OF_ANGLE, OF_PHI[0], *SQUARES
+    slope = Equation(h_iy, (2 * phi_2 / (phi * phi_1) - f_iy - 2 * h_i) / phi**2)
+    for frame in ("space", "body"):
+        claim, motion = transition(frame, T, T_inv)
+        yield identity(
+            f"any phi: transition, {frame} twist given", Symbols(SYMBOLS, (v, a, b), (sine, phi, phi_1)),
+            (*claim, slope), *given, *motion, MOTION[1], scope=SCOPE,
+        )  # fmt: skip
+
+
+def _of_change() -> Theorem:
+    """Return the theorem on another vector ``w = ψ/φ v`` of the same pose, in another chart or on another branch.
+
+    On branch k of the same chart, ``ψ(α) = φ(α + 2kπ)``.
+    """
+    symbols = Symbols((*SYMBOLS, psi, psi_1), (v, v_dot), (phi, phi_1, psi, psi_1))
+    stretch = (1 / psi_1 - SIN / psi) / psi**2
+    there = (
+        definition(other_v, psi / phi * v),
+        definition(change, psi / phi * I + (psi_1 / phi_1 - psi / phi) / x * dyad(v, v)),
+        definition(other_T, SIN / psi * I + (1 - COS) / psi**2 * skew(other_v) + stretch * dyad(other_v, other_v)),
+        definition(prime(psi), psi_1 / TURN),
+    )
+    return identity(
+        "any phi: change of chart or branch", symbols,
+        (
+            Equation(rate(other_v), change * v_dot),
+            Equation(other_T * change, T),
+            Equation(transpose(other_T) * change, transpose(T)),
+        ),
+        TANGENT, *SCALARS[3:6], *there, *MOTION, *OF_ANGLE, *SQUARES, scope=SCOPE,
+    )  # fmt: skip
+
+
 def _of_slopes() -> tuple[Theorem, ...]:
     def y(value: sympy.Expr) -> sympy.Expr:
         return 2 * prime(value)
@@ -151,7 +204,7 @@ def _of_slopes() -> tuple[Theorem, ...]:
     )
 
 
-ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes())
+ANY_PHI = (*_of_maps(), *_of_motion(), *_of_slopes(), *_of_transition(), _of_change())
 
 
 @cache

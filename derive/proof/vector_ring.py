@@ -76,7 +76,7 @@ class Ring(RationalFunctions):
     def derivatives(self, expression: Any, symbol: Any, square: Element, order: int) -> list[Element]:
         """Return an expression at ``symbol = square``, followed by its derivatives by the symbol up to an order."""
         if square not in self.squares:
-            raise ValueError(f"derivatives are by the square of a vector, not by {square!r}")
+            raise ValueError(f"derivatives are by the square of v or w, not by {square!r}")
         found = [self.lift(expression, {symbol: square})]
         while len(found) <= order:
             found.append(self._by_square(found[-1], self.squares.index(square)))

@@ -16,9 +16,9 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
-from ._tools import convert, matrix6
+from ._tools import convert, convert_jacobian, matrix6
 
-__all__ = ["backend", "convert", "matrix6"]
+__all__ = ["backend", "convert", "convert_jacobian", "matrix6"]
 
 __version__ = "0.1.0"
 

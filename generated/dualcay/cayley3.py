@@ -5,7 +5,7 @@
 # Cayley map of order 3, v = tan(alpha/6) u
 #   p = 1 - 3*x
 #   q = 3 - x
-# Proved exactly: 23 identities of this chart and 48 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 23 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid displacements.
 
 .. math::

@@ -5,7 +5,7 @@
 # Cayley map of order 4, v = tan(alpha/8) u
 #   p = 1 - 6*x + x^2
 #   q = 4 - 4*x
-# Proved exactly: 23 identities of this chart and 48 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 23 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid displacements.
 
 .. math::

@@ -5,7 +5,7 @@
 # Cayley map of order 5, v = tan(alpha/10) u
 #   p = 1 - 10*x + 5*x^2
 #   q = 5 - 10*x + x^2
-# Proved exactly: 23 identities of this chart and 48 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 23 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid displacements.
 
 .. math::

@@ -5,7 +5,7 @@
 # Cayley map of order 8, v = tan(alpha/16) u
 #   p = 1 - 28*x + 70*x^2 - 28*x^3 + x^4
 #   q = 8 - 56*x + 56*x^2 - 8*x^3
-# Proved exactly: 23 identities of this chart and 48 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 23 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid displacements.
 
 .. math::

@@ -29,8 +29,10 @@ ABOUT = {
     "body_tangent": {m.dcay, m.omega_body}, "body_tangent_inv": {m.dcay_inv, m.omega_body}, "twist": {m.dcay, m.omega},
     "body_twist": {m.dcay, m.omega_body}, "rate": {m.dcay_inv, m.omega}, "body_rate": {m.dcay_inv, m.omega_body},
     "tangent_dot": {m.dcay, m.v_dot}, "rate_dot": {m.dcay_inv, m.v_dot}, "twist_jacobian": {m.twist_jacobian},
-    "rate_jacobian": {m.rate_jacobian}, "cotangent": {m.dcay}, "from_quaternion": {m.q_hat, m.alpha},
-    "from_tensor": {m.R, m.alpha}, "from_screw": {m.q_hat, m.alpha}, "to_screw": {m.R, m.alpha}, "shadow": {m.R_k},
+    "rate_jacobian": {m.rate_jacobian}, "transition": {m.delta, m.rate_jacobian},
+    "body_transition": {m.delta, m.body_rate_jacobian}, "cotangent": {m.dcay},
+    "from_quaternion": {m.q_hat, m.alpha}, "from_tensor": {m.R, m.alpha}, "from_screw": {m.q_hat, m.alpha},
+    "to_screw": {m.R, m.alpha}, "shadow": {m.R_k},
     "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
     "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
 }  # fmt: skip
