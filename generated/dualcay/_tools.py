@@ -67,8 +67,8 @@ def convert_jacobian(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, 
     Returns
     -------
     array, shape (..., 6, 6), or (..., 3, 3) for rotations
-        Rows: components of w. Columns: components of v. inf or NaN where ``target.tangent_inv`` has a pole: rotation
-        angles 2kπ, k ≠ 0, and the edge of the target. Digits are lost near these poles, as in ``rate``.
+        Rows: components of w. Columns: components of v. inf or NaN at the edge of the target. At an angle d from
+        2kπ, k ≠ 0, the poles of ``target.tangent_inv``, the relative error grows as eps/d, in dual parts as eps/d².
 
     Examples
     --------

@@ -151,6 +151,15 @@ class CalculusTrial(Trial):
     def body_local(self) -> Iterator[Result]:
         return self._of_two("body_local", self.body_local_by)
 
+    def _transition(self, name: str) -> Iterator[Result]:
+        for v0 in self.partners():
+            for a, b, got in zip(self.v, v0, getattr(self.module, name)(self.v, v0), strict=True):
+                size = self._scale(a, "tangent_inv") * errors.scales(self.order, b).tangent
+                yield Result(got, [getattr(self.oracle, name)(a, b)], [size], self._gates, (a, b))
+
+    transition = partialmethod(_transition, "transition")
+    body_transition = partialmethod(_transition, "body_transition")
+
     def inverted(self, result: Any, moved: Nil) -> Nil:
         """Return the scale of T⁻¹ at a result with error ``moved``, which acts through T⁻¹ DT T⁻¹."""
         here, back = errors.scales(self.order, result), errors.majorant(inverse(self._operator(result)))
@@ -265,7 +274,7 @@ CALCULUS = (
     "adjoint", "cotangent", "body_cotangent", "body_tangent_dot", "body_twist_jacobian", "body_cotangent_jacobian",
     "angle", "to_exponential", "from_exponential", "between", "local", "body_local", "retract", "body_retract",
     "interpolate", "compose_jacobians", "between_jacobians", "shadow_jacobian", "retract_jacobians",
-    "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians",
+    "body_retract_jacobians", "transform_point_jacobians", "transform_line_jacobians", "transition", "body_transition",
 )  # fmt: skip
 """Names of functions added to `Trial`."""
 

@@ -93,6 +93,11 @@ class Oracle(Maps):
         back = inverse(self.operator_by_spin(self.unpack(self.shadow(v, branch))))
         return matrix6(pack(matmul(back, self.operator_by_spin(self.unpack(v)))))
 
+    def transition(self, v: Any, v0: Any, body: bool = False) -> np.ndarray:
+        """Solve T ∂v/∂v0 = T(v0) with the operators of the other frame: a given twist moves all poses alike."""
+        back = inverse(self.frame_operator(self.unpack(v), not body))
+        return matrix6(pack(matmul(back, self.frame_operator(self.unpack(v0), not body))))
+
     def compose_jacobians(self, v2: Any, v1: Any) -> tuple[np.ndarray, np.ndarray]:
         """Solve T(v) v̇ = T(v2) v̇2 + R(v2) T(v1) v̇1, the twist of a product, for both Jacobians."""
         later, sooner = self.unpack(v2), self.unpack(v1)
@@ -154,6 +159,7 @@ class Oracle(Maps):
     body_rate_dot = functools.partialmethod(rate_dot, body=True)
     body_twist_jacobian = functools.partialmethod(twist_jacobian, body=True)
     body_rate_jacobian = functools.partialmethod(rate_jacobian, body=True)
+    body_transition = functools.partialmethod(transition, body=True)
     body_cotangent = functools.partialmethod(cotangent, body=True)
     body_cotangent_jacobian = functools.partialmethod(cotangent_jacobian, body=True)
     body_retract_jacobians = functools.partialmethod(retract_jacobians, body=True)

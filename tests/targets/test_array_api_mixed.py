@@ -94,8 +94,9 @@ def test_other_libraries_take_numpy_arguments(module, library):
     assert_taken(module.twist, [V, W], LIBRARIES[library]())
 
 
-def test_conversion_stays_in_the_library(package, module, strict):
-    convert = importlib.import_module(package("array-api")).convert
+@pytest.mark.parametrize("name", ["convert", "convert_jacobian"])
+def test_conversion_stays_in_the_library(package, module, strict, name):
+    convert = getattr(importlib.import_module(package("array-api")), name)
     other = importlib.import_module(f"{package('array-api')}.cayley2")
     v = module.compose(V, strict.asarray(W))
     found = convert(v, module, other)

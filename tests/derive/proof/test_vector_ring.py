@@ -267,3 +267,17 @@ def test_every_number_to_the_power_0_is_1():
     field = RationalFunctions(("x",))
     assert field.constant(0) ** 0 == 1
     assert field.symbol("x") ** 0 == 1
+
+
+@pytest.mark.parametrize("root", [0, 1, -4])
+def test_second_vector_has_its_own_square(root: int) -> None:
+    exact = Ring(("w4",), root=root, vectors="vw")
+    w1, w2, w3 = (exact.symbol(name) for name in ("w1", "w2", "w3"))
+    square = w1 * w1 + w2 * w2 + w3 * w3
+    assert square in exact.squares
+    assert square != exact.x
+    expression = sympy.sqrt(1 + x / root) ** 3 if root else x**3 / (1 + x)
+    value, slope = exact.derivatives(expression, x, square, 1)
+    assert value == exact.lift(expression, {x: square})
+    assert slope == exact.lift(sympy.diff(expression, x), {x: square})
+    assert exact.derivative(square, "x") == 0
