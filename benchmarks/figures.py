@@ -1,9 +1,10 @@
-"""Pictures of the README: ``python -m benchmarks.figures``.
+"""Pictures of the README and of docs/motion.md: ``python -m benchmarks.figures``.
 
 ======== ====================================================================================================
 accuracy error against angle, of our kernels and other libraries: the main panels of docs/accuracy.md
 charts   |v| against the angle, chart by chart, and where each is singular
 screw    a body on a screw motion, by ``from_screw``
+motion   size and deviation of v along a tumbling motion with its switches, for docs/motion.md
 ======== ====================================================================================================
 
 Backgrounds are transparent, and colours are visible on white and on black.
@@ -11,6 +12,7 @@ Backgrounds are transparent, and colours are visible on white and on black.
 
 from __future__ import annotations
 
+import itertools
 import math
 from pathlib import Path
 from typing import Any
@@ -27,6 +29,8 @@ from derive.cli.compare import Compared
 from derive.codegen import catalogue
 from derive.maps.any_phi.stretch import stretch
 from dualcay import cayley2
+from dualcay.rotation import cayley2 as mrp
+from dualcay.rotation import exponential
 
 FOLDER = Path(__file__).parents[1] / "docs" / "figures"
 
@@ -135,12 +139,49 @@ def screw() -> Figure:
     return figure
 
 
+def motion() -> Figure:
+    """Draw |v| of two charts along a tumbling motion, and the deviation of v with and without J at the switches."""
+    omega, times = np.array([0.3, 0.8, -0.5]), np.linspace(0, 16, 1601)
+    figure = Figure(figsize=(11, 3.6), layout="constrained")
+    sizes, deviations = figure.subplots(1, 2)
+    poses = exponential.tensor(np.outer(times, omega)) @ exponential.tensor(np.array([0.4, -0.2, 0.9]))
+    for chart, colour, name in ((mrp, BLUE, "|σ|, n = 2"), (exponential, ORANGE, "|rotation vector|")):
+        sizes.plot(times, np.linalg.norm(chart.from_tensor(poses), axis=-1), color=colour, label=name)
+    sizes.axhline(1, color=BLUE, ls=":", lw=1.2, label="half a turn")
+    sizes.axhline(math.pi, color=ORANGE, ls=":", lw=1.2)
+    sizes.set(xlabel="t (s)", ylabel="size of the vector", ylim=(0, 3.6))
+    sizes.legend(frameon=False, ncols=3, loc="upper center")
+    right, wrong = _deviations(mrp.from_tensor(poses))
+    deviations.plot(times, wrong, color=PINK, ls="--", label="without J")
+    deviations.plot(times, right, color=GREEN, label="with J")
+    deviations.set(xlabel="t (s)", ylabel="deviation of σ₁, relative to t = 0", ylim=(0, None))
+    deviations.legend(frameon=False)
+    return figure
+
+
+START = np.array([1.0, 0.3, 0.1])
+"""Standard deviations of the components of σ at t = 0."""
+
+
+def _deviations(vectors: np.ndarray) -> np.ndarray:
+    """Return the standard deviation of σ₁ along a motion with J and without J at its switches, (2, times)."""
+    start = vectors[0]
+    right, wrong, carried = [], [], np.eye(3)
+    for before, after in itertools.pairwise([start, *vectors]):
+        last = min(before, mrp.shadow(before), key=lambda vector: np.linalg.norm(vector - after))
+        carried = mrp.transition(after, last) @ carried
+        for deviation, square in ((right, mrp.transition(after, start)), (wrong, carried)):
+            deviation.append(np.linalg.norm(square[0] * START))
+    return np.array([right, wrong])
+
+
 def main() -> None:
     """Draw all pictures."""
     matplotlib.use("Agg")
     with matplotlib.rc_context(STYLE):
         save(charts(), "charts")
         save(screw(), "screw")
+        save(motion(), "motion")
         console = Console()
         figures.missing(console)
         with progress(console) as bar:
