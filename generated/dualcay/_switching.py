@@ -31,7 +31,7 @@ def switch_angle(module: Any) -> float:
     return (pi + first) / 2
 
 
-def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:  # noqa: B008
+def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
     """Return a terminal event for ``scipy.integrate.solve_ivp`` that stops where v must change its branch.
 
     The event crosses zero upwards at an angle halfway between π and the first singular angle of the chart. After
