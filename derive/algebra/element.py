@@ -160,7 +160,7 @@ class Element:
     def combination(self, monomials: Sequence[Element]) -> tuple[Fraction, ...]:
         """Return the rational numbers c with ``self = Σ c · monomial``; raise NotExactError if there are none."""
         terms = self.ring.library.terms
-        reduced = self.ring.fraction(self.numerator, self.denominator)
+        reduced = self.ring.fraction(self.numerator, self.denominator, lowest_terms=True)
         left = terms(reduced.numerator)
         known = [next(iter(terms(monomial.numerator).items())) for monomial in monomials]
         result = tuple(left.pop(exponents, Fraction(0)) / scale for exponents, scale in known)

@@ -108,11 +108,11 @@ class RationalFunctions:
         """Return the form of a product that is stored: by default its normal form."""
         return self.normal_form(a)
 
-    def fraction(self, above: Polynomial, below: Polynomial) -> Element:
+    def fraction(self, above: Polynomial, below: Polynomial, lowest_terms: bool = False) -> Element:
         """Return a quotient of two polynomials, with a monic denominator."""
         one = self.library.one
         if below != one:
-            if self.lowest_terms and (common := self.library.gcd(above, below)) != one:
+            if (lowest_terms or self.lowest_terms) and (common := self.library.gcd(above, below)) != one:
                 above, below = above / common, below / common
             leading = self.library.leading_coefficient(below)
             if leading != 1:

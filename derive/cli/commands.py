@@ -126,6 +126,10 @@ def list_catalogue() -> None:
 @form(about.FORMATS, "How the report is written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File to write; else stdout.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if the file of -o is not what would be written.")
+@click.option(
+    "--certificates", type=options.Place(dir_okay=False),
+    help="JSON file to write: what each decision rests on, for tools/check_certificates.py.",
+)
 @click.option("--strict", is_flag=True, help="Exit 1 for an erratum too.")
 @options.max_n
 def verify(**given: Any) -> None:

@@ -14,21 +14,24 @@ from .. import about
 from ..maps import Cayley
 from ..output import files
 from ..output.tables import columns
-from ..papers import PAPERS, Paper, Status
+from ..papers import ORDERS, PAPERS, Paper, Status
 from ..papers import verify as decide
 from ..papers.report import FORMATS, Report, as_text
 from ..proof import citing, proofs, theorems
 from . import display, options
+from .certificates import as_lines, certified
 
 
 def verify(
     paper: str | None, equations: str | None, orders: tuple[int, ...], form: str, output: Path | None,
-    check: bool, strict: bool, max_n: int,
+    check: bool, certificates: Path | None, strict: bool, max_n: int,
 ) -> None:  # fmt: skip
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
+    if certificates is not None and (check or certificates == output):
+        raise click.UsageError("--certificates writes a file: leave out --check, and name another file than -o")
     papers, stale = [p for p in PAPERS if paper in (None, p.slug)], []
     report = _report(papers, _chosen(papers, equations), orders, output)
     text = as_text(report, columns()) if form == "text" and output is None else FORMATS[form](report)
@@ -39,11 +42,20 @@ def verify(
     else:
         files.write(output.parent, {output.name: text}, force=True)
         click.echo(f"{output}: {summary(report)}", err=True)
+    if certificates is not None:
+        _certify(certificates, report, orders)
     if stale:
         display.differences(stale, options.without_check())
     wrong = any(result.status is Status.ERRATUM for result in report.results)
     if stale or report.failed or (strict and wrong):
         raise click.exceptions.Exit(1)
+
+
+def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:
+    """Write the certificates of a report and of all theorems."""
+    shown = certified(report.results, report.proofs, orders or ORDERS)
+    files.write(file.parent, {file.name: as_lines(shown)}, force=True)
+    click.echo(f"{file}: {shown['certified']} certificates, {shown['uncertified']} decisions without", err=True)
 
 
 def _chosen(papers: Sequence[Paper], equations: str | None) -> list[str]:

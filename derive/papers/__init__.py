@@ -76,5 +76,7 @@ def verify(
     return results
 
 
-__all__ = ["PAPERS", "Equation", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
-           "verify"]
+__all__ = [
+    "ORDERS", "PAPERS", "Equation", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
+    "verify",
+]  # fmt: skip

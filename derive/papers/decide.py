@@ -23,6 +23,8 @@ from .result import Result, Status, Verdict
 from .sharp import is_sharp
 
 ORDERS = (1, 2, 3, 4, 5)
+Pairs = list[tuple[Any, Any]]
+"""Pairs of equal numbers in one exact field."""
 SHORT_DECIMALS = 1
 """Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
 
@@ -129,9 +131,11 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     return f"{exact}{supported}"
 
 
-def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None:
+def prove(entry: Equation, statement: Term, orders: Sequence[int], found: list[Pairs] | None = None) -> str | None:
     """Prove a statement exactly; return the method, or None if no exact field suits its operations and domain.
 
+    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
+    order, branch and sign.
     Raise if the statement is false at generic values although it is true at all seeded points.
     """
     free = entry.free(statement)
@@ -141,7 +145,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
     generic = sorted((a for a in free if a not in (order, branch, sign)), key=lambda a: a not in lengths)
     if order is not None and branch is None:
         with suppress(NotExactError):
-            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order)):
+            if _checked(entry, statement, Generic(generic, False, entry.moving, order=order), found):
                 return "exact, all n"
     dual, checked = takes_apart(statement, *entry.definitions), False
     try:
@@ -152,7 +156,7 @@ def prove(entry: Equation, statement: Term, orders: Sequence[int]) -> str | None
                 if branch is not None:
                     point.fix_branch(branch, k)
                 point.values |= {a: value for a, value in ((order, n), (sign, plus_minus)) if a is not None}
-                checked |= _checked(entry, statement, point)
+                checked |= _checked(entry, statement, point, found)
     except NotExactError:
         return None
     if not checked:
@@ -166,11 +170,13 @@ def _steps(statement: Term) -> int:
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
-def _checked(entry: Equation, statement: Term, point: Generic) -> bool:
+def _checked(entry: Equation, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:
     """Return whether the generic values lie in the domain; if they do, raise unless the statement is true there."""
+    point.field.functions.lowest_terms = found is None
+    pairs: Pairs | None = None if found is None else []
 
-    def value(part: Term) -> Any:
-        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving).value(part)
+    def value(part: Term, pairs: Pairs | None = None) -> Any:
+        return Env(point.field, dict(point.values), entry.definitions, point.dual, point.moving, pairs).value(part)
 
     try:
         inside = all(value(part) for part in (entry.claimed, entry.condition) if part is not None)
@@ -178,6 +184,8 @@ def _checked(entry: Equation, statement: Term, point: Generic) -> bool:
         inside = True
     except ArithmeticError:
         inside = False
-    if inside and not value(statement):
+    if inside and not value(statement, pairs):
         raise UndecidedError(f"({entry.number}): true at all points but false exactly")
+    if found is not None and inside:
+        found.append(pairs or [])
     return inside

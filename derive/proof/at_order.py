@@ -16,7 +16,7 @@ import sympy
 from ..maps import Cayley, closed_forms, polynomials
 from .evaluation import NoValueError
 from .formulas import Formulas
-from .identity import Checks, Proof, decide
+from .identity import Checks, Proof, Sides, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
 from .vector_ring import Ring
@@ -68,9 +68,10 @@ class AtOrder:
         if (index, order) != (n, self.order):
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
         for place, (value, theorem) in enumerate(zip(stated, self.values[symbol], strict=True), 1):
-            label = f", coefficient {place}" if len(stated) > 1 else ""
+            label = f"{text(name)} = {text(term)}" + (f", component {place}" if len(stated) > 1 else "")
             found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
-            yield f"{name}{label}", found - theorem
+            found = self.ring.element(found)
+            yield label, found - theorem, Sides(found, self.ring.element(theorem))
 
 
 at_order = lru_cache(maxsize=2)(AtOrder)

@@ -99,11 +99,15 @@ class DifferentialRing(RationalFunctions):
         """Return the symbols in a polynomial."""
         return {symbol for symbol, degree in zip(self.symbols, a.degrees(), strict=True) if degree > 0}
 
+    def is_free(self, a: Polynomial) -> bool:
+        """Return whether all symbols in a polynomial vary freely, except for one relation between them."""
+        symbols = self.occurring(a)
+        return symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1
+
     def _certified(self, factor: Polynomial) -> bool:
         """Return whether a factor is certified as not identically 0 at any n."""
         factor = self.bases.get(self.expression(factor), factor)
-        symbols = self.occurring(factor)
-        if symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1:
+        if self.is_free(factor):
             return bool(self.normal_form(factor))
         here = self._at_origin(factor)
         if self.occurring(here.numerator) != {n}:

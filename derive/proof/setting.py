@@ -153,13 +153,26 @@ class Setting(Evaluation):
         both = self._slopes.keys() & self._rates.keys() if speed is not None else ()
         return found + [self._rates[symbol] - self._slopes[symbol] * speed for symbol in both]
 
-    def differences(self, equation: Equation) -> list[Element]:
-        """Return left side minus right side by components, real parts before dual parts."""
+    def compared(self, equation: Equation) -> list[tuple[Element, Element]]:
+        """Return both sides by components, real parts before dual parts."""
         pairs = self.sides(equation)
-        found = [real_part(a) - real_part(b) for a, b in pairs]
+        found = [(real_part(a), real_part(b)) for a, b in pairs]
         if any(isinstance(c, Dual) for pair in pairs for c in pair):
-            found += [dual_part(a) - dual_part(b) for a, b in pairs]
-        return [part if isinstance(part, Element) else self.ring.constant(part) for part in found]
+            found += [(dual_part(a), dual_part(b)) for a, b in pairs]
+        return [(self.ring.element(a), self.ring.element(b)) for a, b in found]
+
+    def moved(self, changes: Mapping[sympy.Expr, sympy.Expr]) -> tuple[Element, ...]:
+        """Return the value of each generator after replacing symbols and terms."""
+        powers = {symbol: base ** (step * notation.n) for base, (symbol, step) in self._roots.items()}
+        return tuple(
+            self.ring.generator(symbol) if symbol in self._components
+            else self.value(powers.get(symbol, symbol).xreplace(changes))
+            for symbol in self.ring.symbols
+        )
+
+    def speeds(self) -> tuple[Element, ...]:
+        """Return the rate of each generator; a generator without a rate is constant."""
+        return tuple(self.rates.get(place, self.ring.constant(0)) for place in range(len(self.ring.symbols)))
 
 
 def _derivative(rates: Mapping[Any, Any], value: Any) -> Any:

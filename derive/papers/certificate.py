@@ -1,0 +1,77 @@
+"""Certificates of the papers' equations: both sides of each equation as unreduced integer lists."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from derive.algebra.element import Element
+from derive.proof.certificate import Certificate, part
+from derive.proof.identity import Residue, Sides
+
+from .decide import ORDERS, Pairs, prove
+from .language import notation
+from .language.terms import Apply, Term, text
+from .result import Result, Status
+
+TERMS_MAX = 2000
+"""Largest number of terms in a certified polynomial; equations with more are listed with their number of terms."""
+
+
+def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate | str:
+    """Return the certificate of an equation or of its correction, or the reason why there is none."""
+    entry = result.equation
+    corrected = result.status is Status.ERRATUM
+    statement = entry.corrected if corrected else result.verdicts[0].statement
+    assert statement is not None
+    if not _only_equations(statement):
+        return "its statement is more than equations; " + result.method
+    found: list[Pairs] = []
+    orders = tuple(n for n in orders if entry.orders is None or n in entry.orders) or (entry.orders or orders)
+    method = prove(entry, statement, orders, found)
+    pairs = [[pair for pair in part if any(isinstance(side, Element) for side in pair)] for part in found]
+    if method is None or not any(pairs):
+        return "it is decided by numbers; " + result.method
+    if all(_alike(*pair) for part in pairs for pair in part):
+        return "both sides come out in one form; " + result.method
+    most = max(_terms(side) for part in pairs for pair in part for side in pair)
+    if most > TERMS_MAX:
+        return f"its polynomials have {most} terms, more than {TERMS_MAX}; {result.method}"
+    claim = text(statement)
+    return {
+        "name": f"{result.paper} ({entry.number}){', corrected' if corrected else ''}",
+        "scope": method,
+        "status": "proved",
+        "method": "both sides evaluated at generic values, fractions not reduced",
+        "claims": [claim],
+        "premises": [{"text": f"{d.symbol.name} as defined in derive.maps", "by": "definition"} for d in entry.where],
+        "parts": [part([_residue(claim, *pair) for pair in pairs]) for pairs in pairs if pairs],
+    }
+
+
+def _only_equations(statement: Term) -> bool:
+    """Return whether a statement consists of equations only."""
+    if not isinstance(statement, Apply):
+        return False
+    if statement.operator is notation.both:
+        return all(map(_only_equations, statement.arguments))
+    return statement.operator is notation.equal or (
+        statement.operator is notation.remark and _only_equations(statement.arguments[0])
+    )
+
+
+def _residue(claim: str, left: Any, right: Any) -> Residue:
+    ring = next(side.ring for side in (left, right) if isinstance(side, Element))
+    return Residue(claim, 0, Sides(ring.element(left), ring.element(right)))
+
+
+def _alike(left: Any, right: Any) -> bool:
+    """Return whether both sides have the same numerator and denominator."""
+    if not (isinstance(left, Element) and isinstance(right, Element)):
+        return not any(map(_terms, (left, right)))
+    return bool(left.numerator == right.numerator and left.denominator == right.denominator)
+
+
+def _terms(side: Any) -> int:
+    """Return the number of terms of the numerator; 0 for the number 0."""
+    return len(side.ring.library.terms(side.numerator)) if isinstance(side, Element) else int(side != 0)

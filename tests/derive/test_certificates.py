@@ -1,0 +1,123 @@
+"""Certificates: an independent program accepts those of the toolkit and refuses altered ones."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from derive.about import checkout
+from tests.support.alterations import altered, seal
+from tests.support.command import dualcay
+
+CHECKER = Path(str(checkout())) / "tools" / "check_certificates.py"
+EQUATIONS = ("verify", "--paper", "condurache-popa-2023", "--eq", "57,88,112")
+
+
+def checked(file: Path) -> subprocess.CompletedProcess[str]:
+    """Run the checker in a process without the packages of the project."""
+    command = [sys.executable, "-I", "-S", str(CHECKER), str(file)]
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=120, check=False)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("certificates") / "certificates.json"
+    assert dualcay(*EQUATIONS, "--certificates", str(file)).returncode == 0
+    return file
+
+
+@pytest.fixture(scope="module")
+def found(written: Path) -> dict[str, Any]:
+    content: dict[str, Any] = json.loads(written.read_text("utf-8"))
+    return content
+
+
+def test_the_checker_accepts_all(written: Path, found: dict[str, Any]) -> None:
+    done = checked(written)
+    assert done.returncode == 0, done.stdout
+    assert done.stdout == f"{found['certified']} of {found['certified']} certificates are right\n"
+
+
+def test_all_theorems_and_the_equations_have_certificates(found: dict[str, Any]) -> None:
+    names = [certificate["name"] for certificate in found["certificates"]]
+    assert {"twist", "slopes", "binomial sums of the brackets", "transport, even branch"} <= set(names)
+    assert {"condurache-popa-2023 (57)", "condurache-popa-2023 (112), corrected"} <= set(names)
+    assert not any(" [all n]" in entry["name"] for entry in found["listed"])
+    assert all(entry["reason"] for entry in found["listed"])
+
+
+def test_inductions_have_a_base_and_a_step_that_the_checker_moves(found: dict[str, Any]) -> None:
+    (norm,) = (c for c in found["certificates"] if c["name"] == "norm")
+    (part,) = norm["parts"]
+    assert [{*equation} - {"label", "right"} for equation in part["equations"]] == [{"start"}, {"step"}]
+
+
+def test_certificates_have_content(found: dict[str, Any]) -> None:
+    for certificate in found["certificates"]:
+        equations = [e for part in certificate.get("parts", ()) for e in part["equations"]]
+        cites = any(premise["by"] != "definition" for premise in certificate["premises"])
+        moved = any(e.get("left") != e["right"] for e in equations)
+        assert moved or cites or "series" in certificate, certificate["name"]
+
+
+def test_the_checker_is_short_and_needs_the_standard_library_only() -> None:
+    lines = [line for line in CHECKER.read_text("utf-8").splitlines() if line.strip()]
+    assert len(lines) <= 150
+
+
+@pytest.mark.parametrize("first", range(0, 50, 10))
+def test_altered_certificates_are_refused_by_name(first: int, found: dict[str, Any], tmp_path: Path) -> None:
+    theorems = [c["name"] for c in found["certificates"] if "parts" in c]
+    for seed in range(first, first + 10):
+        name = theorems[seed * 7 % len(theorems)]
+        kinds = {c["name"]: altered(c, seed) for c in found["certificates"] if c["name"] == name}
+        kind, wrong = kinds[name]
+        shown = [wrong if c["name"] == name else c for c in found["certificates"]]
+        file = tmp_path / f"{seed}.json"
+        file.write_text(json.dumps({**found, "certificates": shown}), "utf-8")
+        done = checked(file)
+        assert done.returncode == 1, (kind, name)
+        assert f"certificate {wrong['name']!r} is refused: " in done.stdout, (kind, name)
+        assert not done.stderr
+
+
+@pytest.mark.parametrize("name", ["binomial sums", "binomial theorem", "binomial sums of the brackets"])
+def test_altered_sums_are_refused(name: str, found: dict[str, Any], tmp_path: Path) -> None:
+    content = json.loads(json.dumps(found))
+    (certificate,) = (c for c in content["certificates"] if c["name"] == name)
+    next(iter(certificate["series"]["sums"].values()))["summands"][0][0] += 1
+    seal(certificate)
+    (tmp_path / "sums.json").write_text(json.dumps(content), "utf-8")
+    (line, *_) = checked(tmp_path / "sums.json").stdout.splitlines()
+    assert line.startswith(f"certificate {name!r} is refused: ")
+    assert " is not an identity at n = " in line
+
+
+def test_files_that_hold_no_certificates_are_named(written: Path, tmp_path: Path) -> None:
+    (tmp_path / "cut.json").write_text(written.read_text("utf-8")[:-100], "utf-8")
+    (tmp_path / "list.json").write_text("[]", "utf-8")
+    for name in ("cut.json", "list.json", "absent.json"):
+        done = checked(tmp_path / name)
+        assert done.returncode == 3
+        assert done.stderr.startswith(f"{tmp_path / name}: no file of certificates: ")
+        assert "Traceback" not in done.stderr
+
+
+def test_a_wrong_count_is_refused(found: dict[str, Any], tmp_path: Path) -> None:
+    (tmp_path / "fewer.json").write_text(json.dumps({**found, "certificates": found["certificates"][:-1]}), "utf-8")
+    done = checked(tmp_path / "fewer.json")
+    assert done.returncode == 1
+    assert "not as stated" in done.stdout
+
+
+def test_the_option_names_a_file_of_its_own(tmp_path: Path) -> None:
+    same = str(tmp_path / "report.json")
+    done = dualcay(*EQUATIONS, "-o", same, "--certificates", same)
+    assert done.returncode == 2
+    assert "name another file than -o" in done.stderr
+    assert not (tmp_path / "report.json").exists()
