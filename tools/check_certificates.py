@@ -142,7 +142,8 @@ def check(shown, claims):
     parts = check_series(shown["series"]) if "series" in shown else list(map(Part, shown["parts"]))
     labels = {label.split(", component ")[0] for part in parts for label in part.labels}
     for claim in shown["claims"]:
-        decided = claim in labels or {f"{way}, {claim.split(' = ')[0]}" for way in ("start", "law")} <= labels
+        left = claim.split(" = ")[0]
+        decided = {claim, left} & labels or {f"start, {left}", f"law, {left}"} <= labels
         require(decided or "series" in shown, f"no equation decides {claim!r}")
 
 def main(path):

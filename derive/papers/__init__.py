@@ -10,6 +10,7 @@ karakilic_2010         entries of K10
 sharp                  sharpness of a condition, tested by the denominators
 explore                truth of a statement at seeded points, special points and poles
 decide                 status of an entry
+certificate            certificate of an entry: both sides of its equations as integer lists
 report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 

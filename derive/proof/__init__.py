@@ -25,6 +25,8 @@ components             the componentwise road: proofs at one order from the defi
 at_point               printed statements about one order, evaluated at a rational point
 proved                 all theorems for all n; `Proved`: a chart with its proofs, made only by `prove`
 controls               altered theorems, formulas and definitions, which must fail
+series_certificate     sums of binomials and their laws as integer lists
+certificate            certificate of a proof: both sides of its equations as integer lists
 coverage               theorems and validation behind each kernel function
 page                   docs/theorems.md
 ====================== =========================================================================

@@ -68,7 +68,7 @@ class AtOrder:
         if (index, order) != (n, self.order):
             raise NoValueError(f"{text(term)} is not at n = {self.order}")
         for place, (value, theorem) in enumerate(zip(stated, self.values[symbol], strict=True), 1):
-            label = f"{text(name)} = {text(term)}" + (f", component {place}" if len(stated) > 1 else "")
+            label = f"{text(name)}, component {place}" if len(stated) > 1 else text(name)
             found = self.ring.lift(value, {x: self.x}) if isinstance(value, sympy.Expr) else value
             found = self.ring.element(found)
             yield label, found - theorem, Sides(found, self.ring.element(theorem))
