@@ -2,7 +2,7 @@
 
     With dual numbers as scalars they are dual vectors, dual tensors and dual quaternions. *)
 
-Require Export Rings.
+From dualcay Require Export Rings.
 
 Record Vector (K : CommutativeRing) := Vec { v1 : K; v2 : K; v3 : K }.
 Arguments Vec {K} v1 v2 v3.
