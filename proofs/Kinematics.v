@@ -145,4 +145,144 @@ Section Cayley.
     - combine (- (4 * 2 * (Q * P') * power * y) *: H).
     - combine (- (4 * 2 * (Q * Q') * power * y) *: H).
   Qed.
+
+  (** The real part of a dual tensor of order n is its tensor at the real part of v. *)
+  Lemma real_part_of_tensor n v v' power (power' : K) :
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+    tre (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v')) = cayley_tensor (S n) power v.
+  Proof. intros [E F]%cayley_slopes. unfold cayley_tensor. rewrite E, F. entries; ring. Qed.
+
+  Lemma real_part_of_power n v v' power (power' : K) :
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 -> power * pow (1 + dot v v) (S n) = 1.
+  Proof. rewrite parts_of_dot. intros H%power_slope. apply H. Qed.
+
+  (** ω = dcay v', CP23 (86), with R' = skew(ω) R, CP23 (70). *)
+  Theorem cayley_twist n v v' power (power' : K) :
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+    is_twist (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v')) (apply (dcay (S n) power v) v').
+  Proof.
+    intros H. pose proof (cayley_unit _ _ _ _ (real_part_of_power _ _ _ _ _ H)) as U. apply cayley_slopes in H as [E F].
+    unfold cayley_tensor. rewrite E, F. now apply twist.
+  Qed.
+
+  (** ω = vect(R' R^T). *)
+  Theorem cayley_twist_is_vect half n v v' power (power' : K) : half * 2 = 1 ->
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+    vect half (tmul (tdu (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v')))
+                    (transpose (cayley_tensor (S n) power v))) = apply (dcay (S n) power v) v'.
+  Proof.
+    intros T H. rewrite <- (real_part_of_tensor _ _ _ _ _ H). apply twist_is_vect; [exact T| |now apply cayley_twist].
+    rewrite (real_part_of_tensor _ _ _ _ _ H). apply cayley_orthogonal. eapply real_part_of_power, H.
+  Qed.
+
+  (** dcay^T = R^T dcay. *)
+  Theorem cayley_body_tangent n power v : power * pow (1 + dot v v) n = 1 ->
+    transpose (dcay n power v) = tmul (transpose (cayley_tensor n power v)) (dcay n power v).
+  Proof. intros H. apply body_tangent, cayley_unit, H. Qed.
+
+  (** ω_B = R^T ω = dcay^T v', CP23 (86), with R' = R skew(ω_B), CP23 (74). *)
+  Theorem cayley_body_twist n v v' power (power' : K) :
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+    is_body_twist (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v'))
+      (apply (transpose (dcay (S n) power v)) v').
+  Proof.
+    intros H. pose proof (real_part_of_power _ _ _ _ _ H) as P. destruct (cayley_orthogonal _ _ _ _ P) as (O & T & D).
+    rewrite cayley_body_tangent, apply_product by exact P.
+    apply body_twist; [now apply real_part_of_tensor|assumption..|now apply cayley_twist].
+  Qed.
+
+  (** dcay, CP23 (88), with the bracket divided by x, and dcay⁻¹, CP23 (89), likewise. *)
+  Theorem dcay_brackets n power v :
+    tscale (dot v v) (dcay (S n) power v) = isotropic
+      (dot v v * cayley_f (S n) power v) (dot v v * cayley_g (S n) power v)
+      (2 * ((of_nat (S n) * pow (1 + dot v v) n - p (dot v v) (S n) * q (dot v v) (S n)) * power)) v.
+  Proof. rewrite <- (bracket_c K). unfold dcay, tangent, cayley_h. entries; ring. Qed.
+
+  Theorem dcay_inv_brackets half n q_inverse n_inverse v :
+    tscale (dot v v) (dcay_inv half n q_inverse n_inverse v) = isotropic
+      (dot v v * (half * (p (dot v v) n * q_inverse))) (- (dot v v * half))
+      (half * (((1 + dot v v) * q (dot v v) n - of_nat n * p (dot v v) n) * (q_inverse * n_inverse))) v.
+  Proof. rewrite <- (bracket_d K). unfold dcay_inv, tangent_inv. entries; ring. Qed.
+
+  (** dcay dcay⁻¹ = dcay⁻¹ dcay = I. *)
+  Theorem cayley_inverse half n power q_inverse n_inverse v : half * 2 = 1 -> power * pow (1 + dot v v) n = 1 ->
+    q (dot v v) n * q_inverse = 1 -> of_nat n * n_inverse = 1 ->
+    tmul (dcay n power v) (dcay_inv half n q_inverse n_inverse v) = identity /\
+    tmul (dcay_inv half n q_inverse n_inverse v) (dcay n power v) = identity.
+  Proof.
+    intros T H%power_norm Q N. pose proof (brackets_related K (dot v v) n) as B.
+    pose proof (bracket_d K (dot v v) n) as D. unfold dcay, dcay_inv. apply inverse; [exact T| | |];
+    unfold cayley_f, cayley_g, cayley_h.
+    - combine (2 * (p (dot v v) n * p (dot v v) n * power) *: Q +: 2 *: H).
+    - combine (2 * (p (dot v v) n * q (dot v v) n * power) *: Q).
+    - combine (2 * (p (dot v v) n * d (dot v v) n * power * n_inverse) *: Q
+        +: - (2 * (c (dot v v) n * power * p (dot v v) n * q_inverse)) *: N
+        +: 2 * (c (dot v v) n * power * q_inverse * n_inverse) *: D
+        +: 2 * (c (dot v v) n * (1 + dot v v) * power * n_inverse) *: Q +: 2 * (power * n_inverse) *: B
+        +: 2 * (power * q (dot v v) n * q (dot v v) n) *: N).
+  Qed.
+
+  (** Rates of v, CP23 (87), (90), (91): v' = dcay⁻¹ ω and v' = dcay⁻ᵀ ω_B. *)
+  Theorem rates half n power q_inverse n_inverse v v' : half * 2 = 1 -> power * pow (1 + dot v v) n = 1 ->
+    q (dot v v) n * q_inverse = 1 -> of_nat n * n_inverse = 1 ->
+    apply (dcay_inv half n q_inverse n_inverse v) (apply (dcay n power v) v') = v' /\
+    apply (transpose (dcay_inv half n q_inverse n_inverse v)) (apply (transpose (dcay n power v)) v') = v'.
+  Proof.
+    intros T H Q N. destruct (cayley_inverse half n power q_inverse n_inverse v T H Q N) as [A B].
+    rewrite <- !apply_product, <- transpose_product, A, B. split; entries; ring.
+  Qed.
+
+  (** f + h x = 2 n / (1 + x), where [u] is the inverse of 1 + x. *)
+  Lemma stretch n power u v : power * pow (1 + dot v v) (S n) = 1 -> (1 + dot v v) * u = 1 ->
+    cayley_f (S n) power v + cayley_h (S n) power v * dot v v = 2 * (of_nat (S n) * u).
+  Proof.
+    intros H U. pose proof (bracket_c K (dot v v) n) as B. unfold cayley_f, cayley_h. cbn [pow] in H.
+    combine (2 * power *: B +: 2 * (of_nat (S n) * u) *: H +: - (2 * (of_nat (S n) * power * pow (1 + dot v v) n)) *: U).
+  Qed.
+
+  (** dcay v = dcay^T v = 2 n v / (1 + x). *)
+  Theorem cayley_axis n power u v : power * pow (1 + dot v v) (S n) = 1 -> (1 + dot v v) * u = 1 ->
+    apply (dcay (S n) power v) v = vscale (2 * (of_nat (S n) * u)) v /\
+    apply (transpose (dcay (S n) power v)) v = vscale (2 * (of_nat (S n) * u)) v.
+  Proof. intros H U. rewrite <- (stretch n power u v H U). apply axis. Qed.
+
+  (** det dcay = 8 n q² / (1 + x)^(n+1). *)
+  Theorem cayley_determinant n power u v : power * pow (1 + dot v v) (S n) = 1 -> (1 + dot v v) * u = 1 ->
+    det (dcay (S n) power v) = 4 * (2 * (of_nat (S n) * (q (dot v v) (S n) * q (dot v v) (S n)) * (power * u))).
+  Proof.
+    intros H U. unfold dcay. rewrite determinant, (stretch n power u v H U) by now apply cayley_unit. unfold cayley_g. ring.
+  Qed.
+
+  (** 2 q' = ω q, CP23 (75), where the dual part of the root is that of a root of (1 + x)^-n. *)
+  Theorem cayley_quaternion_rate half n v v' root (root' : K) : half * 2 = 1 ->
+    (Dual root root' : dual K) * (Dual root root' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+    let moving := cayley_quaternion (S n) (Dual root root' : dual K) (vdual v v') in
+    qscale 2 (Quat (du (scalar moving)) (vdu (vector moving))) =
+    qmul (Quat 0 (apply (dcay (S n) (root * root) v) v')) (cayley_quaternion (S n) root v).
+  Proof.
+    intros T H. cbv zeta.
+    set (x := dot v v) in *. set (y := dot v v'). set (m := of_nat (S n) * pow (1 + x) n).
+    rewrite parts_of_dot in H. fold x y in H. apply power_slope in H as [H E]. cbn [re du] in H, E. fold m in E.
+    pose proof (power_norm K _ _ _ H) as N. pose proof (p_slope_equation K x (S n)) as P.
+    pose proof (norm_slope K x n) as M. pose proof (bracket_c K x n) as B. fold m in M, B.
+    assert (R : root' = - (m * y * (root * root * root))).
+    { combine (half * root * pow (1 + x) (S n) *: E +: - ((root' + m * y * (root * root * root)) * half * 2) *: H
+        +: - (root' + m * y * (root * root * root)) *: T). }
+    transitivity (Quat (2 * (p_slope x (S n) * (2 * y) * root + p x (S n) * root'))
+      (vadd (vscale (2 * (q_slope x (S n) * (2 * y) * root + q x (S n) * root')) v)
+            (vscale (2 * (q x (S n) * root)) v'))).
+    { unfold cayley_quaternion. rewrite parts_of_dot. fold x y.
+      destruct (slopes_are_dual_parts K x (2 * y) (S n)) as [-> ->]. entries; ring. }
+    rewrite (quaternion_rate K (p x (S n) * root) (q x (S n) * root)
+      (cayley_h (S n) (root * root) v) v v').
+    - f_equal. f_equal. unfold dcay, cayley_f, cayley_g. fold x. f_equal. f_equal; ring.
+    - apply cayley_quaternion_norm, H.
+    - fold x y. unfold cayley_h. fold x. rewrite R. unfold m in *. cbn [pow] in *.
+      combine (2 * (pow (1 + x) n * (root * root * root) * y) *: P
+        +: - (4 * (p_slope x (S n) * y * root)) *: H
+        +: 2 * (root * root * root * q x (S n) * y) *: B).
+    - fold x y. unfold cayley_h, c. fold x. rewrite R.
+      combine (2 * (q x (S n) * (root * root * root) * y) *: M
+        +: - (4 * (q_slope x (S n) * root * y)) *: N).
+  Qed.
 End Cayley.
