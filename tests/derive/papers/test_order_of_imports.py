@@ -9,7 +9,7 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("sharp", "explore", "decide")
+DECIDING = ("sharp", "explore", "decide", "certificate")
 ENTRIES = ("equation", "result")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
