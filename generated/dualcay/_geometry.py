@@ -682,9 +682,7 @@ def matrix6(D: Components) -> Result:
 
 
 def transition(m: Any, c: Any, v: Components, v0: Components, table: Components) -> Result:
-    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators.
-    With side −1 the space twist is given.
-    """
+    """Derivative T(v)⁻¹ T(v0) of v by its initial v0 for a given body twist; side −1 transposes T for a space twist."""
     v1, v2, v3, v1o, v2o, v3o = v
     a1, a2, a3, a1o, a2o, a3o = v0
     side, = table

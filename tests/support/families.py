@@ -77,7 +77,7 @@ ORACLES = {
 
 
 DIGITS = 60
-VECTORS = ("v1", "v2", "delta")
+VECTORS = ("v0", "v1", "v2", "delta")
 """Names of further arguments that are vectors of the chart, or steps."""
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
 """Functions with products of operators as results."""

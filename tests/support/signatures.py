@@ -11,12 +11,10 @@ import numpy as np
 from derive.codegen.signatures import PUBLIC, Array
 from tests.support import sampling
 
-RODRIGUES = ("v", "v1", "v2")
-
 
 def kind(array: Array) -> str:
     """Return the kind of an argument: "v" for a vector, "w" for any dual vector, or its own name."""
-    if array.name in RODRIGUES:
+    if array.vector:
         return "v"
     return "w" if array.shape == (6,) else array.name
 

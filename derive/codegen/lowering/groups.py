@@ -60,10 +60,7 @@ def transform_line_jacobians(trace: Geometry) -> Results:
 
 
 def transition(trace: Geometry) -> Results:
-    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators.
-
-    With side −1 the space twist is given.
-    """
+    """Derivative T(v)⁻¹ T(v0) of v by its initial v0 for a given body twist; side −1 transposes T for a space twist."""
     v, v0 = trace.components("v", "v", 6), trace.components("v0", "a", 6)
     (side,) = trace.inputs(TABLE, ("side",))
     back = trace.apply(tangent_inv, "back{}", [side * c for c in v])

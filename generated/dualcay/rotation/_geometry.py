@@ -361,7 +361,7 @@ def matrix_product(A: Components, B: Components) -> Result:
 
 
 def transition(m: Any, c: Any, v: Components, v0: Components, table: Components) -> Result:
-    """Derivative T(v)⁻¹ T(v0) of v by its initial value v0, for a given body twist; side −1 transposes both operators."""
+    """Derivative T(v)⁻¹ T(v0) of v by its initial v0 for a given body twist; side −1 transposes T for a space twist."""
     v1, v2, v3 = v
     a1, a2, a3 = v0
     side, = table

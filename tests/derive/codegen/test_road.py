@@ -76,6 +76,8 @@ def flipped(text: str, function: str, pattern: str, replacement: str) -> str:
         (GEOMETRY, "principal", r"m\.where\(beyond, u1 \* rk, v1\)", "0.25"),
         (GEOMETRY, "compose", r"f_2, g_2, v2", "g_2, f_2, v2"),
         (GEOMETRY, "dual_product", r"A12 \* B21", "A12 * B12"),
+        (GEOMETRY, "transition", r"side \* a2,", "a2,"),
+        (GEOMETRY, "transition", r"dual_product\(back, start\)", "dual_product(start, back)"),
         (GEOMETRY, "composed", r"p0 \* q0 - ", "p0 * q0 + "),
     ],
 )
