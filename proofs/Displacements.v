@@ -33,7 +33,7 @@ Section Laws.
   Proof. entries; ring. Qed.
 
   (** A factor of the vector may be moved to f and g. *)
-  Lemma rotation_scaled f g s v : rotation f g (vscale s v) = rotation (f * s) (g * (s * s)) v.
+  Theorem rotation_scaled f g k v : rotation f g (vscale k v) = rotation (f * k) (g * (k * k)) v.
   Proof. entries; ring. Qed.
 
   (** R is orthogonal with determinant 1, CP23 (13), (72), (73). *)
