@@ -8,10 +8,16 @@ from importlib.util import find_spec
 
 import numpy as np
 
+from ..lowered import lower_chart
+from ..lowering.retraction import EXPONENTIAL
+from ..package import Data
 from ..validation import Library, Machinery
-from .python import PythonTarget
+from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
+STEP_SCALARS = ("pose_scalars", "tangent_scalars", "tangent_inv_scalars")
+"""Scalar programs of the exponential that the rules of differentiation need."""
+
 STANDARD = (np.dtype(np.float64), np.dtype(np.float32))
 
 
@@ -22,6 +28,12 @@ class ArrayApi(PythonTarget):
     options = "axis: int = -1"
     machinery = Machinery(out=False, silent=False)
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
+
+    def shared(self) -> dict[str, Data]:
+        """Return the data of all shared files, with the exponential's scalars for the rules of differentiation."""
+        scalars = lower_chart(EXPONENTIAL).scalars
+        kept = {name: scalars[name] for name in STEP_SCALARS}
+        return super().shared() | {"_jax.py": printed_scalars(EXPONENTIAL, kept)}
 
     def libraries(self) -> Sequence[Library]:
         """Return NumPy, and the strict reference of the standard if installed, with the standard's types."""

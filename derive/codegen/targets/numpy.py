@@ -23,7 +23,7 @@ class Numpy(PythonTarget):
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
         base = facts.chart.base
-        own = {"scalars": [], "helpers": []} if base else printed_scalars(facts)
+        own = {"scalars": [], "helpers": []} if base else printed_scalars(facts.chart, facts.lowered.scalars)
         inherited = lower_chart(base, POSES).scalars.values() if base else ()
         return {
             **own,

@@ -118,7 +118,7 @@ class PythonTarget:
 
     def programs(self, facts: Facts) -> Data:
         """Return the data for a chart's template, with its scalar programs."""
-        return printed_scalars(facts)
+        return printed_scalars(facts.chart, facts.lowered.scalars)
 
     def rotations(self, facts: Facts, lowered: Lowered) -> Data:
         """Return data for the template of a rotation module, in addition to `described`."""
@@ -196,14 +196,14 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
-def printed_scalars(facts: Facts) -> dict[str, list[Printed]]:
-    """Return the scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
-    helpers, programs = with_helpers(facts.lowered.scalars)
+def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[Printed]]:
+    """Return scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
+    helpers, programs = with_helpers(scalars)
     called = Counter(call.function for program in programs.values() for call in program.calls)
     formulas = {name: f"# steps that {count} programs share" for name, count in called.items()}
     return {
         "helpers": [_printed(program, formulas[name]) for name, program in helpers.items()],
-        "scalars": [_printed(program, formula_of(name, facts.chart)) for name, program in programs.items()],
+        "scalars": [_printed(program, formula_of(name, chart)) for name, program in programs.items()],
     }
 
 
