@@ -74,8 +74,8 @@ def postures(joints: np.ndarray) -> np.ndarray:
 
 def main(argv: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description="Inverse kinematics by JAX")
-    parser.add_argument("--targets", type=int, default=200, help="number of random targets")
-    parser.add_argument("--starts", type=int, default=16, help="number of random starts for each target")
+    parser.add_argument("--targets", type=int, default=100, help="number of random targets")
+    parser.add_argument("--starts", type=int, default=32, help="number of random starts for each target")
     parser.add_argument("--mode", choices=MODES, default="forward", help="mode of differentiation")
     parser.add_argument("--figure", help="file for the picture")
     options, rng = parser.parse_args(argv), np.random.default_rng(0)
@@ -91,8 +91,9 @@ def main(argv: Sequence[str] | None = None) -> None:
     found = errors[:, -1] < arm.TOLERANCE
     reached = found.reshape(-1, options.starts)
     counts = (errors[found] >= arm.TOLERANCE).sum(1)
-    print(f"{found.mean():.1%} of starts and {reached.any(1).mean():.1%} of targets reached, in {np.median(counts):.0f} "
-          f"iterations (median) with errors up to {errors[found, -1].max():.0e}")  # fmt: skip
+    check = np.abs(arm.chart.local(arm.tool(joints), np.repeat(goals, options.starts, 0))[found]).max()
+    print(f"reached: {found.mean():.1%} of starts, {reached.any(1).mean():.1%} of targets")
+    print(f"median of iterations {np.median(counts):.0f}, largest error by NumPy kernels {check:.0e} (rad, m)")
     shown = postures(joints[: options.starts][reached[0]])
     print(f"first target: {len(shown)} postures")
     if options.figure:
@@ -105,11 +106,11 @@ def main(argv: Sequence[str] | None = None) -> None:
             space.plot(*np.transpose(points), "o-", markersize=3)
         space.set(xlabel="x (m)", ylabel="y (m)", title=f"{len(shown)} postures for one target", aspect="equal")
         space.locator_params(nbins=4)
-        right.semilogy(errors[found][:60].T, "C0", alpha=0.3, linewidth=1)
+        right.semilogy(errors[found][:20, :40].T, "C0", linewidth=1)
         right.axhline(arm.TOLERANCE, color="k", linestyle=":", label="tolerance")
-        right.set(xlabel="iteration", ylabel="largest component of error (rad, m)", ylim=(1e-16, 10))
+        right.set(xlabel="iteration", ylabel="largest component of error (rad, m)")
         right.legend()
-        figure.savefig(options.figure, dpi=110, metadata={"Software": None})
+        figure.savefig(options.figure, dpi=90, metadata={"Software": None})
 
 
 if __name__ == "__main__":
