@@ -16,10 +16,13 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
+from ._motion import Motion, MotionError, propagate
 from ._switching import switch_event, unwrap
 from ._tools import convert, convert_jacobian, matrix6
 
-__all__ = ["backend", "convert", "convert_jacobian", "matrix6", "switch_event", "unwrap"]
+__all__ = [
+    "Motion", "MotionError", "backend", "convert", "convert_jacobian", "matrix6", "propagate", "switch_event", "unwrap",
+]  # fmt: skip
 
 __version__ = "0.1.0"
 
