@@ -15,6 +15,7 @@ from examples import inverse_kinematics_jax as example
 
 RNG = np.random.default_rng(2)
 COUNT = 24
+pytestmark = pytest.mark.thorough  # each compilation takes seconds
 
 
 @pytest.fixture(scope="module")
