@@ -195,7 +195,7 @@ def propagate(
     try:
         for step in steps(problem, form, local, centre, start, (times[0], times[-1])):
             found.append(step)
-            report((step.end - times[0]) / (times[-1] - times[0]))
+            report(float((step.end - times[0]) / (times[-1] - times[0])))
     except MotionError as error:
         error.motion = motion()
         raise

@@ -54,10 +54,14 @@ class Trajectory:
         y = np.empty((6, len(t)))
         for place in np.unique(places):
             y[:, places == place] = self.steps[place].local(t[places == place])
-        centres, starts = (np.array([getattr(step, name) for step in self.steps], float)[places].T
-                           for name in ("centre", "start"))  # fmt: skip
+        centres, starts = (table[places].T for table in self._tables)
         q = np.array(pose_of(self.problem.frame, self.form.quaternion(y), centres))
         return np.asarray((q * np.where(np.sum(q[:4] * starts[:4], axis=0) < 0, -1, 1)).T)
+
+    @cached_property
+    def _tables(self) -> tuple[Array, Array]:
+        """Centres and starting poses of the steps, (S, 8) each."""
+        return np.array([step.centre for step in self.steps], float), np.array([step.start for step in self.steps], float)
 
     def _places(self, t: Array) -> Array:
         """Return the index of the step that holds each time."""
@@ -76,10 +80,11 @@ class Trajectory:
         def excess(t: float) -> float:
             return float(side * self.quaternions(np.array([t]))[0, 0] - limit)
 
-        scalars = self.quaternions(np.array([step.end for step in self.steps]))[:, 0] if self.steps else ()
+        scalars = [*(step.start[0] for step in self.steps[1:]), self.quaternions(np.array([self.end]))[0, 0]]
         for step, scalar in zip(self.steps, scalars):
             if side * scalar < limit:
-                found.append(brentq(excess, step.begin, step.end) if excess(step.begin) > 0 else step.begin)
+                within = excess(step.begin) > 0 > excess(step.end)  # false only by rounding at an end
+                found.append(brentq(excess, step.begin, step.end) if within else step.end)
                 side = -side
         return np.array(found, float)
 

@@ -13,7 +13,7 @@ import pytest
 from tests.support.kernels import ORDERS
 
 ROOT = Path(__file__).resolve().parents[2]
-OPTIONAL = {"dask.py": {"dask"}, **dict.fromkeys(("_motion.py", "_stepping.py", "_trajectory.py"), {"scipy"})}
+OPTIONAL = {"dask.py": {"dask"}, "_motion.py": {"scipy"}, "_stepping.py": {"scipy"}, "_trajectory.py": {"scipy"}}
 """Libraries that modules of tools import, by file."""
 
 BLOCK = """

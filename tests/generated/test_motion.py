@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import pairwise
 from types import ModuleType
 from typing import Any
 
@@ -33,7 +34,7 @@ def steady(t: float) -> tuple[float, ...]:
 def matrix(omega: np.ndarray) -> np.ndarray:
     """Return the 4x4 matrix of a twist."""
     found = np.zeros((4, 4))
-    found[:3, :3] = np.cross(np.eye(3), -omega[:3])
+    found[:3, :3] = np.cross(np.eye(3), omega[:3])
     found[:3, 3] = omega[3:]
     return found
 
@@ -68,7 +69,7 @@ def test_three_turns_agree_with_the_matrix_exponential(name: str, method: str) -
             np.testing.assert_allclose(module.pose(found.v[near]), found.pose[near], rtol=0, atol=1e-12)
             assert len(found.switches) == 3
             assert (np.diff(found.switches) > np.pi).all()
-        np.testing.assert_array_equal(found.v[0], module.from_quaternion(module.quaternion(v0)))
+        np.testing.assert_allclose(found.v[0], v0, rtol=0, atol=1e-14)
 
 
 @pytest.mark.parametrize("frame", FRAMES)
@@ -101,12 +102,12 @@ def test_vectors_are_continuous_between_switches_with_their_derivatives(name: st
     """Compare derivatives with central differences of step 1e-4: error 1e-8 by order, 1e-10/1e-4 by tolerance."""
     module = getattr(dualcay, name)
     for frame, twist in motions.TWISTS.items():
-        spun: Callable[[float], Any] = lambda t, twist=twist: twist(t) + 0.5 * OMEGA  # noqa: E731
+        spun: Callable[[float], Any] = lambda t, twist=twist: twist(t) + 3 * OMEGA  # noqa: E731
         found = propagate(module, module.from_exponential(START), spun, [0, 4, 9], frame=frame, method=method)
         edges = np.array([0, *found.switches, 9])
         assert len(found.switches) > 0
         assert abs(found(found.switches - 1e-9) - found(found.switches)).max() > 0.1  # v jumps at a switch
-        for begin, end in zip(edges[:-1], edges[1:], strict=True):
+        for begin, end in pairwise(edges):
             t = np.linspace(begin + 2e-3, end - 2e-3, 50)
             for order in (1, 2):
                 wanted = (found(t + 1e-4, order - 1) - found(t - 1e-4, order - 1)) / 2e-4
@@ -146,7 +147,7 @@ def test_a_vector_beyond_the_switch_angle_starts_at_its_principal_one() -> None:
         wanted = exponential.switch(far, covariance=np.eye(6))[1]
         np.testing.assert_allclose(found.covariance[0], wanted, rtol=0, atol=1e-10 * abs(wanted).max())
         other = exponential.from_exponential(4.5 * OMEGA)
-        kept = propagate(exponential, other, steady, [0, 0.1, 5], method=method)
+        kept = propagate(exponential, other, steady, [0, 0.1, 3], method=method)
         np.testing.assert_allclose(kept.v[:2], np.outer([4.5, 4.6], OMEGA), rtol=0, atol=1e-9)
         np.testing.assert_array_equal(kept.branch, [-1, -1, 0])
 
@@ -165,6 +166,7 @@ def test_covariance_without_noise_is_moved_by_the_transition(frame: str) -> None
         np.testing.assert_allclose(found.covariance, wanted, rtol=0, atol=1e-4 * abs(wanted).max())
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("frame", FRAMES)
 def test_covariance_with_noise_agrees_with_random_motions(frame: str) -> None:
     """Move 1e5 poses by random twists that are constant in 80 intervals of 0.06 rad, whose products are exact.
@@ -249,8 +251,11 @@ def test_a_twist_that_ends_says_where_and_leaves_the_motion_before(method: str) 
 
 
 def test_a_twist_that_grows_without_bound_or_ends_at_once_is_an_error() -> None:
+    sliding = np.array([0, 0, 0, 1.0, 2, 3])
     with pytest.raises(MotionError, match="no step is small enough at t = 1") as caught:
-        propagate(cayley2, np.zeros(6), lambda t: OMEGA / (1 - t) ** 2 if t < 1 else 1e300 * OMEGA, [0, 2])
+        propagate(
+            cayley2, np.zeros(6), lambda t: sliding / (1 - t) ** 2 if t < 1 else 1e200 * sliding, [0, 2], rtol=1e-3
+        )
     assert caught.value.time == pytest.approx(1, abs=1e-3)
     with pytest.raises(MotionError, match="twist must be finite") as caught:
         propagate(cayley2, np.zeros(6), lambda t: OMEGA * (1 if t == 0 else np.nan), [0, 2], covariance=np.eye(6))
