@@ -29,17 +29,17 @@ def unvalidated(target: Any) -> Any:
     return Otherwise(target, **{name: lambda *_: 0 for name in EXECUTED})
 
 
-def printed(orders: Iterable[int], target: str) -> Mapping[str, str]:
-    """Return the files of a package by name, proved and printed but not validated."""
+def printed(orders: Iterable[int], target: str, families: Iterable[str] = ()) -> Mapping[str, str]:
+    """Return the files of a package of orders and families by name, proved and printed but not validated."""
     from derive.codegen.build import print_package  # imported late, because kernels are also tested without the toolkit
     from derive.codegen.targets import TARGETS
-    from derive.maps import Cayley
+    from derive.maps import Cayley, family
 
-    return print_package([Cayley(n) for n in orders], TARGETS[target]).texts
+    return print_package([*map(Cayley, orders), *map(family, families)], TARGETS[target]).texts
 
 
-def write(orders: Iterable[int], target: str, folder: Path) -> None:
+def write(orders: Iterable[int], target: str, folder: Path, families: Iterable[str] = ()) -> None:
     """Write a package, proved and printed but not validated, into a folder."""
     from derive.output import files
 
-    files.write(folder, dict(printed(orders, target)))
+    files.write(folder, dict(printed(orders, target, families)))

@@ -1,0 +1,164 @@
+"""Rules of differentiation for JAX: they equal emitted Jacobians and the differentiated text, and compile once."""
+
+from __future__ import annotations
+
+import importlib
+
+import numpy as np
+import pytest
+
+from tests.support import packages, sampling
+from tests.support.libraries import LIBRARIES, QUICKLY
+
+jax = pytest.importorskip("jax")
+
+FAMILIES = ("breusing", "exponential", "lambert", "orthographic", "sine3", "wiener_milenkovic")
+FURTHER = [f"cayley{n}" for n in (1, 2, 3, 8)] + [name for name in FAMILIES if name != "exponential"]
+CHARTS = pytest.mark.parametrize(
+    "chart", ["exponential", *(pytest.param(name, marks=pytest.mark.thorough) for name in FURTHER)]
+)
+JACOBIANS = ("compose", "between", "retract", "body_retract")
+OTHERS = (*JACOBIANS[1:], "local", "body_local", "twist", "body_twist", "rate", "body_rate")
+EVERY = pytest.mark.parametrize("name", ["compose", *(pytest.param(n, marks=pytest.mark.thorough) for n in OTHERS)])
+EPS = 2.0**-52
+
+
+@pytest.fixture(scope="module", autouse=True)
+def double_precision():
+    LIBRARIES["jax"]()
+
+
+@pytest.fixture(scope="module")
+def charts(shared):
+    """Provide a function that returns the array-api module of a chart."""
+    folder = shared("rules", lambda place: packages.write((1, 2, 3, 8), "array-api", place, FAMILIES))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(str(folder.parent))
+        yield lambda name: importlib.import_module(f"{folder.name}.{name}")
+
+
+def arguments():
+    """Return two vectors with rotation angles below half a turn in all charts, then two rates."""
+    v2, v1, rate2, rate1 = (sampling.dual_vectors(f"rules {i}") for i in range(4))
+    return [np.tanh(v2) / 10, np.tanh(v1) / 8, rate2, rate1]
+
+
+def both_ways(function, v2, v1, rate2, rate1):
+    """Return the derivative along the rates, and the gradients of the result weighted by the first rate."""
+    _, forward = jax.jvp(function, (v2, v1), (rate2, rate1))
+    found, back = jax.vjp(function, v2, v1)
+    return forward, back(rate2.astype(found.dtype))
+
+
+def compiled(function, *values):
+    return jax.tree.map(np.asarray, jax.jit(function, compiler_options=QUICKLY)(*values))
+
+
+def assert_equal(found, expected, eps=2000):
+    """Compare with an error of some hundred operations, each of a relative error eps of the largest entry."""
+    np.testing.assert_allclose(found, expected, rtol=0, atol=eps * EPS * abs(expected).max())
+
+
+def text(function, *values):
+    """Return the number of operations of a compiled function's input."""
+    return jax.jit(function).lower(*values).as_text().count("stablehlo.")
+
+
+def chain(function, count):
+    """Return a function that applies another to its own result several times."""
+
+    def repeated(w, v):
+        for _ in range(count):
+            w = function(w, v)
+        return w
+
+    return repeated
+
+
+@CHARTS
+def test_derivatives_equal_emitted_jacobians(charts, chart):
+    kernel, given = importlib.import_module(f"dualcay.{chart}"), arguments()
+    module = charts(chart)
+
+    def derivatives(*values):
+        return [both_ways(getattr(module, name), *values) for name in JACOBIANS]
+
+    for name, (forward, back) in zip(JACOBIANS, compiled(derivatives, *given), strict=True):
+        by_second, by_first = getattr(kernel, f"{name}_jacobians")(*given[:2])
+        ahead = np.einsum("nij,nj->ni", by_second, given[2]) + np.einsum("nij,nj->ni", by_first, given[3])
+        assert_equal(forward, ahead)
+        for gradient, jacobian in zip(back, (by_second, by_first), strict=True):
+            assert_equal(gradient, np.einsum("nij,ni->nj", jacobian, given[2]))
+
+
+@EVERY
+@pytest.mark.parametrize("folder", ["", "rotation."])
+def test_derivatives_equal_those_of_the_text(charts, name, folder, monkeypatch):
+    module = charts(f"{folder}cayley3")
+    given = [value[:, : 3 if folder else 6] for value in arguments()]
+
+    def derivatives(*values):
+        return both_ways(getattr(module, name), *values)
+
+    by_rule = compiled(derivatives, *given)
+    monkeypatch.setattr(charts("_jax"), "RULES", {})
+    expected = compiled(lambda *values: derivatives(*values), *given)
+    for found, wanted in zip(jax.tree.leaves(by_rule), jax.tree.leaves(expected), strict=True):
+        assert_equal(found, wanted)
+
+
+@EVERY
+@pytest.mark.parametrize("mode", ["jacfwd", "jacrev"])
+def test_six_calls_share_the_text_of_one(charts, name, mode, monkeypatch):
+    """Allow twice the text of one call; without rules six calls take more than four times the text."""
+    function, at = getattr(charts("cayley2"), name), [value[0] for value in arguments()[:2]]
+
+    def growth():
+        one, six = (text(getattr(jax, mode)(chain(function, count)), *at) for count in (1, 6))
+        return six / one
+
+    assert growth() < 2
+    monkeypatch.setattr(charts("_jax"), "RULES", {})
+    assert growth() > 4
+
+
+def test_second_derivatives(charts):
+    """Compare with central differences of an emitted Jacobian: step 1e-5, error 1e-10 of derivatives of about ten."""
+    kernel, module = importlib.import_module("dualcay.cayley3"), charts("cayley3")
+    w, v, *_ = (value[0] for value in arguments())
+    step = 1e-5 * np.eye(6)
+    ends = (kernel.compose_jacobians(w, v + sign * step)[1] for sign in (1, -1))
+    expected = np.moveaxis(np.subtract(*ends), 0, -1) / 2e-5
+    hessian = compiled(jax.jacfwd(jax.jacrev(lambda at: module.compose(w, at))), v)
+    np.testing.assert_allclose(hessian, expected, rtol=0, atol=1e-8)
+
+
+def test_layouts_types_and_transformations(charts):
+    """Compare axis 0, broadcast batches, float32 (eps 2⁻²³), vmap and scan with the plain call."""
+    module, (v2, v1, rate2, rate1) = charts("cayley3"), arguments()
+    plain, back = compiled(lambda *given: both_ways(module.compose, *given), v2, v1, rate2, rate1)
+
+    def first(a, b):
+        return module.compose(a, b, axis=0)
+
+    def transformed(*given):
+        turned = both_ways(first, *(value.T for value in given))
+        single = both_ways(module.compose, *(value.astype(np.float32) for value in given))
+        mapped = jax.vmap(lambda *one: both_ways(module.compose, *one))(*given)
+        table = jax.jvp(lambda a: module.compose(a[:, None], v1[None, :1]), given[:1], given[2:3])[1]
+        scanned = jax.lax.scan(lambda _, one: (None, both_ways(module.compose, *one)), None, given)[1]
+        return turned, single, mapped, table, scanned
+
+    turned, single, mapped, table, scanned = compiled(transformed, v2, v1, rate2, rate1)
+    for found in ((turned[0].T, [g.T for g in turned[1]]), mapped, scanned):
+        for one, other in zip(jax.tree.leaves(found), jax.tree.leaves((plain, back)), strict=True):
+            assert_equal(one, other)
+    for one, other in zip(jax.tree.leaves(single), jax.tree.leaves((plain, back)), strict=True):
+        assert one.dtype == np.float32
+        assert_equal(one, other, eps=2000 * 2**29)
+    assert table.shape == (len(v2), 1, 6)
+
+
+def test_a_batch_that_does_not_broadcast_names_both_arguments(charts):
+    with pytest.raises(ValueError, match=r"\(2,\) of v and \(3,\) of z"):
+        charts("cayley3").cotangent(jax.numpy.ones((2, 6)), jax.numpy.ones((3, 6)))
