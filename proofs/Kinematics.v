@@ -162,7 +162,7 @@ Section Cayley.
     is_twist (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v')) (apply (dcay (S n) power v) v').
   Proof.
     intros H. pose proof (cayley_unit _ _ _ _ (real_part_of_power _ _ _ _ _ H)) as U. apply cayley_slopes in H as [E F].
-    unfold cayley_tensor. rewrite E, F. now apply twist.
+    unfold cayley_tensor. rewrite E, F; now apply twist.
   Qed.
 
   (** ω = vect(R' R^T). *)
