@@ -285,4 +285,18 @@ Section Cayley.
       combine (2 * (q x (S n) * (root * root * root) * y) *: M
         +: - (4 * (q_slope x (S n) * root * y)) *: N).
   Qed.
+
+  (** 2 q' = q ω_B, CP23 (76): with ω_B = R^T ω, q ω_B = ω q. *)
+  Theorem cayley_body_quaternion_rate n root v omega : root * root * pow (1 + dot v v) n = 1 ->
+    qmul (cayley_quaternion n root v) (Quat 0 (apply (transpose (cayley_tensor n (root * root) v)) omega)) =
+    qmul (Quat 0 omega) (cayley_quaternion n root v).
+  Proof.
+    intros H. destruct (cayley_orthogonal _ _ _ _ H) as [O _].
+    pose proof (cayley_sandwich K n root v (apply (transpose (cayley_tensor n (root * root) v)) omega) H) as S.
+    rewrite <- apply_product, O, apply_identity in S. apply (f_equal (fun r => qmul r (cayley_quaternion n root v))) in S.
+    rewrite <- S, !qmul_assoc.
+    assert (U : qmul (conj (cayley_quaternion n root v)) (cayley_quaternion n root v) = qone).
+    { rewrite <- (cayley_quaternion_unit K n root v H). entries; ring. }
+    now rewrite U, (proj1 (qmul_one _ _)).
+  Qed.
 End Cayley.
