@@ -162,7 +162,7 @@ Section Cayley.
     is_twist (cayley_tensor (S n) (Dual power power' : dual K) (vdual v v')) (apply (dcay (S n) power v) v').
   Proof.
     intros H. pose proof (cayley_unit _ _ _ _ (real_part_of_power _ _ _ _ _ H)) as U. apply cayley_slopes in H as [E F].
-    unfold cayley_tensor. rewrite E, F. now apply twist.
+    unfold cayley_tensor. rewrite E, F; now apply twist.
   Qed.
 
   (** ω = vect(R' R^T). *)
@@ -284,5 +284,19 @@ Section Cayley.
     - fold x y. unfold cayley_h, c. fold x. rewrite R.
       combine (2 * (q x (S n) * (root * root * root) * y) *: M
         +: - (4 * (q_slope x (S n) * root * y)) *: N).
+  Qed.
+
+  (** 2 q' = q ω_B, CP23 (76): with ω_B = R^T ω, q ω_B = ω q. *)
+  Theorem cayley_body_quaternion_rate n root v omega : root * root * pow (1 + dot v v) n = 1 ->
+    qmul (cayley_quaternion n root v) (Quat 0 (apply (transpose (cayley_tensor n (root * root) v)) omega)) =
+    qmul (Quat 0 omega) (cayley_quaternion n root v).
+  Proof.
+    intros H. destruct (cayley_orthogonal _ _ _ _ H) as [O _].
+    pose proof (cayley_sandwich K n root v (apply (transpose (cayley_tensor n (root * root) v)) omega) H) as S.
+    rewrite <- apply_product, O, apply_identity in S. apply (f_equal (fun r => qmul r (cayley_quaternion n root v))) in S.
+    rewrite <- S, !qmul_assoc.
+    assert (U : qmul (conj (cayley_quaternion n root v)) (cayley_quaternion n root v) = qone).
+    { rewrite <- (cayley_quaternion_unit K n root v H). entries; ring. }
+    now rewrite U, (proj1 (qmul_one _ _)).
   Qed.
 End Cayley.

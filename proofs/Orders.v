@@ -71,6 +71,16 @@ Section Angles.
         +: (p (r * r) n * cosine a b n - r * q (r * r) n * sine a b n) *: H).
   Qed.
 
+  (** Slope of a Moebius step: (a - b r)² (1 + r_k²) = 1 + r² and (a - b r)² r_k' = r'. *)
+  Theorem moebius_slope a b r r_k (r' r_k' : K) : a * a + b * b = 1 ->
+    (constant a - constant b * (Dual r r' : dual K)) * (Dual r_k r_k' : dual K) = constant b + constant a * (Dual r r' : dual K) ->
+    (a - b * r) * (a - b * r) * (1 + r_k * r_k) = 1 + r * r /\ (a - b * r) * (a - b * r) * r_k' = r'.
+  Proof.
+    intros C E. apply (f_equal re) in E as H. apply (f_equal du) in E. cbn in E, H. split.
+    - combine (((a - b * r) * r_k + b + a * r) *: H +: (1 + r * r) *: C).
+    - combine ((a - b * r) *: E +: b * r' *: H +: r' *: C).
+  Qed.
+
   (** Branches: after a step by β with sin(n β) = 0, the vector r_k u has the pose of r u. *)
   Theorem shadow a b r r_k step_inverse power u n : dot u u = 1 -> a * a + b * b = 1 ->
     (a - b * r) * r_k = b + a * r -> (a - b * r) * step_inverse = 1 -> sine a b n = 0 ->

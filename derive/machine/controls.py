@@ -73,7 +73,7 @@ def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
         text = text[:start] + attempt + text[start:]
     names = [f"{word}_{index}" for index in range(len(batch)) for word in ("statement", "control")]
     names += [control.theorem.name for control in batch]
-    text += "".join(f"\nLocate {name}." for name in names) + "\n"
+    text = "Set Silent.\n" + text + "\nUnset Silent." + "".join(f"\nLocate {name}." for name in names) + "\n"
     known = set(_KNOWN.findall(coq.run("coqtop", "-q", "-quiet", text=text).stdout))
     for index, control in enumerate(batch):
         where = f"{folder / FILE}:{control.line}: {control.theorem.name}"
