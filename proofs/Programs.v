@@ -57,31 +57,37 @@ Section Laws.
   Lemma inverse_parts_left (a w : dual K) : w * a = 1 -> re a <> 0 /\ w = Dual (1 / re a) (- (du a / (re a * re a))).
   Proof. intros E. apply inverse_parts. rewrite <- E. apply (Rmul_comm (laws (dual K))). Qed.
 
-  (** The root of an inverse power, by its real part. *)
-  Lemma root_parts (a root : dual K) : root * root * a = 1 ->
-    re root <> 0 /\ re a = 1 / (re root * re root) /\ du root = - (re root * re root * re root * du a / 2).
+  Lemma inverse_of (a b : K) : a * b = 1 -> b = 1 / a.
   Proof.
-    destruct a as [a a'], root as [r r']. intros E. apply (f_equal re) in E as F. apply (f_equal du) in E. cbn in E, F |- *.
+    intros E. assert (N : a <> 0) by (intros Z; apply (F_1_neq_0 (field_laws K)); rewrite <- E, Z; ring).
+    transitivity (a * b / a); [field; exact N|]. now rewrite E.
+  Qed.
+
+  (** A root of the inverse of (1 + X)^n at X = x + ε 2 y: its dual part is -n y / (1 + x) times its real part. *)
+  Lemma root_parts n x y r (r' : K) :
+    (Dual r r' : dual K) * (Dual r r' : dual K) * pow (1 + (Dual x (2 * y) : dual K)) (S n) = 1 ->
+    r <> 0 /\ 1 + x <> 0 /\ r' = - (of_nat (S n) * y * r / (1 + x)).
+  Proof.
+    change ((Dual r r' : dual K) * (Dual r r' : dual K)) with (Dual (r * r) (r * r' + r' * r) : dual K). intros [E F]%power_slope.
+    cbn [pow] in E. assert (N : r <> 0) by (intros Z; apply (F_1_neq_0 (field_laws K)); rewrite <- E, Z; ring).
+    assert (M : 1 + x <> 0) by (intros Z; apply (F_1_neq_0 (field_laws K)); rewrite <- E, Z; ring).
     assert (T : 1 + 1 <> 0 :> K) by (intros Z; apply (no_multiple_is_zero K 1); rewrite <- Z; cbn; ring).
-    assert (N : r <> 0).
-    { intros Z. rewrite Z in F. apply (F_1_neq_0 (field_laws K)). rewrite <- F. ring. }
-    assert (A : a = 1 / (r * r)) by (replace a with (r * r * a / (r * r)) by (field; exact N); now rewrite F).
-    repeat split; [exact N|exact A|]. subst a.
-    replace r' with ((r * r * a' + (r * r' + r' * r) * (1 / (r * r))) * r / 2 - r * r * r * a' / 2)
-      by (field; split; assumption).
-    rewrite E. field. exact T.
+    repeat split; [exact N|exact M|]. replace r' with ((r * r' + r' * r) / (2 * r)) by (field; split; assumption).
+    replace (pow (1 + x) n) with (1 / (r * r * (1 + x))) in F.
+    - rewrite F. field. repeat split; assumption.
+    - symmetry. apply inverse_of. refine (eq_trans _ E). ring.
   Qed.
 End Laws.
 
 Arguments inverse_parts {K a w} _.
 Arguments inverse_parts_left {K a w} _.
-Arguments root_parts {K a root} _.
+Arguments inverse_of {K a b} _.
 
 (** [split_entries] leaves one goal for each component of a list, in order; [entry] proves a goal of components. *)
 Ltac split_entries := repeat apply pairs_equal.
 
 (** [different known] proves that a number is not 0 because another form of it, [known], is not 0. *)
-Ltac different known := let Z := fresh in intros Z; apply known; rewrite <- Z; cbn; ring.
+Ltac different known := let Z := fresh in intros Z; apply known; refine (eq_trans _ Z); cbn; ring.
 Ltac multiple K n := lazymatch n with
   | O => fail "a divisor may be 0"
   | S ?m => different (no_multiple_is_zero K m) || multiple K m
@@ -89,7 +95,7 @@ Ltac multiple K n := lazymatch n with
 Ltac fold_in_goal f := let unfolded := eval cbv in f in change unfolded with f.
 Ltac nonzero K :=
   fold_in_goal (@zero K); fold_in_goal (@one K); fold_in_goal (@add K); fold_in_goal (@mul K); fold_in_goal (@sub K);
-  fold_in_goal (@opp K); fold_in_goal (divide K); fold_in_goal (invert K); repeat split; first [assumption | match goal with H : _ <> 0 |- _ => different H end | multiple K 10].
+  fold_in_goal (@opp K); fold_in_goal (divide K); fold_in_goal (invert K); repeat split; first [assumption | match goal with H : _ <> 0 |- _ => different H end | multiple K 25].
 Ltac entry K := cbn; repeat progress (unfold dot; cbn); first [ring | field; nonzero K].
 
 (** [scalar_entries v vo] turns equations of scalars at v·v into equations of their real and dual parts at any x;
@@ -98,7 +104,12 @@ Ltac scalar_entries v vo :=
   cbv beta iota zeta;
   change (v1 v * v1 v + v2 v * v2 v + v3 v * v3 v) with (dot v v) in *;
   let x := fresh "x" in let y := fresh "y" in
-  generalize dependent (dot v v); intros x; generalize (dot v vo); intros y; cbn; intros;
+  generalize dependent (dot v v); intros x; generalize (dot v vo); intros y; intros; unfold c, d in *; cbn in *;
   try assert (1 + x <> 0) by (let Z := fresh in intros Z; match goal with H : _ <> 0 |- _ => apply H; rewrite Z; ring end);
-  repeat apply conj.
-Ltac scalar K := try apply dual_eq; entry K.
+  repeat match goal with |- _ /\ _ => split end; try apply dual_eq.
+
+(** [known_root sqrt R] replaces the root in a text by 1 / r, where R says that r times the root is 1. *)
+Ltac known_root sqrt R := lazymatch type of R with
+  | ?r * sqrt ?a = _ => match goal with |- context [sqrt ?text] => replace text with a by ring; rewrite (inverse_of R) end
+  | ?r * ?a = _ => replace r with (1 / a) by (symmetry; apply inverse_of; refine (eq_trans _ R); ring)
+  end.

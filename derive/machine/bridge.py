@@ -1,243 +1,127 @@
-"""Emitted programs proved equal to their definitions by Coq, from the text on disk.
-
-Geometry programs are proved once for every chart: the results of scalar programs are any numbers. Scalar programs are
-proved for some orders of the Cayley map. Together they make every function of these orders equal to its definition.
-"""
+"""Coq run on the emitted programs: all goals in two processes, a table of seconds, and a sentence for each failure."""
 
 from __future__ import annotations
 
+import argparse
 import re
+import shutil
 import subprocess
+import sys
+import tempfile
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import partial
 from pathlib import Path
 
-from ..about import TARGET
-from .terms import CText, Program, PythonText, number, product
+from ..codegen.build import print_package
+from ..codegen.signatures import PUBLIC
+from ..codegen.targets import TARGETS
+from ..maps import Cayley
+from ..output import files
+from .goals import GEOMETRY, ORDERS, Goal, goals
+from .terms import ReadError
 
-ORDERS = (1, 2, 3, 5)
-"""Orders of the Cayley map whose scalar programs are proved."""
-
+ROOT = Path(__file__).parents[2]
 LIMIT = 120
-"""Seconds after which a file counts as not covered."""
+"""Seconds after which a goal counts as not covered."""
 
-V, U = ("v1", "v2", "v3", "v1o", "v2o", "v3o"), ("u1", "u2", "u3", "u1o", "u2o", "u3o")
-SQUARES = "(v1 v * v1 v) (v2 v * v2 v) (v3 v * v3 v)"
-X = "(dot (vdual v vo) (vdual v vo))"
+PROCESSES = 2
+CLOSED = "Closed under the global context"
 
 
 class BridgeError(Exception):
-    """Error of a program that Coq does not find equal to its definition; the message says which and where."""
+    """Error of a program that differs from its definition, or of Coq; the message says which program, and where."""
 
 
 @dataclass(frozen=True)
-class Scalars:
-    """Scalar program: names of its parameters and results, and its definition for the Cayley map of order n.
+class Outcome:
+    """Goal with the seconds that Coq took; ``reason`` is empty if the goal is proved."""
 
-    ``given`` are the arguments in terms of v; ``numbers`` are the numbers that ``premises`` define, such as inverses.
-    """
-
-    parameters: tuple[str, ...]
-    results: tuple[str, ...]
-    given: str
-    numbers: str
-    premises: tuple[str, ...]
-    equations: tuple[str, ...]
-    proof: str
+    goal: Goal
+    seconds: float
+    reason: str = ""
 
 
-@dataclass(frozen=True)
-class Geometry:
-    """Geometry program: its scalar program, and its value for any scalars and for the Cayley map of order n.
-
-    ``result`` names the components in messages. ``chart`` holds steps that prove the value of order n.
-    """
-
-    scalars: str
-    result: str
-    value: str
-    at_order: str
-    second: bool = False
-    premises: tuple[str, ...] = ()
-    proof: str = ""
-    chart: str = "unfold dcay, dcay_inv, cayley_quaternion. now rewrite ?A, ?B, ?C."
+def compile_proofs(folder: Path) -> None:
+    """Copy the proofs to a folder and compile them there, each after those that it needs."""
+    for path in (ROOT / "proofs").glob("*.v"):
+        shutil.copy(path, folder)
+    names = sorted(path.name for path in folder.glob("*.v"))
+    ordered = _run(folder, "coqdep", "-sort", "-R", ".", "dualcay", *names).stdout.split()
+    for name in ordered:
+        if (done := _run(folder, "coqc", "-q", "-R", ".", "dualcay", name)).returncode:
+            raise BridgeError(f"proofs/{Path(name).name}: {' '.join(done.stderr.split())}")
 
 
-POWER = ("power * pow (1 + {X}) {n} = 1",)
-INVERSES = ("half * 2 = 1", "q {X} {n} * q_inverse = 1", "of_nat {n} * n_inverse = 1")
-CAYLEY = "{name} {n} power (vdual v vo)"
-
-SCALARS: Mapping[str, Scalars] = {
-    "quaternion_scalars": Scalars(
-        ("x",), ("s", "w", "sy", "wy"), "(dot v v)", "root",
-        ("root * root * pow (1 + {X}) {n} = 1", "re root * {root} = 1"),
-        ("Dual s (sy * dot v vo) = p {X} {n} * root", "Dual w (wy * dot v vo) = q {X} {n} * root"),
-        "intros H R. rewrite parts_of_dot in *. destruct (root_parts H) as (N & P & D).",
-    ),
-    "pose_scalars": Scalars(
-        ("v11", "v22", "v33"), ("f", "g", "h"), SQUARES, "power", POWER,
-        tuple(f"{each} = cayley_{each} {{n}} (re power) v" for each in "fgh"),
-        "intros [N ->]%inverse_parts_left. rewrite parts_of_dot in *.",
-    ),
-    "tangent_scalars": Scalars(
-        ("v11", "v22", "v33"), ("f", "g", "h", "fy", "gy", "hy"), SQUARES, "power", POWER,
-        tuple(f"Dual {each} ({each}y * dot v vo) = cayley_{each} {{n}} power (vdual v vo)" for each in "fgh"),
-        "intros [N ->]%inverse_parts_left. unfold cayley_f, cayley_g, cayley_h. rewrite parts_of_dot in *.",
-    ),
-    "tangent_inv_scalars": Scalars(
-        ("x",), ("fi", "hi", "fiy", "hiy"), "(dot v v)", "half q_inverse n_inverse", INVERSES,
-        ("Dual fi (fiy * dot v vo) = p {X} {n} * q_inverse", "Dual hi (hiy * dot v vo) = d {X} {n} * (q_inverse * n_inverse)"),
-        "intros _ [N ->]%inverse_parts [M ->]%inverse_parts. rewrite parts_of_dot in *.",
-    ),
-}  # fmt: skip
-
-_TANGENT = "tangent (Dual f (fy * dot v vo) : dual K) (Dual g (gy * dot v vo)) (Dual h (hy * dot v vo)) (vdual v vo)"
-_INVERSE = "tangent_inv half (Dual fi (fiy * dot v vo)) (Dual hi (hiy * dot v vo)) (vdual v vo)"
-_DCAY, _DCAY_INV = "dcay {n} power (vdual v vo)", "dcay_inv half {n} q_inverse n_inverse (vdual v vo)"
-_UNIT = "f * f + dot v v * (g * g) = 2 * g"
-_HALF = ("half * 2 = 1",)
-_ROTATION = (
-    "rotation (Dual f (((1 - g * dot v v) * h - f * g) * dot v vo) : dual K) "
-    "(Dual g ((f * h - g * g) * dot v vo)) (vdual v vo)"
-)
+def _run(folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=LIMIT)
 
 
-def _tangents() -> Iterable[tuple[str, Geometry]]:
-    """Yield the tangent operators of both frames, and the maps between rates and twists."""
-    for frame, of in ("", "({})"), ("body_", "(transpose ({}))"):
-        for name, scalars, value, order, halves in (
-            ("tangent", "tangent_scalars", _TANGENT, _DCAY, ()),
-            ("tangent_inv", "tangent_inv_scalars", _INVERSE, _DCAY_INV, _HALF),
-        ):
-            value, order = of.format(value), of.format(order)
-            yield f"{frame}{name}", Geometry(scalars, "tangent", f"tensor_parts {value}", f"tensor_parts {order}", premises=halves)
-            name, result = ("rate", "v_dot") if halves else ("twist", "omega")
-            applied = "vector_parts (apply {} (vdual u uo))".format
-            yield f"{frame}{name}", Geometry(scalars, result, applied(value), applied(order), second=True, premises=halves)
+def prove(goal: Goal, folder: Path) -> Outcome:
+    """Prove a goal in a folder of compiled proofs; a program that differs raises `BridgeError`."""
+    path, begun = folder / f"{goal.name}.v", time.monotonic()
+    path.write_text(goal.text, encoding="utf-8")
+    try:
+        done = _run(folder, "coqc", "-q", "-R", ".", "dualcay", path.name)
+    except subprocess.TimeoutExpired:
+        return Outcome(goal, LIMIT, f"not decided within {LIMIT} s")
+    if done.returncode:
+        raise BridgeError(_difference(goal, done.stderr))
+    if done.stdout.count(CLOSED) != goal.text.count("Print Assumptions"):
+        raise BridgeError(f"{goal.name}: the proof rests on an axiom: {' '.join(done.stdout.split())}")
+    return Outcome(goal, time.monotonic() - begun)
 
 
-GEOMETRY: Mapping[str, Geometry] = {
-    "quaternion": Geometry(
-        "quaternion_scalars", "q",
-        "quaternion_parts (quaternion (Dual s (sy * dot v vo) : dual K) (Dual w (wy * dot v vo)) (vdual v vo))",
-        "quaternion_parts (cayley_quaternion {n} root (vdual v vo))",
-    ),
-    "tensor": Geometry(
-        "pose_scalars", "tensor", f"tensor_parts ({_ROTATION})", "tensor_parts (cayley_tensor {n} power (vdual v vo))",
-        premises=(_UNIT,), proof="unfold tensor_parts. rewrite (twist K f g h v vo E1).",
-        chart="destruct power as [power power']. destruct (cayley_slopes K {before} v vo power power' H1) as [F G]. "
-        "unfold cayley_tensor. rewrite F, G. cbn [re] in *. rewrite <- A, <- B, <- C. easy.",
-    ),
-    "pose": Geometry(
-        "pose_scalars", "pose", "pose_parts (rotation f g v) (apply (tangent f g h v) vo)",
-        "pose_parts (cayley_tensor {n} (re power) v) (apply (dcay {n} (re power) v) vo)",
-        chart="unfold dcay, cayley_tensor. now rewrite A, B, C.",
-    ),
-    **dict(_tangents()),
-}  # fmt: skip
-"""Geometry programs that are proved. R = Q + ε skew(ρ) Q of a pose is the tensor, by the theorem `twist`."""
-
-OPAQUE = {name: scalars.results for name, scalars in SCALARS.items()}
-
-HEAD = """From dualcay Require Import Programs{imports}.
-Section Text.
-  Variable K : Field.
-  Add Field numbers : (field_laws K).
-  Variable sqrt : K -> K.
-  Implicit Types (v vo u uo : Vector K) (power root half q_inverse n_inverse : dual K).
-"""
+def _difference(goal: Goal, stderr: str) -> str:
+    """Return the sentence that names the entry at whose line Coq stopped."""
+    line = int(found[1]) if (found := re.search(r"line (\d+)", stderr)) else 1
+    comment = re.search(r"\(\* (.*) \*\)", goal.text.splitlines()[line - 1])
+    which = f"{goal.function} of order {goal.order}" if goal.order else goal.function
+    part = comment[1] if comment else "its text"
+    return f"{goal.place}: {which} ({goal.target}) differs from its definition: {part}. Coq: {' '.join(stderr.split())}"
 
 
-def geometry_file(name: str, program: Program) -> str:
-    """Return the file that proves a geometry program for any scalars."""
-    goal = GEOMETRY[name]
-    scalars = SCALARS[goal.scalars]
-    kinds = " -> ".join(["K"] * len(scalars.parameters))
-    halves = " half" if goal.premises == _HALF else ""
-    premises = " -> ".join((f"{goal.scalars} {scalars.given} = ({', '.join(scalars.results)})", *goal.premises, ""))
-    start = "rewrite (proj2 (inverse_parts_left E1))." if halves else goal.proof
-    entries = "\n".join(f"  - entry K. (* {goal.result}[{i}] *)" for i in range(len(program.results)))
-    return f"""{HEAD.format(imports='')}
-  Variable {goal.scalars} : {kinds} -> {product(len(scalars.results))}.
-
-{program.definition(f'{name}_text')}
-
-  Theorem {name}_text_right v vo{' u uo' * goal.second}{halves} {' '.join(scalars.results)} : {premises}
-    {name}_text {_components(goal)} = {goal.value}.
-  Proof.
-  intros E{' E1' * len(goal.premises)}. {start} unfold {name}_text, {_PARTS}. cbv zeta. unfold dot in E. rewrite E. (* call of {goal.scalars} *)
-  split_entries.
-{entries}
-  Qed.
-End Text.
-Print Assumptions {name}_text_right.
-"""
+def prove_all(numpy: Path, c: Path, folder: Path, orders: Sequence[int] = ORDERS) -> list[Outcome]:
+    """Prove the programs of two folders of kernels, in a folder of compiled proofs; progress goes to stderr."""
+    every, outcomes = list(goals(numpy, c, orders)), list[Outcome]()
+    with ThreadPoolExecutor(PROCESSES) as pool:
+        for stage in ([g for g in every if not g.order], [g for g in every if g.order]):
+            for outcome in pool.map(prove, stage, [folder] * len(stage)):
+                outcomes.append(outcome)
+                print(f"{len(outcomes)}/{len(every)}: {outcome.goal.name} {outcome.seconds:.1f} s", file=sys.stderr)
+    return outcomes
 
 
-_PARTS = "tensor_parts, vector_parts, quaternion_parts, pose_parts"
+def table(outcomes: Iterable[Outcome]) -> str:
+    """Return function, order, target and seconds of each goal as lines of text, and what is not covered."""
+    lines = [f"{'function':20} {'order':>5}  {'target':6} {'seconds':>7}"]
+    for each in outcomes:
+        order = each.goal.order or "any"
+        lines.append(f"{each.goal.function:20} {order:>5}  {each.goal.target:6} {each.seconds:7.1f}  {each.reason}".rstrip())
+    return "\n".join([*lines, f"not covered: {', '.join(sorted(PUBLIC.keys() - GEOMETRY.keys()))}"])
 
 
-def _components(goal: Geometry) -> str:
-    return " ".join(f"(v{i} {part})" for part in ("v", "vo", *("u", "uo") * goal.second) for i in (1, 2, 3))
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Prove the committed NumPy kernels and the C headers of a folder, or those that the generator prints now."""
+    parser = argparse.ArgumentParser(prog="python -m derive.machine.bridge", description=__doc__)
+    parser.add_argument("--numpy", type=Path, default=ROOT / "generated" / "dualcay", help="folder of NumPy kernels")
+    parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
+    chosen = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder, headers = Path(scratch) / "proofs", Path(scratch) / "c"
+        folder.mkdir()
+        try:
+            if not chosen.c:
+                files.write(headers, print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
+            compile_proofs(folder)
+            outcomes = prove_all(chosen.numpy, chosen.c or headers, folder)
+        except (BridgeError, ReadError) as error:
+            print(f"error: {error}", file=sys.stderr)
+            return 1
+    print(table(outcomes))
+    return 0
 
 
-def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
-    """Return the file that proves a scalar program of the Cayley map of an order, and the functions that call it."""
-    goal = SCALARS[scalars]
-    root = f"pow (1 + dot v v) {order // 2}" if order % 2 == 0 else f"sqrt (pow (1 + dot v v) {order})"
-    fill = partial(str.format, X=X, n=order, before=order - 1, root=root)
-    premises = "".join(f"{fill(each)} -> " for each in goal.premises)
-    uses_sqrt = " sqrt" if any("(sqrt " in term for _, term in program.steps) else ""
-    pattern, called = f"({', '.join(goal.results)})", f"{scalars}_text{{sqrt}} {goal.given}"
-    users = {name: each for name, each in GEOMETRY.items() if each.scalars == scalars}
-    functions = "".join(
-        f"""
-  Theorem {name}_right v vo{' u uo' * user.second} {goal.numbers} : {premises}
-    {name}_text K {f'({scalars}_text)'} {_components(user)} = {fill(user.at_order)}.
-  Proof. (* {name} *)
-    intros {_names('H', len(goal.premises))}. pose proof ({scalars}_text_right v vo {goal.numbers} {_names('H', len(goal.premises))}) as S.
-    destruct ({scalars}_text {goal.given}) as {_nested(goal.results)} eqn:E. destruct S as {_split(len(goal.equations))}.
-    rewrite ({name}_text_right K {scalars}_text v vo{' u uo' * user.second}{' half' * (user.premises == _HALF)} {' '.join(goal.results)} E){_by(user)}.
-    {fill(user.chart)}
-  Qed.
-  Print Assumptions {name}_right.
-"""
-        for name, user in users.items()
-    )
-    conclusion = " /\\ ".join(map(fill, goal.equations))
-    entries = "\n".join(f"  - scalar K. (* {each.split(' = ')[0].split()[1 if 'Dual' in each else 0]} *)" for each in goal.equations)
-    return f"""{HEAD.format(imports=''.join(f' {target}_{name}' for name in users))}
-{program.definition(f'{scalars}_text')}
-
-  Theorem {scalars}_text_right v vo {goal.numbers} : {premises}
-    let '{pattern} := {scalars}_text {goal.given} in {conclusion}.
-  Proof.
-  unfold {scalars}_text. cbv zeta.
-  {goal.proof}
-  scalar_entries v vo.
-{entries}
-  Qed.
-{functions}End Text.
-"""
-
-
-def _names(letter: str, count: int) -> str:
-    return " ".join(f"{letter}{i + 1}" for i in range(count))
-
-
-def _nested(names: Sequence[str]) -> str:
-    """Return the pattern of a tuple, which is a nest of pairs."""
-    first, *others = names
-    return first if not others else f"[{_nested(names[:-1])} {names[-1]}]"
-
-
-def _split(count: int) -> str:
-    return f"({' & '.join('ABC'[:count])})"
-
-
-def _by(goal: Geometry) -> str:
-    return " by assumption" if goal.premises else ""
+if __name__ == "__main__":
+    sys.exit(main())
