@@ -32,6 +32,10 @@ Section Laws.
   Theorem rotation_isotropic f g v : rotation f g v = isotropic (1 - g * dot v v) f g v.
   Proof. entries; ring. Qed.
 
+  (** A factor of the vector may be moved to f and g. *)
+  Theorem rotation_scaled f g k v : rotation f g (vscale k v) = rotation (f * k) (g * (k * k)) v.
+  Proof. entries; ring. Qed.
+
   (** R is orthogonal with determinant 1, CP23 (13), (72), (73). *)
   Theorem rotation_orthogonal f g v : f * f + dot v v * (g * g) = 2 * g ->
     tmul (rotation f g v) (transpose (rotation f g v)) = identity /\
