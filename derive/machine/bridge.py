@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import argparse
 import re
-import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -19,19 +17,13 @@ from ..codegen.signatures import PUBLIC
 from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..output import files
+from .checker import CLOSED, Coq, compiled, find
 from .goals import GEOMETRY, ORDERS, Goal, goals
+from .statements import MachineError
 from .terms import ReadError
 
 ROOT = Path(__file__).parents[2]
-LIMIT = 120
-"""Seconds after which a goal counts as not covered."""
-
 PROCESSES = 2
-CLOSED = "Closed under the global context"
-
-
-class BridgeError(Exception):
-    """Error of a program that differs from its definition, or of Coq; the message says which program, and where."""
 
 
 @dataclass(frozen=True)
@@ -43,33 +35,18 @@ class Outcome:
     reason: str = ""
 
 
-def compile_proofs(folder: Path) -> None:
-    """Copy the proofs to a folder and compile them there, each after those that it needs."""
-    for path in (ROOT / "proofs").glob("*.v"):
-        shutil.copy(path, folder)
-    names = sorted(path.name for path in folder.glob("*.v"))
-    ordered = _run(folder, "coqdep", "-sort", "-R", ".", "dualcay", *names).stdout.split()
-    for name in ordered:
-        if (done := _run(folder, "coqc", "-q", "-R", ".", "dualcay", name)).returncode:
-            raise BridgeError(f"proofs/{Path(name).name}: {' '.join(done.stderr.split())}")
-
-
-def _run(folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=LIMIT)
-
-
-def prove(goal: Goal, folder: Path) -> Outcome:
-    """Prove a goal in a folder of compiled proofs; a program that differs raises `BridgeError`."""
-    path, begun = folder / f"{goal.name}.v", time.monotonic()
+def prove(goal: Goal, coq: Coq) -> Outcome:
+    """Prove a goal where the proofs are compiled; a program that differs raises `MachineError`."""
+    path, begun = coq.build / f"{goal.name}.v", time.monotonic()
     path.write_text(goal.text, encoding="utf-8")
     try:
-        done = _run(folder, "coqc", "-q", "-R", ".", "dualcay", path.name)
-    except subprocess.TimeoutExpired:
-        return Outcome(goal, LIMIT, f"not decided within {LIMIT} s")
+        done = coq.run("coqc", "-q", path.name)
+    except MachineError as error:
+        return Outcome(goal, time.monotonic() - begun, f"not covered: {error}")
     if done.returncode:
-        raise BridgeError(_difference(goal, done.stderr))
+        raise MachineError(_difference(goal, done.stderr))
     if done.stdout.count(CLOSED) != goal.text.count("Print Assumptions"):
-        raise BridgeError(f"{goal.name}: the proof rests on an axiom: {' '.join(done.stdout.split())}")
+        raise MachineError(f"{goal.name}: the proof rests on an axiom: {' '.join(done.stdout.split())}")
     return Outcome(goal, time.monotonic() - begun)
 
 
@@ -82,12 +59,12 @@ def _difference(goal: Goal, stderr: str) -> str:
     return f"{goal.place}: {which} ({goal.target}) differs from its definition: {part}. Coq: {' '.join(stderr.split())}"
 
 
-def prove_all(numpy: Path, c: Path, folder: Path, orders: Sequence[int] = ORDERS) -> list[Outcome]:
-    """Prove the programs of two folders of kernels, in a folder of compiled proofs; progress goes to stderr."""
+def prove_all(numpy: Path, c: Path, coq: Coq, orders: Sequence[int] = ORDERS) -> list[Outcome]:
+    """Prove the programs of two folders of kernels, where the proofs are compiled; progress goes to stderr."""
     every, outcomes = list(goals(numpy, c, orders)), list[Outcome]()
     with ThreadPoolExecutor(PROCESSES) as pool:
         for stage in ([g for g in every if not g.order], [g for g in every if g.order]):
-            for outcome in pool.map(prove, stage, [folder] * len(stage)):
+            for outcome in pool.map(prove, stage, [coq] * len(stage)):
                 outcomes.append(outcome)
                 print(f"{len(outcomes)}/{len(every)}: {outcome.goal.name} {outcome.seconds:.1f} s", file=sys.stderr)
     return outcomes
@@ -97,8 +74,8 @@ def table(outcomes: Iterable[Outcome]) -> str:
     """Return function, order, target and seconds of each goal as lines of text, and what is not covered."""
     lines = [f"{'function':20} {'order':>5}  {'target':6} {'seconds':>7}"]
     for each in outcomes:
-        order = each.goal.order or "any"
-        lines.append(f"{each.goal.function:20} {order:>5}  {each.goal.target:6} {each.seconds:7.1f}  {each.reason}".rstrip())
+        start = f"{each.goal.function:20} {each.goal.order or 'any':>5}  {each.goal.target:6}"
+        lines.append(f"{start} {each.seconds:7.1f}  {each.reason}".rstrip())
     return "\n".join([*lines, f"not covered: {', '.join(sorted(PUBLIC.keys() - GEOMETRY.keys()))}"])
 
 
@@ -109,16 +86,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     chosen = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as scratch:
-        folder, headers = Path(scratch) / "proofs", Path(scratch) / "c"
-        folder.mkdir()
+        headers = Path(scratch) / "c"
         try:
+            coq = find(Path(scratch) / "proofs")
             if not chosen.c:
                 files.write(headers, print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
-            compile_proofs(folder)
-            outcomes = prove_all(chosen.numpy, chosen.c or headers, folder)
-        except (BridgeError, ReadError) as error:
+            list(compiled(coq))
+            outcomes = prove_all(chosen.numpy, chosen.c or headers, coq)
+        except (MachineError, ReadError) as error:
             print(f"error: {error}", file=sys.stderr)
-            return 1
+            return getattr(error, "code", 1)
     print(table(outcomes))
     return 0
 

@@ -6,7 +6,7 @@ proved for some orders of the Cayley map. Together they make every function of t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
@@ -67,7 +67,8 @@ SCALARS: Mapping[str, Scalars] = {
         ("x",), ("s", "w", "sy", "wy"), "(dot v v)", "root",
         ("root * root * pow (1 + {X}) {n} = 1", "re root * {root} = 1"),
         ("Dual s (sy * dot v vo) = p {X} {n} * root", "Dual w (wy * dot v vo) = q {X} {n} * root"),
-        "intros H R. rewrite parts_of_dot in *. destruct root as [r r']. apply root_parts in H as (N & M & D). subst r'.",
+        "intros H R. rewrite parts_of_dot in *. destruct root as [r r']. "
+        "apply root_parts in H as (N & M & D). subst r'.",
         "all: cbn; known_root sqrt R.",
     ),
     "pose_scalars": Scalars(
@@ -82,7 +83,8 @@ SCALARS: Mapping[str, Scalars] = {
     ),
     "tangent_inv_scalars": Scalars(
         ("x",), ("fi", "hi", "fiy", "hiy"), "(dot v v)", "half q_inverse n_inverse", INVERSES,
-        ("Dual fi (fiy * dot v vo) = p {X} {n} * q_inverse", "Dual hi (hiy * dot v vo) = d {X} {n} * (q_inverse * n_inverse)"),
+        ("Dual fi (fiy * dot v vo) = p {X} {n} * q_inverse",
+         "Dual hi (hiy * dot v vo) = d {X} {n} * (q_inverse * n_inverse)"),
         "intros _ [N ->]%inverse_parts [M ->]%inverse_parts. rewrite parts_of_dot in *.",
     ),
 }  # fmt: skip
@@ -98,18 +100,19 @@ _ROTATION = (
 )
 
 
-def _tangents() -> Iterable[tuple[str, Geometry]]:
+def _tangents() -> Iterator[tuple[str, Geometry]]:
     """Yield the tangent operators of both frames, and the maps between rates and twists."""
     for frame, of in ("", "({})"), ("body_", "(transpose ({}))"):
         for name, scalars, value, order, halves in (
             ("tangent", "tangent_scalars", _TANGENT, _DCAY, ()),
             ("tangent_inv", "tangent_inv_scalars", _INVERSE, _DCAY_INV, _HALF),
         ):
-            value, order = of.format(value), of.format(order)
-            yield f"{frame}{name}", Geometry(scalars, "tangent", f"tensor_parts {value}", f"tensor_parts {order}", premises=halves)
+            sides = [of.format(value), of.format(order)]
+            parts = [f"tensor_parts {side}" for side in sides]
+            yield f"{frame}{name}", Geometry(scalars, "tangent", *parts, premises=halves)
             name, result = ("rate", "v_dot") if halves else ("twist", "omega")
-            applied = "vector_parts (apply {} (vdual u uo))".format
-            yield f"{frame}{name}", Geometry(scalars, result, applied(value), applied(order), second=True, premises=halves)
+            applied = [f"vector_parts (apply {side} (vdual u uo))" for side in sides]
+            yield f"{frame}{name}", Geometry(scalars, result, *applied, second=True, premises=halves)
 
 
 GEOMETRY: Mapping[str, Geometry] = {

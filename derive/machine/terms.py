@@ -22,8 +22,8 @@ Scalars = Mapping[str, Sequence[str]]
 """Names of the results of opaque scalar programs, by program."""
 
 SYMBOLS: Mapping[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
-RESERVED = frozenset("as at cofix else end exists exists2 fix for forall fun if in let match mod return then using where "
-                     "with Prop Set Type sqrt".split())  # fmt: skip
+_WORDS = "as at cofix else end exists fix for forall fun if in let match mod return then using where with Prop Set Type"
+RESERVED = frozenset([*_WORDS.split(), "sqrt"])
 """Words of Coq that are no names, and the one function that terms may call."""
 
 
@@ -157,7 +157,7 @@ class PythonText:
                     return f"({value(left)} {SYMBOLS[type(operation)]} {value(right)})"
                 case ast.Tuple(elts=parts):
                     return tuple(part for each in parts for part in _parts(each, value))
-                case ast.Call(func=ast.Attribute(value=ast.Name(id="c"), attr=name), args=[_, *given]) if name in scalars:
+                case ast.Call(func=ast.Attribute(ast.Name(id="c"), name), args=[_, *given]) if name in scalars:
                     return program.call(scalars, name, [value(each) for each in given])
                 case ast.Call(func=ast.Attribute(value=ast.Name(id="m"), attr="sqrt"), args=[of]):
                     return f"(sqrt {value(of)})"
@@ -189,7 +189,7 @@ class PythonText:
         """Return the decimals that a method of the interface passes as table."""
         for node in ast.walk(self.function(method)):
             if isinstance(node, ast.keyword) and node.arg == "table" and isinstance(node.value, ast.Name):
-                return self._constants()[node.value.id]
+                return tuple(self._constants()[node.value.id])
         raise ReadError(f"{self._place(self.function(method))}: {method} passes no table")
 
     def _constants(self) -> dict[str, Any]:
@@ -229,7 +229,8 @@ class CText:
         made = [_Cells([None] * _size(parameter)) for parameter in _parameters(function)[len(arguments) :]]
         parameters = tuple(term for a in arguments for term in (a if isinstance(a, tuple) else (a,)))
         program = Program(parameters, _place(function.decl))
-        self._run(program, scalars, function, [*(_Cells(list(a)) if isinstance(a, tuple) else a for a in arguments), *made])
+        given = (_Cells(list(a)) if isinstance(a, tuple) else a for a in arguments)
+        self._run(program, scalars, function, [*given, *made])
         program.results = tuple(_real(function, cell) for cells in made for cell in cells.cells)
         return program
 
