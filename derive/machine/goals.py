@@ -60,7 +60,6 @@ class Geometry:
 
 POWER = ("power * pow (1 + {X}) {n} = 1",)
 INVERSES = ("half * 2 = 1", "q {X} {n} * q_inverse = 1", "of_nat {n} * n_inverse = 1")
-CAYLEY = "{name} {n} power (vdual v vo)"
 
 SCALARS: Mapping[str, Scalars] = {
     "quaternion_scalars": Scalars(
@@ -108,11 +107,11 @@ def _tangents() -> Iterator[tuple[str, Geometry]]:
             ("tangent_inv", "tangent_inv_scalars", _INVERSE, _DCAY_INV, _HALF),
         ):
             sides = [of.format(value), of.format(order)]
-            parts = [f"tensor_parts {side}" for side in sides]
-            yield f"{frame}{name}", Geometry(scalars, "tangent", *parts, premises=halves)
+            first, second = (f"tensor_parts {side}" for side in sides)
+            yield f"{frame}{name}", Geometry(scalars, "tangent", first, second, premises=halves)
             name, result = ("rate", "v_dot") if halves else ("twist", "omega")
-            applied = [f"vector_parts (apply {side} (vdual u uo))" for side in sides]
-            yield f"{frame}{name}", Geometry(scalars, result, *applied, second=True, premises=halves)
+            first, second = (f"vector_parts (apply {side} (vdual u uo))" for side in sides)
+            yield f"{frame}{name}", Geometry(scalars, result, first, second, second=True, premises=halves)
 
 
 GEOMETRY: Mapping[str, Geometry] = {
@@ -153,19 +152,19 @@ def geometry_file(name: str, program: Program) -> str:
     goal = GEOMETRY[name]
     scalars = SCALARS[goal.scalars]
     kinds = " -> ".join(["K"] * len(scalars.parameters))
-    halves = " half" if goal.premises == _HALF else ""
     premises = " -> ".join((f"{goal.scalars} {scalars.given} = ({', '.join(scalars.results)})", *goal.premises, ""))
-    start = "rewrite (proj2 (inverse_parts_left E1))." if halves else goal.proof
+    start = "rewrite (proj2 (inverse_parts_left E1))." if _half(goal) else goal.proof
     entries = "\n".join(f"  - entry K. (* {goal.result}[{i}] *)" for i in range(len(program.results)))
     return f"""{HEAD.format(imports='')}
   Variable {goal.scalars} : {kinds} -> {product(len(scalars.results))}.
 
 {program.definition(f'{name}_text')}
 
-  Theorem {name}_text_right v vo{' u uo' * goal.second}{halves} {' '.join(scalars.results)} : {premises}
+  Theorem {name}_text_right v vo{_second(goal)}{_half(goal)} {' '.join(scalars.results)} : {premises}
     {name}_text {_components(goal)} = {goal.value}.
   Proof.
-  intros E{' E1' * len(goal.premises)}. {start} unfold {name}_text, {_PARTS}. cbv zeta. unfold dot in E. rewrite E. (* call of {goal.scalars} *)
+  intros E{' E1' * len(goal.premises)}. {start} unfold {name}_text, {_PARTS}.
+  cbv zeta. unfold dot in E. rewrite E. (* call of {goal.scalars} *)
   split_entries.
 {entries}
   Qed.
@@ -187,16 +186,17 @@ def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
     root = f"pow (1 + dot v v) {order // 2}" if order % 2 == 0 else f"sqrt (pow (1 + dot v v) {order})"
     fill = partial(str.format, X=X, n=order, before=order - 1, root=root)
     premises = "".join(f"{fill(each)} -> " for each in goal.premises)
-    pattern, called = f"({', '.join(goal.results)})", f"{scalars}_text {goal.given}"
+    called, pattern = f"{scalars}_text {goal.given}", f"({', '.join(goal.results)})"
     users = {name: each for name, each in GEOMETRY.items() if each.scalars == scalars}
+    known = _names("H", len(goal.premises))
     functions = "".join(
         f"""
-  Theorem {name}_right v vo{' u uo' * user.second} {goal.numbers} : {premises}
+  Theorem {name}_right v vo{_second(user)} {goal.numbers} : {premises}
     {name}_text K {scalars}_text {_components(user)} = {fill(user.at_order)}.
   Proof. (* {name} *)
-    intros {_names('H', len(goal.premises))}. pose proof ({scalars}_text_right v vo {goal.numbers} {_names('H', len(goal.premises))}) as S.
-    destruct ({scalars}_text {goal.given}) as {_nested(goal.results)} eqn:E. destruct S as {_split(len(goal.equations))}.
-    rewrite ({name}_text_right K {scalars}_text v vo{' u uo' * user.second}{' half' * (user.premises == _HALF)} {' '.join(goal.results)} E){_by(user)}.
+    intros {known}. pose proof ({scalars}_text_right v vo {goal.numbers} {known}) as S.
+    destruct ({called}) as {_nested(goal.results)} eqn:E. destruct S as {_split(len(goal.equations))}.
+    rewrite ({name}_text_right K {scalars}_text v vo{_second(user)}{_half(user)} {' '.join(goal.results)} E){_by(user)}.
     {fill(user.chart)}
   Qed.
 """
@@ -210,7 +210,7 @@ def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
 {program.definition(f'{scalars}_text')}
 
   Theorem {scalars}_text_right v vo {goal.numbers} : {premises}
-    let '{pattern} := {scalars}_text {goal.given} in {conclusion}.
+    let '{pattern} := {called} in {conclusion}.
   Proof.
   unfold {scalars}_text. cbv zeta.
   {goal.proof}
@@ -234,6 +234,14 @@ def _nested(names: Sequence[str]) -> str:
 
 def _split(count: int) -> str:
     return f"({' & '.join('ABC'[:count])})"
+
+
+def _second(goal: Geometry) -> str:
+    return " u uo" if goal.second else ""
+
+
+def _half(goal: Geometry) -> str:
+    return " half" if goal.premises == _HALF else ""
 
 
 def _by(goal: Geometry) -> str:
