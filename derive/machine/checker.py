@@ -1,4 +1,4 @@
-"""Coq found and run: files compiled, assumptions of every theorem printed, and compiled files checked again by coqchk."""
+"""Coq found and run: files compiled, assumptions of theorems printed, compiled files checked again by coqchk."""
 
 from __future__ import annotations
 

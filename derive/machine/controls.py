@@ -43,7 +43,8 @@ def controls(folder: Path = FOLDER) -> tuple[Control, ...]:
         match = _LINE.fullmatch(line)
         theorem = found.get(match[1]) if match else None
         if match is None or theorem is None or match[2] not in " ".join(theorem.claim.split()):
-            raise MachineError(f"{folder / FILE}:{number}: not a line  theorem: old text ==> new text  of a theorem: {line}")
+            expected = "theorem: old text ==> new text"
+            raise MachineError(f"{folder / FILE}:{number}: expected a line  {expected}  of a known theorem, got {line}")
         claim = " ".join(theorem.claim.split()).replace(match[2], match[3], 1)
         result.append(Control(theorem, replace(theorem, claim=claim), number))
     without = {name for name, theorem in found.items() if theorem.kind == "Theorem"} - {c.theorem.name for c in result}
