@@ -13,7 +13,7 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs machine-proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -31,6 +31,9 @@ check-theorems: $(READY)
 
 proofs: $(READY)  ## prove all theorems, require that every control fails, and write docs/theorems.md
 	$(RUN) -m derive.proof -o docs/theorems.md
+
+machine-proofs: $(READY)  ## check the theorems of proofs/ and their controls with Coq (apt-get install coq)
+	$(RUN) -m derive.machine
 
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md
@@ -93,7 +96,7 @@ clean:  ## remove the environment and caches
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help:  ## list these targets
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*##/\t/' | expand -t 12
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*##/\t/' | expand -t 18
 
 # The environment is rebuilt when its requirements change.
 $(READY): pyproject.toml constraints.txt

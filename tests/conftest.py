@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import shutil
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -19,6 +20,7 @@ MISSING = {
         ("torch", importlib.util.find_spec("torch"), "PyTorch is not installed (extra 'torch')"),
         ("browser", browsers.find(), browsers.MISSING),
         ("compiler", compilers.find(), compilers.MISSING),
+        ("coq", shutil.which("coqc"), "Coq is not installed (apt-get install coq)"),
     ]
     if not found
 }
@@ -29,7 +31,7 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "smoke", "thorough", "torch"}
+SELECTED = {"browser", "compiler", "coq", "smoke", "thorough", "torch"}
 """Markers of this project that select tests."""
 
 

@@ -11,7 +11,7 @@ from tests.support.imports import ROOT, imported, sources
 
 pytestmark = pytest.mark.smoke
 
-ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "front", "cli")
+ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "front", "cli")
 """Packages of derive in import order; each may import itself and earlier ones."""
 
 IN_CODEGEN = (

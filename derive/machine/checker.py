@@ -63,7 +63,7 @@ def find(build: Path) -> Coq:
     printed = subprocess.run([program, "--print-version"], capture_output=True, text=True, check=False).stdout
     numbers = re.match(r"(\d+)\.(\d+)", printed)
     if numbers is None or not FIRST <= (int(numbers[1]), int(numbers[2])) <= LAST:
-        raise MachineError(f"{_WANTED} is needed, and {program} is version {printed.split()[:1] or '?'}: {_HOW}", 3)
+        raise MachineError(f"{_WANTED} is needed, and {program} is version {printed.split(maxsplit=1)[0] if printed.strip() else '?'}: {_HOW}", 3)
     return Coq(Path(program).parent, printed.split()[0], build)
 
 
@@ -83,7 +83,7 @@ def assumed(coq: Coq, found: Iterable[Statement]) -> dict[str, str]:
     files = dict.fromkeys(name.split(".")[0] for name in names)
     lines = [f"From dualcay Require {file}." for file in files] + [f"Print Assumptions {name}." for name in names]
     (coq.build / "Assumptions.v").write_text("\n".join([*lines, ""]), encoding="utf-8")
-    printed = re.findall(rf"^{CLOSED}|^Axioms:\n(?:[^\n]+\n)+", coq.compile("Assumptions.v"), re.MULTILINE)
+    printed = re.split(rf"^(?={CLOSED}|Axioms:)", coq.compile("Assumptions.v"), flags=re.MULTILINE)[1:]
     result = dict(zip(names, (" ".join(text.split()) for text in printed), strict=True))
     for name, text in result.items():
         if text != CLOSED:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from .coq import in_coq
 from .coverage import COVERAGE
 from .identity import ALL_ORDERS, Proof
 
@@ -28,15 +29,24 @@ COVERED = """## Kernel functions
 | --- | --- | --- | --- |"""
 
 
+BY = """## Who proves what
+
+The toolkit proves every statement with its own prover. Coq, which shares nothing with it, proves theorems of the files
+in `proofs/` over any commutative ring and for every n (`make machine-proofs`).
+
+| theorem | by the toolkit | by Coq, for every n | not covered by Coq |
+| --- | --- | --- | --- |"""
+
+
 def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
     """Return the page as Markdown, from the proofs for all orders and at one order.
 
     The mapping `controls` gives the number of controls by the `title` of a proof.
     """
-    again = tuple(at_order)
+    general, again = tuple(general), tuple(at_order)
     lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]
     lines += [AT_ORDER.format(scope=again[0].scope), *(line for proof in again for line in _section(proof, controls))]
-    lines.append(COVERED)
+    lines += [BY, *map(_row, (*general, *again)), "", COVERED]
     for name, covered in COVERAGE.items():
         theorems = ", ".join(covered.theorems)
         lines.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
@@ -46,6 +56,11 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
 def title(proof: Proof) -> str:
     """Return the title of a proof: its name and scope."""
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
+
+
+def _row(proof: Proof) -> str:
+    entry = in_coq(proof)
+    return f"| {proof.name} | {proof.scope} | {', '.join(f'`{name}`' for name in entry.theorems)} | {entry.left_out} |"
 
 
 def _section(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:

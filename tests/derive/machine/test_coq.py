@@ -1,0 +1,82 @@
+"""Coq run on proofs/: wrong proofs, assumptions and controls that pass are refused with a sentence."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from derive.machine import __main__ as command
+from derive.machine.controls import FILE
+from derive.machine.statements import FOLDER, LIST
+
+pytestmark = pytest.mark.coq
+
+
+@pytest.fixture
+def copied(tmp_path: Path) -> Path:
+    """Copy the two smallest files with their controls."""
+    folder = tmp_path / "proofs"
+    folder.mkdir()
+    for name in ("Rings.v", "Derivatives.v"):
+        shutil.copyfile(FOLDER / name, folder / name)
+    (folder / LIST).write_text("-Q . dualcay\nRings.v\nDerivatives.v\n", encoding="utf-8")
+    lines = (FOLDER / FILE).read_text(encoding="utf-8").splitlines(keepends=True)
+    (folder / FILE).write_text("".join(lines[:13]), encoding="utf-8")
+    return folder
+
+
+def run(folder: Path) -> int:
+    return command.main(["--proofs", str(folder), "--build", str(folder.parent / "build")])
+
+
+def edit(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def test_small_files_pass(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(copied) == 0
+    out = capsys.readouterr().out
+    assert "Derivatives.dual_part_is_derivative: Closed under the global context" in out
+    assert "13 controls refused" in out
+    assert [path.name for path in copied.glob("*.vo")] == []
+
+
+def test_false_theorem_is_refused_with_its_line(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copied / "Rings.v", "of_nat (m + n) = of_nat m + of_nat n", "of_nat (m + n) = of_nat m - of_nat n")
+    edit(copied / FILE, "of_nat m + of_nat n ==> of_nat m - of_nat n", "of_nat m - of_nat n ==> of_nat m + of_nat n")
+    assert run(copied) == 1
+    assert "Rings.v:" in (error := capsys.readouterr().err)
+    assert "Coq refuses" in error
+
+
+def test_assumption_is_refused(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copied / "Derivatives.v", "Section Derivatives.", "Variable free : False.\nSection Derivatives.")
+    edit(copied / "Derivatives.v", "Proof. induction e;", "Proof. case free. Qed.\n  Lemma unused e : e = e.\n  Proof. induction e;")
+    edit(copied / "Derivatives.v", "; now rewrite IHe1, IHe2. Qed.", ". Qed.")
+    assert run(copied) == 1
+    assert "rests on an assumption: Axioms: Derivatives.free : False" in capsys.readouterr().err.replace("dualcay.", "")
+
+
+@pytest.mark.parametrize(
+    ("new", "reason"),
+    [
+        ("of_nat n + of_nat m", "the altered statement passes"),
+        ("of_nat m + )", "the altered statement is not well formed"),
+    ],
+)
+def test_bad_control_is_refused(copied: Path, new: str, reason: str, capsys: pytest.CaptureFixture[str]) -> None:
+    edit(copied / FILE, "==> of_nat m - of_nat n", f"==> {new}")
+    assert run(copied) == 1
+    assert f"{FILE}:1: of_nat_add: {reason}" in capsys.readouterr().err
+
+
+@pytest.mark.thorough
+def test_all_theorems_and_controls(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main(["--build", str(tmp_path)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("Closed under the global context") > 150
+    assert "coqchk: no axioms" in out
