@@ -34,6 +34,7 @@ proofs: $(READY)  ## prove all theorems, require that every control fails, and w
 
 machine-proofs: $(READY)  ## check the theorems of proofs/ and their controls with Coq (apt-get install coq)
 	$(RUN) -m derive.machine
+	$(RUN) -m derive.machine.bridge
 
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md

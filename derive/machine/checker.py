@@ -63,7 +63,8 @@ def find(build: Path) -> Coq:
     printed = subprocess.run([program, "--print-version"], capture_output=True, text=True, check=False).stdout
     numbers = re.match(r"(\d+)\.(\d+)", printed)
     if numbers is None or not FIRST <= (int(numbers[1]), int(numbers[2])) <= LAST:
-        raise MachineError(f"{_WANTED} is needed, and {program} is version {printed.split(maxsplit=1)[0] if printed.strip() else '?'}: {_HOW}", 3)
+        version = printed.split(maxsplit=1)[0] if printed.strip() else "?"
+        raise MachineError(f"{_WANTED} is needed, and {program} is version {version}: {_HOW}", 3)
     return Coq(Path(program).parent, printed.split()[0], build)
 
 

@@ -23,6 +23,7 @@ def _whole(names: str, left_out: str = "") -> InCoq:
 
 
 _SECOND = "second derivatives of the scalars are not stated in Coq"
+_VARIATION = "the variational equation; Coq takes the pose multiplied by a constant"
 _SHADOW = _whole("shadow change_of_chart", "the matrix S_k itself; that v_k moves so that the pose is kept")
 
 BY_COQ: Mapping[str, InCoq] = {
@@ -66,6 +67,8 @@ BY_COQ: Mapping[str, InCoq] = {
     "rate of the tangent operator": _whole("rate_of_operator tangent_slopes"),
     "rate of the inverse operator": _whole("rate_of_operator rate_of_inverse inverse_slopes"),
     "Jacobian of the twist": _whole("jacobian_of_operator jacobian_of_transpose"),
+    "transition, space twist given": _whole("transition", _VARIATION),
+    "transition, body twist given": _whole("body_transition cayley_transition", _VARIATION),
     "Jacobian of the rate": _whole("jacobian_of_operator jacobian_of_transpose"),
     "structure equation": _whole("structure_equation cayley_slopes"),
     "structure equation in the body": _whole("body_structure_equation cayley_slopes", "J_B(b) a = R^T J(a) b"),
@@ -83,6 +86,10 @@ BY_COQ: Mapping[str, InCoq] = {
     "any phi: twist": _whole("phi_twist"),
     "any phi: body twist": _whole("phi_body_tangent body_twist phi_inverse_tangent"),
     "any phi: slopes": _whole("twist phi_twist", "slopes of the inverse operator and of 1/φ'"),
+    "any phi: Jacobian of the rate": InCoq(left_out="the slopes of f_i and h_i for any φ"),
+    "any phi: transition, space twist given": _whole("transition", _VARIATION),
+    "any phi: transition, body twist given": _whole("body_transition", _VARIATION),
+    "any phi: change of chart or branch": _whole("change_of_chart"),
     "any phi: second slopes": InCoq(left_out=_SECOND),
     "growing order: angle": InCoq(left_out="a limit, to first order in 1/(2n)²"),
     "growing order: maps": InCoq(left_out="a limit, to first order in 1/(2n)²"),

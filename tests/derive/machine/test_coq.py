@@ -55,7 +55,8 @@ def test_false_theorem_is_refused_with_its_line(copied: Path, capsys: pytest.Cap
 
 def test_assumption_is_refused(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
     edit(copied / "Derivatives.v", "Section Derivatives.", "Variable free : False.\nSection Derivatives.")
-    edit(copied / "Derivatives.v", "Proof. induction e;", "Proof. case free. Qed.\n  Lemma unused e : e = e.\n  Proof. induction e;")
+    case = "Proof. case free. Qed.\n  Lemma unused e : e = e.\n  Proof. induction e;"
+    edit(copied / "Derivatives.v", "Proof. induction e;", case)
     edit(copied / "Derivatives.v", "; now rewrite IHe1, IHe2. Qed.", ". Qed.")
     assert run(copied) == 1
     assert "rests on an assumption: Axioms: Derivatives.free : False" in capsys.readouterr().err.replace("dualcay.", "")
