@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import kernels, libraries, motion, native, page, peers
+from benchmarks import kernels, libraries, motion, native, page, peers, propagate
 from benchmarks.timing import ROUNDS
 
 SECTIONS = {"kernels": kernels.section, "native": native.section, "libraries": libraries.section,
-            "motion": motion.section}
+            "motion": motion.section, "propagate": propagate.section}
 
 
 def main() -> None:

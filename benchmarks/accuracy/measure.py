@@ -16,7 +16,6 @@ from tests.support import cases, kernels, ranges, rotations, sampling
 from tests.support.accuracy import FUNCTIONS, Trial
 from tests.support.calculus import CALCULUS
 from tests.support.cases import DTYPES, TRIALS, Case
-from tests.support.signatures import RODRIGUES
 
 ORDERS = (1, 2, 3, 4, 5, 6, 7, 8, 16, 32, 64)
 DIGITS = 60
@@ -80,7 +79,7 @@ class Measurement:
 def vectors(function: str, given: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
     """Return the arguments that are vectors of poses: the first one, or both."""
     row = POSES.functions.get(function)
-    both = row is not None and row.arguments[-1].name in RODRIGUES
+    both = row is not None and row.arguments[-1].vector
     return given if both else given[:1]
 
 
