@@ -17,7 +17,7 @@ from derive.output import files
 NUMPY = Path(__file__).parents[3] / "generated" / "dualcay"
 
 
-@pytest.mark.thorough
+@pytest.mark.coq
 def test_text_is_proved_and_a_flipped_sign_is_refused(tmp_path: Path) -> None:
     files.write(tmp_path / "c", print_package([Cayley(1)], TARGETS["c"]).texts)
     kernels = shutil.copytree(NUMPY, tmp_path / "numpy")

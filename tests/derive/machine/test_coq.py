@@ -75,7 +75,6 @@ def test_bad_control_is_refused(copied: Path, new: str, reason: str, capsys: pyt
     assert f"{FILE}:1: of_nat_add: {reason}" in capsys.readouterr().err
 
 
-@pytest.mark.thorough
 def test_all_theorems_and_controls(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main(["--build", str(tmp_path)]) == 0
     out = capsys.readouterr().out
