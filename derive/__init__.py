@@ -45,7 +45,7 @@ __all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "gene
 
 _OWN = {
     "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
-    "algebra", "cli", "codegen", "maps", "output", "papers", "proof",
+    "algebra", "cli", "codegen", "machine", "maps", "output", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""
 

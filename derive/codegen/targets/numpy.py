@@ -26,7 +26,10 @@ class Numpy(PythonTarget):
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
 
     def shared(self) -> dict[str, Data]:
-        tables = {CLASSES[table]: {name: signature(row) for name, row in table.public.items()} for table in self.tables}
+        tables = {
+            CLASSES[table]: {name: signature(row) for name, row in sorted(table.public.items())}
+            for table in self.tables
+        }
         return {**super().shared(), "dask.py": {"tables": tables}}
 
     def programs(self, facts: Facts) -> Data:

@@ -35,6 +35,7 @@ def module(folder: Path, body: str) -> PythonText:
     return PythonText(path)
 
 
+@pytest.mark.smoke
 def test_python_and_c_give_one_term(tmp_path: Path) -> None:
     made = header(tmp_path, HEADER).program("program", [("a", "b")], {})
     assert made.steps == [(("y",), "((- ((1 / 2))) * b)")]
