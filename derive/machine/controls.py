@@ -43,7 +43,8 @@ def controls(folder: Path = FOLDER) -> tuple[Control, ...]:
         match = _LINE.fullmatch(line)
         theorem = found.get(match[1]) if match else None
         if match is None or theorem is None or match[2] not in " ".join(theorem.claim.split()):
-            raise MachineError(f"{folder / FILE}:{number}: not a line  theorem: old text ==> new text  of a theorem: {line}")
+            form = "theorem: old text ==> new text"
+            raise MachineError(f"{folder / FILE}:{number}: not a line  {form}  of a theorem: {line}")
         claim = " ".join(theorem.claim.split()).replace(match[2], match[3], 1)
         result.append(Control(theorem, replace(theorem, claim=claim), number))
     without = {name for name, theorem in found.items() if theorem.kind == "Theorem"} - {c.theorem.name for c in result}
@@ -64,7 +65,7 @@ def refused(coq: Coq, folder: Path = FOLDER) -> int:
 
 def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
     text = without_comments((folder / batch[0].theorem.file).read_text(encoding="utf-8"))
-    for index, control in reversed(list(enumerate(batch))):
+    for index, control in sorted(enumerate(batch), key=lambda item: item[1].theorem.start, reverse=True):
         start, altered = control.theorem.start, control.altered
         attempt = (
             f"Definition statement_{index} {altered.proposition}.\n"

@@ -29,7 +29,7 @@ def replace(path: Path, old: str, new: str) -> None:
 def test_theorem_is_read_with_its_proof() -> None:
     norm = next(found for found in statements() if found.name == "norm")
     assert (norm.file, norm.kind) == ("Polynomials.v", "Theorem")
-    assert norm.proposition == " x n : Prop :=  p x n * p x n + x * (q x n * q x n) = pow (1 + x) n"
+    assert norm.proposition == " x n  : Prop :=  p x n * p x n + x * (q x n * q x n) = pow (1 + x) n"
     assert "induction n" in norm.proof
 
 
@@ -83,7 +83,9 @@ def test_missing_and_wrong_controls_are_named(copied: Path) -> None:
         controls(copied)
 
 
-def test_missing_coq_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_missing_coq_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("COQBIN", str(tmp_path))
     assert command.main(["--build", str(tmp_path / "build")]) == 3
     assert "Coq 8.16 to 8.20 is needed, and no coqc is in" in (error := capsys.readouterr().err)
@@ -91,7 +93,9 @@ def test_missing_coq_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert not (tmp_path / "build").exists()
 
 
-def test_other_version_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_other_version_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     program = tmp_path / "coqc"
     program.write_text("#!/bin/sh\necho 9.1.0 5.2\n", encoding="utf-8")
     program.chmod(0o755)
