@@ -75,7 +75,10 @@ def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
     names = [f"{word}_{index}" for index in range(len(batch)) for word in ("statement", "control")]
     names += [control.theorem.name for control in batch]
     text = "Set Silent.\n" + text + "\nUnset Silent." + "".join(f"\nLocate {name}." for name in names) + "\n"
-    known = set(_KNOWN.findall(coq.run("coqtop", "-q", "-quiet", text=text).stdout))
+    result = coq.run("coqtop", "-q", "-quiet", text=text)
+    if result.returncode:
+        raise MachineError(f"coqtop ended with code {result.returncode} on {batch[0].theorem.file}", 3)
+    known = set(_KNOWN.findall(result.stdout))
     for index, control in enumerate(batch):
         where = f"{folder / FILE}:{control.line}: {control.theorem.name}"
         if control.theorem.name not in known:

@@ -10,7 +10,7 @@ import pytest
 from derive.machine import __main__ as command
 from derive.machine.checker import compiled, find
 from derive.machine.controls import FILE, refused
-from derive.machine.statements import FOLDER, LIST, MachineError
+from derive.machine.statements import FOLDER, LIST, MachineError, statements
 
 pytestmark = pytest.mark.coq
 
@@ -48,8 +48,8 @@ def test_false_theorem_is_refused_with_its_line(copied: Path, capsys: pytest.Cap
 
 def test_assumption_is_refused(copied: Path, capsys: pytest.CaptureFixture[str]) -> None:
     edit(copied / "Derivatives.v", "Section Derivatives.", "Variable free : False.\nSection Derivatives.")
-    proof = "  Proof. induction e;"
-    edit(copied / "Derivatives.v", proof, "  Proof. case free. Qed.\n  Lemma two : 2 = 2.\n  Proof. easy;")
+    proof = next(found.proof for found in statements(copied) if found.name == "real_part_is_value")
+    edit(copied / "Derivatives.v", proof, " case free. ")
     assert run(copied) == 1
     assert "rests on an assumption: Axioms: Derivatives.free : False" in capsys.readouterr().err.replace("dualcay.", "")
 
