@@ -45,13 +45,15 @@ Section Derivatives.
   Proof. induction e; cbn; unfold dual_value in *; cbn in *; try reflexivity; now rewrite IHe1, IHe2. Qed.
 
   Theorem dual_part_is_derivative e x h :
-    exists r, forall t, value e (fun i => x i + t * h i) = value e x + t * du (dual_value e x h) + t * t * value r (fun _ => t).
+    exists r, forall t, value e (fun i => x i + t * h i) =
+      value e x + t * du (dual_value e x h) + t * t * value r (fun _ => t).
   Proof.
     pose (t := Coordinate (K := K) 0). induction e as [a|i|e [r E] f [s F]|e [r E] f [s F]|e [r E] f [s F]].
     - exists (Number 0). intros u. cbn. ring.
     - exists (Number 0). intros u. cbn. ring.
     - exists (Sum r s). intros u. cbn [value]. rewrite E, F. cbn. fold (dual_value e x h) (dual_value f x h). ring.
-    - exists (Difference r s). intros u. cbn [value]. rewrite E, F. cbn. fold (dual_value e x h) (dual_value f x h). ring.
+    - exists (Difference r s). intros u. cbn [value]. rewrite E, F. cbn. fold (dual_value e x h) (dual_value f x h).
+      ring.
     - exists (Sum (Product (Sum (Number (value e x)) (Product t (Number (du (dual_value e x h))))) s)
         (Sum (Product r (Sum (Number (value f x)) (Product t (Number (du (dual_value f x h))))))
           (Sum (Number (du (dual_value e x h) * du (dual_value f x h))) (Product (Product t t) (Product r s))))).

@@ -41,7 +41,8 @@ Section Laws.
     tmul (rotation f g v) (transpose (rotation f g v)) = identity /\
     tmul (transpose (rotation f g v)) (rotation f g v) = identity /\ det (rotation f g v) = 1.
   Proof.
-    intros H. rewrite rotation_isotropic, isotropic_transpose, !isotropic_product, isotropic_det, <- (isotropic_identity K v).
+    intros H. rewrite rotation_isotropic, isotropic_transpose, !isotropic_product, isotropic_det.
+    rewrite <- (isotropic_identity K v).
     generalize dependent (dot v v); intros x H. split; [|split].
     - f_equal; [combine (x *: H)|ring|combine (- (1) *: H)].
     - f_equal; [combine (x *: H)|ring|combine (- (1) *: H)].
@@ -49,7 +50,8 @@ Section Laws.
   Qed.
 
   (** The quaternion has norm 1, and q r q* = R r. *)
-  Theorem quaternion_unit s w v : s * s + dot v v * (w * w) = 1 -> qmul (quaternion s w v) (conj (quaternion s w v)) = qone.
+  Theorem quaternion_unit s w v : s * s + dot v v * (w * w) = 1 ->
+    qmul (quaternion s w v) (conj (quaternion s w v)) = qone.
   Proof. intros H. unfold dot in H. entries; [combine (1 *: H)|ring..]. Qed.
 
   Theorem sandwich s w v u : s * s + dot v v * (w * w) = 1 ->
@@ -66,7 +68,9 @@ Section Laws.
   Proof. intros H. combine (4 * (w * w) *: H). Qed.
 
   Lemma unit_parts r : qmul r (conj r) = qone -> norm_squared r = 1.
-  Proof. intros H%(f_equal scalar). unfold norm_squared, dot. cbn in H. unfold dot in H. cbn in H. combine (1 *: H). Qed.
+  Proof.
+    intros H%(f_equal scalar). unfold norm_squared, dot. cbn in H. unfold dot in H. cbn in H. combine (1 *: H).
+  Qed.
 
   Lemma norm_of_product q r : norm_squared (qmul q r) = norm_squared q * norm_squared r.
   Proof. unfold norm_squared. entries. ring. Qed.
@@ -94,7 +98,8 @@ Section Laws.
   Proof. now rewrite norm. Qed.
 
   Theorem cayley_unit n power v : power * pow (1 + dot v v) n = 1 ->
-    cayley_f n power v * cayley_f n power v + dot v v * (cayley_g n power v * cayley_g n power v) = 2 * cayley_g n power v.
+    cayley_f n power v * cayley_f n power v + dot v v * (cayley_g n power v * cayley_g n power v) =
+      2 * cayley_g n power v.
   Proof.
     intros H%power_norm. unfold cayley_f, cayley_g. combine (4 * (q (dot v v) n * q (dot v v) n * power) *: H).
   Qed.
@@ -102,7 +107,8 @@ Section Laws.
   (** R of order n is orthogonal with determinant 1, CP23 (13), (72), (73). *)
   Theorem cayley_orthogonal n power v : power * pow (1 + dot v v) n = 1 ->
     tmul (cayley_tensor n power v) (transpose (cayley_tensor n power v)) = identity /\
-    tmul (transpose (cayley_tensor n power v)) (cayley_tensor n power v) = identity /\ det (cayley_tensor n power v) = 1.
+    tmul (transpose (cayley_tensor n power v)) (cayley_tensor n power v) = identity /\
+    det (cayley_tensor n power v) = 1.
   Proof. intros H. apply rotation_orthogonal, cayley_unit, H. Qed.
 
   (** R of order n is I + 2 p q (1 + x)^-n skew(v) + 2 q² (1 + x)^-n skew(v)², CP23 (57); its entries of the form
@@ -112,7 +118,8 @@ Section Laws.
       ((p (dot v v) n * p (dot v v) n - dot v v * (q (dot v v) n * q (dot v v) n)) * power)
       (2 * (p (dot v v) n * q (dot v v) n * power)) (2 * (q (dot v v) n * q (dot v v) n * power)) v.
   Proof.
-    intros H%power_norm. unfold cayley_tensor. rewrite rotation_isotropic. f_equal. unfold cayley_g. combine (- (1) *: H).
+    intros H%power_norm. unfold cayley_tensor. rewrite rotation_isotropic. f_equal. unfold cayley_g.
+      combine (- (1) *: H).
   Qed.
 
   (** Quaternion of order n, CP23 (53): a power of 1 + v, of norm 1, whose sandwich is R. *)

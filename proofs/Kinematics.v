@@ -1,8 +1,8 @@
 (** Tangent operators: the twist, the body twist and their inverses, for every map and for Cayley maps.
 
-    A moving vector is v + ε v' over the dual numbers of [K], where ε² = 0; its tensor is then R + ε R'. The scalars f, g
-    and h of x = v·v belong to one map when the dual parts of f and g are ((1 - g x) h - f g) y and (f h - g²) y, where
-    y = v·v'. *)
+    A moving vector is v + ε v' over the dual numbers of [K], where ε² = 0; its tensor is then R + ε R'.
+    The scalars f, g and h of x = v·v belong to one map when the dual parts of f and g are ((1 - g x) h - f g) y and
+    (f h - g²) y, where y = v·v'. *)
 
 From dualcay Require Export Displacements.
 
@@ -47,7 +47,8 @@ Section AnyMap.
   Qed.
 
   (** The twist ω of R' = skew(ω) R is the vector of R' R^T. *)
-  Theorem twist_is_vect half (R : Tensor (dual K)) omega : half * 2 = 1 -> tmul (tre R) (transpose (tre R)) = identity ->
+  Theorem twist_is_vect half (R : Tensor (dual K)) omega : half * 2 = 1 ->
+    tmul (tre R) (transpose (tre R)) = identity ->
     is_twist R omega -> vect half (tmul (tdu R) (transpose (tre R))) = omega.
   Proof. intros H O ->. rewrite tmul_assoc, O, (proj1 (tmul_identity _ _)). now apply vect_skew. Qed.
 
@@ -132,7 +133,8 @@ Section Cayley.
   Theorem cayley_slopes n v v' power (power' : K) :
     (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
     cayley_f (S n) (Dual power power' : dual K) (vdual v v') = Dual (cayley_f (S n) power v)
-      (((1 - cayley_g (S n) power v * dot v v) * cayley_h (S n) power v - cayley_f (S n) power v * cayley_g (S n) power v)
+      (((1 - cayley_g (S n) power v * dot v v) * cayley_h (S n) power v
+        - cayley_f (S n) power v * cayley_g (S n) power v)
        * dot v v') /\
     cayley_g (S n) (Dual power power' : dual K) (vdual v v') = Dual (cayley_g (S n) power v)
       ((cayley_f (S n) power v * cayley_h (S n) power v - cayley_g (S n) power v * cayley_g (S n) power v) * dot v v').
@@ -153,7 +155,8 @@ Section Cayley.
   Proof. intros [E F]%cayley_slopes. unfold cayley_tensor. rewrite E, F. entries; ring. Qed.
 
   Lemma real_part_of_power n v v' power (power' : K) :
-    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 -> power * pow (1 + dot v v) (S n) = 1.
+    (Dual power power' : dual K) * pow (1 + dot (vdual v v') (vdual v v')) (S n) = 1 ->
+      power * pow (1 + dot v v) (S n) = 1.
   Proof. rewrite parts_of_dot. intros H%power_slope. apply H. Qed.
 
   (** ω = dcay v', CP23 (86), with R' = skew(ω) R, CP23 (70). *)
@@ -237,7 +240,8 @@ Section Cayley.
     cayley_f (S n) power v + cayley_h (S n) power v * dot v v = 2 * (of_nat (S n) * u).
   Proof.
     intros H U. pose proof (bracket_c K (dot v v) n) as B. unfold cayley_f, cayley_h. cbn [pow] in H.
-    combine (2 * power *: B +: 2 * (of_nat (S n) * u) *: H +: - (2 * (of_nat (S n) * power * pow (1 + dot v v) n)) *: U).
+    combine (2 * power *: B +: 2 * (of_nat (S n) * u) *: H +: - (2 * (of_nat (S n) * power * pow (1 + dot v v) n)) 
+      *: U).
   Qed.
 
   (** dcay v = dcay^T v = 2 n v / (1 + x). *)
@@ -250,7 +254,8 @@ Section Cayley.
   Theorem cayley_determinant n power u v : power * pow (1 + dot v v) (S n) = 1 -> (1 + dot v v) * u = 1 ->
     det (dcay (S n) power v) = 4 * (2 * (of_nat (S n) * (q (dot v v) (S n) * q (dot v v) (S n)) * (power * u))).
   Proof.
-    intros H U. unfold dcay. rewrite determinant, (stretch n power u v H U) by now apply cayley_unit. unfold cayley_g. ring.
+    intros H U. unfold dcay. rewrite determinant, (stretch n power u v H U) by now apply cayley_unit. unfold cayley_g.
+      ring.
   Qed.
 
   (** 2 q' = ω q, CP23 (75), where the dual part of the root is that of a root of (1 + x)^-n. *)
@@ -293,7 +298,8 @@ Section Cayley.
   Proof.
     intros H. destruct (cayley_orthogonal _ _ _ _ H) as [O _].
     pose proof (cayley_sandwich K n root v (apply (transpose (cayley_tensor n (root * root) v)) omega) H) as S.
-    rewrite <- apply_product, O, apply_identity in S. apply (f_equal (fun r => qmul r (cayley_quaternion n root v))) in S.
+    rewrite <- apply_product, O, apply_identity in S.
+      apply (f_equal (fun r => qmul r (cayley_quaternion n root v))) in S.
     rewrite <- S, !qmul_assoc.
     assert (U : qmul (conj (cayley_quaternion n root v)) (cayley_quaternion n root v) = qone).
     { rewrite <- (cayley_quaternion_unit K n root v H). entries; ring. }

@@ -37,7 +37,8 @@ Section Angles.
   Theorem multiples_of_an_angle a b t n : a * t = b ->
     pow a n * p (t * t) n = cosine a b n /\ pow a n * (t * q (t * t) n) = sine a b n.
   Proof.
-    intros <-. induction n as [|n [E F]]; [cbn; split; ring|]. rewrite cosine_next, sine_next, <- E, <- F. next. split; ring.
+    intros <-. induction n as [|n [E F]]; [cbn; split; ring|]. rewrite cosine_next, sine_next, <- E, <- F. next.
+    split; ring.
   Qed.
 
   (** Quaternion and tensor of a screw, CP23 (17), (23), (37), (48): with v = tan(θ) u and α = 2 n θ they are
@@ -73,7 +74,8 @@ Section Angles.
 
   (** Slope of a Moebius step: (a - b r)² (1 + r_k²) = 1 + r² and (a - b r)² r_k' = r'. *)
   Theorem moebius_slope a b r r_k (r' r_k' : K) : a * a + b * b = 1 ->
-    (constant a - constant b * (Dual r r' : dual K)) * (Dual r_k r_k' : dual K) = constant b + constant a * (Dual r r' : dual K) ->
+    (constant a - constant b * (Dual r r' : dual K)) * (Dual r_k r_k' : dual K) =
+      constant b + constant a * (Dual r r' : dual K) ->
     (a - b * r) * (a - b * r) * (1 + r_k * r_k) = 1 + r * r /\ (a - b * r) * (a - b * r) * r_k' = r'.
   Proof.
     intros C E. apply (f_equal re) in E as H. apply (f_equal du) in E. cbn in E, H. split.
@@ -85,7 +87,8 @@ Section Angles.
   Theorem shadow a b r r_k step_inverse power u n : dot u u = 1 -> a * a + b * b = 1 ->
     (a - b * r) * r_k = b + a * r -> (a - b * r) * step_inverse = 1 -> sine a b n = 0 ->
     power * pow (1 + r * r) n = 1 ->
-    cayley_tensor n (power * (pow (a - b * r) n * pow (a - b * r) n)) (vscale r_k u) = cayley_tensor n power (vscale r u)
+    cayley_tensor n (power * (pow (a - b * r) n * pow (a - b * r) n)) (vscale r_k u) =
+      cayley_tensor n power (vscale r u)
     /\ power * (pow (a - b * r) n * pow (a - b * r) n) * pow (1 + r_k * r_k) n = 1.
   Proof.
     intros U C H I Z P. pose proof (circle a b n C) as Q. rewrite Z in Q.
@@ -98,7 +101,8 @@ Section Angles.
       f_equal.
       + transitivity (2 * power * (pow (a - b * r) n * P_k * (pow (a - b * r) n * (r_k * Q_k)))); [ring|]. rewrite E, F.
         combine (2 * power * (p (r * r) n * r * q (r * r) n) *: Q).
-      + transitivity (2 * power * (pow (a - b * r) n * (r_k * Q_k) * (pow (a - b * r) n * (r_k * Q_k)))); [ring|]. rewrite F.
+      + transitivity (2 * power * (pow (a - b * r) n * (r_k * Q_k) * (pow (a - b * r) n * (r_k * Q_k)))); [ring|].
+        rewrite F.
         combine (2 * power * (r * q (r * r) n * (r * q (r * r) n)) *: Q).
     - transitivity (power * pow (1 + r * r) n); [|exact P].
       replace (1 + r * r) with ((a - b * r) * (a - b * r) * (1 + r_k * r_k)); [rewrite !pow_mul_base; ring|].

@@ -69,7 +69,8 @@ Section Laws.
     2 * p_slope x (S n) = - (of_nat (S n) * q x n) /\ 2 * (x * q_slope x (S n)) = of_nat (S n) * p x n - q x (S n).
   Proof.
     induction n as [|n [E F]]; [cbn; split; ring|].
-    rewrite (p_slope_next x (S n)), (q_slope_next x (S n)), (q_next x (S n)), (p_next x n), (q_next x n) in *. cbn [of_nat] in *.
+    rewrite (p_slope_next x (S n)), (q_slope_next x (S n)), (q_next x (S n)), (p_next x n), (q_next x n) in *.
+      cbn [of_nat] in *.
     split.
     - combine (1 *: E +: - (1) *: F).
     - combine (x *: E +: 1 *: F).
@@ -86,7 +87,8 @@ Section Laws.
   Theorem q_slope_equation x n :
     2 * (x * ((1 + x) * q_slope x n)) = of_nat n * (p x n + x * q x n) - (1 + x) * q x n.
   Proof.
-    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [_ E]. rewrite (p_next x n), (q_next x n) in *.
+    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [_ E].
+      rewrite (p_next x n), (q_next x n) in *.
     combine ((1 + x) *: E).
   Qed.
 
@@ -108,14 +110,16 @@ Section Laws.
 
   Theorem bracket_d x n : x * d x n = (1 + x) * q x n - of_nat n * p x n.
   Proof.
-    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [E F]. unfold d. rewrite (p_next x n), (q_next x n) in *.
+    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [E F]. unfold d.
+      rewrite (p_next x n), (q_next x n) in *.
     combine (- (1) *: F +: - x *: E).
   Qed.
 
   (** (1 + x) c = n q² - p d, without a division by x. *)
   Theorem brackets_related x n : (1 + x) * c x n = of_nat n * (q x n * q x n) - p x n * d x n.
   Proof.
-    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [E F]. unfold c, d. rewrite (p_next x n), (q_next x n) in *.
+    destruct n; [unfold c, d; cbn; ring|]. destruct (closed_slopes x n) as [E F]. unfold c, d.
+      rewrite (p_next x n), (q_next x n) in *.
     combine ((p x n - x * q x n) *: F +: - ((1 + x) * (p x n + q x n) + (p x n - x * q x n)) *: E).
   Qed.
 

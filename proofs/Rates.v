@@ -45,7 +45,8 @@ Section Operators.
 
   (** Rate of an operator f I + g skew(v) + h v ⊗ v, with the slopes f_y, g_y, h_y. *)
   Definition operator_rate f_y g_y g h_y h v v' :=
-    tadd (tscale (dot v v') (isotropic f_y g_y h_y v)) (tadd (tscale g (skew v')) (tscale h (tadd (dyad v' v) (dyad v v')))).
+    tadd (tscale (dot v v') (isotropic f_y g_y h_y v))
+      (tadd (tscale g (skew v')) (tscale h (tadd (dyad v' v) (dyad v v')))).
 
   Theorem rate_of_operator f f_y g g_y h h_y v v' :
     tdu (isotropic (Dual f (f_y * dot v v') : dual K) (Dual g (g_y * dot v v')) (Dual h (h_y * dot v v')) (vdual v v')) =
@@ -115,7 +116,8 @@ Section Slopes.
   Definition c_slope x n := 2 * (p x n * q_curvature x n - q x n * p_curvature x n).
   Definition d_slope x n := q_slope x n - 2 * q_curvature x n - 2 * p_curvature x n.
 
-  Lemma p_curvature_next x n : p_curvature x (S n) = p_curvature x n - 2 * q_slope x n - x * q_curvature x n. Proof. easy. Qed.
+  Lemma p_curvature_next x n : p_curvature x (S n) = p_curvature x n - 2 * q_slope x n - x * q_curvature x n.
+  Proof. easy. Qed.
   Lemma q_curvature_next x n : q_curvature x (S n) = p_curvature x n + q_curvature x n. Proof. easy. Qed.
 
   Theorem curvatures_are_dual_parts x y n :
@@ -128,9 +130,11 @@ Section Slopes.
   Qed.
 
   Theorem bracket_slopes x y n :
-    c (Dual x y : dual K) n = Dual (c x n) (c_slope x n * y) /\ d (Dual x y : dual K) n = Dual (d x n) (d_slope x n * y).
+    c (Dual x y : dual K) n = Dual (c x n) (c_slope x n * y) /\ d (Dual x y : dual K) n =
+      Dual (d x n) (d_slope x n * y).
   Proof.
-    unfold c, d. destruct (slopes_are_dual_parts K x y n) as [-> ->]. destruct (curvatures_are_dual_parts x y n) as [-> ->].
+    unfold c, d. destruct (slopes_are_dual_parts K x y n) as [-> ->].
+      destruct (curvatures_are_dual_parts x y n) as [-> ->].
     split; apply dual_eq; unfold c, d, c_slope, d_slope; cbn; ring.
   Qed.
 
@@ -152,9 +156,11 @@ Section Slopes.
     { rewrite E. cbn [pow] in H. combine (2 * (of_nat (S n) * pow (1 + x) n * y * power * power) *: U
         +: - (2 * (of_nat (S n) * u * y * power)) *: H). }
     unfold X, W, f, g, h. destruct (slopes_are_dual_parts K x (2 * y) (S n)) as [-> ->].
-    rewrite (proj1 (bracket_slopes x (2 * y) (S n))), E'. repeat split; apply dual_eq; cbn [re du mul add dual dual_mul dual_add one];
+    rewrite (proj1 (bracket_slopes x (2 * y) (S n))), E'. repeat split; apply dual_eq;
+      cbn [re du mul add dual dual_mul dual_add one];
       try ring.
-    unfold c. combine (4 * (q x (S n) * power * u * y) *: P +: - (4 * (2 * (q x (S n) * p_slope x (S n) * power * y))) *: U).
+    unfold c. combine (4 * (q x (S n) * power * u * y) *: P +:
+      - (4 * (2 * (q x (S n) * p_slope x (S n) * power * y))) *: U).
   Qed.
 
   (** Slopes of the scalars of the inverse operator, p / q and d / (n q). *)

@@ -26,7 +26,8 @@ Section Series.
   Lemma cosine_term_next k : cosine_term (S k) = - (over k * sine_term k). Proof. easy. Qed.
   Lemma sine_term_next k : sine_term (S k) = over k * cosine_term k. Proof. easy. Qed.
 
-  Lemma skew_times u (a b c : K) : tmul (skew u) (tadd (tscale a identity) (tadd (tscale b (skew u)) (tscale c (tmul (skew u) (skew u)))))
+  Lemma skew_times u (a b c : K) :
+    tmul (skew u) (tadd (tscale a identity) (tadd (tscale b (skew u)) (tscale c (tmul (skew u) (skew u)))))
     = tadd (tscale (a - c * dot u u) (skew u)) (tscale b (tmul (skew u) (skew u))).
   Proof. entries; ring. Qed.
 
@@ -37,14 +38,17 @@ Section Series.
     tensor_term u k = tadd (tscale (start k) identity)
       (tadd (tscale (sine_term k) (skew u)) (tscale (start k - cosine_term k) (tmul (skew u) (skew u)))).
   Proof.
-    intros U. induction k as [|k E]; [entries; ring|]. cbn [tensor_term]. rewrite E, skew_times, U, cosine_term_next, sine_term_next.
+    intros U. induction k as [|k E]; [entries; ring|]. cbn [tensor_term].
+      rewrite E, skew_times, U, cosine_term_next, sine_term_next.
     generalize (cosine_term k), (sine_term k), (start k). intros c s z. entries; ring.
   Qed.
 
   (** exp(β u) = cos(β) + sin(β) u. *)
-  Theorem exponential_of_vector u k : dot u u = 1 -> quaternion_term u k = Quat (cosine_term k) (vscale (sine_term k) u).
+  Theorem exponential_of_vector u k : dot u u = 1 -> quaternion_term u k =
+    Quat (cosine_term k) (vscale (sine_term k) u).
   Proof.
-    intros U. induction k as [|k E]; [entries; ring|]. cbn [quaternion_term]. rewrite E, cosine_term_next, sine_term_next.
+    intros U. induction k as [|k E]; [entries; ring|]. cbn [quaternion_term].
+      rewrite E, cosine_term_next, sine_term_next.
     replace (over k * sine_term k) with (over k * (sine_term k * dot u u)) by (rewrite U; ring).
     entries; ring.
   Qed.

@@ -58,7 +58,8 @@ Section Sums.
     intros H. unfold alternate at 1. rewrite sum_first. change (2 * 0 + first)%nat with first.
     replace (alternate x (S (S first)) n (S count)) with (alternate x (S (S first)) n count)
       by (unfold alternate; cbn [sum]; rewrite (choose_beyond n (2 * count + S (S first))) by lia; cbn [of_nat]; ring).
-    unfold alternate. replace (sum _ count) with (- x * sum (fun j => pow (- x) j * of_nat (choose n (2 * j + S (S first)))) count).
+    unfold alternate. replace (sum _ count) with
+      (- x * sum (fun j => pow (- x) j * of_nat (choose n (2 * j + S (S first)))) count).
     - cbn [pow]. ring.
     - rewrite <- sum_scale. apply sum_equal. intros j.
       replace (2 * S j + first)%nat with (2 * j + S (S first))%nat by lia. cbn [pow]. ring.
@@ -68,10 +69,12 @@ Section Sums.
   Proof. intros H. rewrite alternate_first, choose_zero by exact H. cbn [of_nat]. ring. Qed.
 
   Theorem alternate_start x first count : alternate x (S first) 0 count = 0.
-  Proof. induction count as [|k E]; unfold alternate in *; cbn [sum]; [ring|]. rewrite E, <- plus_n_Sm. cbn [choose of_nat]. ring. Qed.
+  Proof. induction count as [|k E]; unfold alternate in *; cbn [sum]; [ring|]. rewrite E, <- plus_n_Sm.
+    cbn [choose of_nat]. ring. Qed.
 
   (** Binomial sums of p_n and q_n; terms beyond n are zero. *)
-  Theorem binomial_sums x n count : n < 2 * count -> p x n = alternate x 0 n (S count) /\ q x n = alternate x 1 n (S count).
+  Theorem binomial_sums x n count : n < 2 * count -> p x n = alternate x 0 n (S count) /\ q x n =
+    alternate x 1 n (S count).
   Proof.
     induction n as [|n I]; intros H.
     - rewrite alternate_zero, !alternate_start by lia. cbn. split; ring.
@@ -82,7 +85,8 @@ Section Sums.
   (** Binomial theorem; and the sum that remains when 1 is taken away and x divided out. *)
   Definition binomial x first n count := sum (fun j => pow x j * of_nat (choose n (j + first))) count.
 
-  Theorem binomial_next x first n count : binomial x (S first) (S n) count = binomial x (S first) n count + binomial x first n count.
+  Theorem binomial_next x first n count : binomial x (S first) (S n) count =
+    binomial x (S first) n count + binomial x first n count.
   Proof.
     unfold binomial. rewrite <- sum_add. apply sum_equal. intros j. rewrite <- plus_n_Sm. cbn [choose].
     rewrite of_nat_add. ring.
@@ -99,13 +103,15 @@ Section Sums.
   Qed.
 
   Theorem binomial_start x first count : binomial x (S first) 0 count = 0.
-  Proof. induction count as [|k E]; unfold binomial in *; cbn [sum]; [ring|]. rewrite E, <- plus_n_Sm. cbn [choose of_nat]. ring. Qed.
+  Proof. induction count as [|k E]; unfold binomial in *; cbn [sum]; [ring|]. rewrite E, <- plus_n_Sm.
+    cbn [choose of_nat]. ring. Qed.
 
   Theorem binomial_theorem x n count : n < count -> pow (1 + x) n = binomial x 0 n (S count).
   Proof.
     induction n as [|n I]; intros H.
     - rewrite binomial_zero, binomial_start by lia. cbn. ring.
-    - cbn [pow]. rewrite I by lia. rewrite (binomial_zero x (S n)), binomial_next by lia. rewrite (binomial_zero x n) by lia. ring.
+    - cbn [pow]. rewrite I by lia. rewrite (binomial_zero x (S n)), binomial_next by lia.
+      rewrite (binomial_zero x n) by lia. ring.
   Qed.
 
   (** d_n = q_n + n a_n - r_n with a_n and r_n the sums from 2 and from 3. *)

@@ -116,9 +116,11 @@ Section Parts.
     (Dual (t21 A) (t21 B)) (Dual (t22 A) (t22 B)) (Dual (t23 A) (t23 B))
     (Dual (t31 A) (t31 B)) (Dual (t32 A) (t32 B)) (Dual (t33 A) (t33 B)).
   Definition tre (A : Tensor (dual K)) := Ten
-    (re (t11 A)) (re (t12 A)) (re (t13 A)) (re (t21 A)) (re (t22 A)) (re (t23 A)) (re (t31 A)) (re (t32 A)) (re (t33 A)).
+    (re (t11 A)) (re (t12 A)) (re (t13 A)) (re (t21 A)) (re (t22 A)) (re (t23 A)) (re (t31 A)) (re (t32 A))
+      (re (t33 A)).
   Definition tdu (A : Tensor (dual K)) := Ten
-    (du (t11 A)) (du (t12 A)) (du (t13 A)) (du (t21 A)) (du (t22 A)) (du (t23 A)) (du (t31 A)) (du (t32 A)) (du (t33 A)).
+    (du (t11 A)) (du (t12 A)) (du (t13 A)) (du (t21 A)) (du (t22 A)) (du (t23 A)) (du (t31 A)) (du (t32 A))
+      (du (t33 A)).
 
   Theorem parts_of_product (A B : Tensor (dual K)) :
     tre (tmul A B) = tmul (tre A) (tre B) /\ tdu (tmul A B) = tadd (tmul (tre A) (tdu B)) (tmul (tdu A) (tre B)).

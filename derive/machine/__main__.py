@@ -21,8 +21,7 @@ BUILD = FOLDER.parent / "build" / "machine"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Check all theorems and controls; print seconds per file and the assumptions of every theorem."""
-    description = "Check the theorems of proofs/ with Coq."
-    parser = argparse.ArgumentParser(prog="python -m derive.machine", description=description)
+    parser = argparse.ArgumentParser(prog="python -m derive.machine", description="Check proofs/ with Coq.")
     parser.add_argument("--proofs", type=Path, default=FOLDER, help="folder of Coq files")
     parser.add_argument("--build", type=Path, default=BUILD, help="folder of compiled files")
     options = parser.parse_args(arguments)

@@ -1,4 +1,4 @@
-"""Coq found and run: files compiled, assumptions of theorems printed, compiled files checked again by coqchk."""
+"""Coq found and run: files compiled, assumptions of all theorems printed, compiled files checked again by coqchk."""
 
 from __future__ import annotations
 
@@ -62,10 +62,10 @@ def find(build: Path) -> Coq:
         raise MachineError(f"{_WANTED} is needed, and no coqc is {f'in {folder}' if folder else 'found'}: {_HOW}", 3)
     printed = subprocess.run([program, "--print-version"], capture_output=True, text=True, check=False).stdout
     numbers = re.match(r"(\d+)\.(\d+)", printed)
+    version = (printed.split() or ["unknown"])[0]
     if numbers is None or not FIRST <= (int(numbers[1]), int(numbers[2])) <= LAST:
-        version = printed.split(maxsplit=1)[0] if printed.strip() else "?"
         raise MachineError(f"{_WANTED} is needed, and {program} is version {version}: {_HOW}", 3)
-    return Coq(Path(program).parent, printed.split()[0], build)
+    return Coq(Path(program).parent, version, build)
 
 
 def compiled(coq: Coq, folder: Path = FOLDER) -> Iterator[tuple[str, float]]:

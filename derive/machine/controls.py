@@ -43,8 +43,8 @@ def controls(folder: Path = FOLDER) -> tuple[Control, ...]:
         match = _LINE.fullmatch(line)
         theorem = found.get(match[1]) if match else None
         if match is None or theorem is None or match[2] not in " ".join(theorem.claim.split()):
-            expected = "theorem: old text ==> new text"
-            raise MachineError(f"{folder / FILE}:{number}: expected a line  {expected}  of a known theorem, got {line}")
+            form = "theorem: old text ==> new text"
+            raise MachineError(f"{folder / FILE}:{number}: not a line  {form}  of a theorem: {line}")
         claim = " ".join(theorem.claim.split()).replace(match[2], match[3], 1)
         result.append(Control(theorem, replace(theorem, claim=claim), number))
     without = {name for name, theorem in found.items() if theorem.kind == "Theorem"} - {c.theorem.name for c in result}
@@ -65,7 +65,7 @@ def refused(coq: Coq, folder: Path = FOLDER) -> int:
 
 def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
     text = without_comments((folder / batch[0].theorem.file).read_text(encoding="utf-8"))
-    for index, control in reversed(list(enumerate(batch))):
+    for index, control in sorted(enumerate(batch), key=lambda item: item[1].theorem.start, reverse=True):
         start, altered = control.theorem.start, control.altered
         attempt = (
             f"Definition statement_{index} {altered.proposition}.\n"
@@ -75,7 +75,10 @@ def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
     names = [f"{word}_{index}" for index in range(len(batch)) for word in ("statement", "control")]
     names += [control.theorem.name for control in batch]
     text = "Set Silent.\n" + text + "\nUnset Silent." + "".join(f"\nLocate {name}." for name in names) + "\n"
-    known = set(_KNOWN.findall(coq.run("coqtop", "-q", "-quiet", text=text).stdout))
+    result = coq.run("coqtop", "-q", "-quiet", text=text)
+    if result.returncode:
+        raise MachineError(f"coqtop ended with code {result.returncode} on {batch[0].theorem.file}", 3)
+    known = set(_KNOWN.findall(result.stdout))
     for index, control in enumerate(batch):
         where = f"{folder / FILE}:{control.line}: {control.theorem.name}"
         if control.theorem.name not in known:

