@@ -138,7 +138,7 @@ def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]
         return [np.array(part) for part in kernels.to_screw(v)]
     others = [
         v[::-1]
-        if a.name in ("v1", "v2")
+        if a.name in ("v0", "v1", "v2")
         else np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1).reshape(-1, *a.shape)
         for a in FUNCTIONS[name].arguments[1:]
     ]
