@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from .certificate import certificate
 from .coq import in_coq
 from .coverage import COVERAGE
 from .identity import ALL_ORDERS, Proof
@@ -31,11 +32,12 @@ COVERED = """## Kernel functions
 
 BY = """## Who proves what
 
-The toolkit proves every statement with its own prover. Coq, which shares nothing with it, proves theorems of the files
-in `proofs/` over any commutative ring and for every n (`make machine-proofs`).
+The toolkit proves every statement with its own prover. A certificate holds the polynomials of a proof, which
+`tools/check_certificates.py` checks without the toolkit (`dualcay verify --certificates FILE`). Coq, which shares nothing
+with it, proves theorems of the files in `proofs/` over any commutative ring and for every n (`make machine-proofs`).
 
-| theorem | by the toolkit | by Coq, for every n | not covered by Coq |
-| --- | --- | --- | --- |"""
+| theorem | by the toolkit | by certificate | by Coq, for every n | not covered by Coq |
+| --- | --- | --- | --- | --- |"""
 
 
 def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[str, int]) -> str:
@@ -46,7 +48,8 @@ def page(general: Iterable[Proof], at_order: Iterable[Proof], controls: Mapping[
     general, again = tuple(general), tuple(at_order)
     lines = [HEAD, "## For every order\n", *(line for proof in general for line in _section(proof, controls))]
     lines += [AT_ORDER.format(scope=again[0].scope), *(line for proof in again for line in _section(proof, controls))]
-    lines += [BY, *map(_row, (*general, *again)), "", COVERED]
+    known = {proof.name: proof for proof in general}
+    lines += [BY, *(_row(proof, known) for proof in (*general, *again)), "", COVERED]
     for name, covered in COVERAGE.items():
         theorems = ", ".join(covered.theorems)
         lines.append(f"| `{name}` | {covered.validation} | {theorems} | {covered.only_validated} |")
@@ -58,9 +61,14 @@ def title(proof: Proof) -> str:
     return proof.name if proof.scope == ALL_ORDERS else f"{proof.name} [{proof.scope}]"
 
 
-def _row(proof: Proof) -> str:
-    entry = in_coq(proof)
-    return f"| {proof.name} | {proof.scope} | {', '.join(f'`{name}`' for name in entry.theorems)} | {entry.left_out} |"
+def _row(proof: Proof, known: Mapping[str, Proof]) -> str:
+    """Return the row of a proof; a statement without certificate gives the reason."""
+    entry, written = in_coq(proof), certificate(proof, known)
+    cells = (
+        proof.name, proof.scope, f"no: {written.partition('; ')[0]}" if isinstance(written, str) else "yes",
+        ", ".join(f"`{name}`" for name in entry.theorems), entry.left_out,
+    )  # fmt: skip
+    return f"| {' | '.join(cells)} |"
 
 
 def _section(proof: Proof, controls: Mapping[str, int]) -> Iterator[str]:
