@@ -33,8 +33,8 @@ COVERED = """## Kernel functions
 BY = """## Who proves what
 
 The toolkit proves every statement with its own prover. A certificate holds the polynomials of a proof, which
-`tools/check_certificates.py` checks without the toolkit (`dualcay verify --certificates FILE`). Coq, which shares nothing
-with it, proves theorems of the files in `proofs/` over any commutative ring and for every n (`make machine-proofs`).
+`tools/check_certificates.py` checks without the toolkit (`dualcay verify --certificates FILE`). Coq shares nothing
+with it; it proves the theorems of `proofs/` over any commutative ring and for every n (`make machine-proofs`).
 
 | theorem | by the toolkit | by certificate | by Coq, for every n | not covered by Coq |
 | --- | --- | --- | --- | --- |"""
