@@ -13,7 +13,7 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs machine-proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations clean help
+.PHONY: generate check $(CHECKS) proofs machine-proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -92,6 +92,9 @@ accuracy: $(VENV)/.bench  ## largest errors and their figures; search for worse 
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 	$(RUN) -m benchmarks.conditioning
 
+docs: $(VENV)/.docs  ## the site, built offline: build/docs/html/index.html
+	$(RUN) -m sphinx -W --keep-going --jobs auto --quiet docs build/docs/html
+
 clean:  ## remove the environment and caches
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
@@ -108,6 +111,18 @@ $(READY): pyproject.toml constraints.txt
 
 $(TESTED): $(READY)
 	$(PIP) --editable '.[test]'
+	touch $@
+
+# Packages for the site, and MathJax with its font from npm, so that the site needs no other host.
+MATHJAX := 4.1.3
+ASSETS  := build/docs/assets/mathjax
+$(VENV)/.docs: $(READY)
+	@command -v npm > /dev/null || { echo "npm is needed, for MathJax: apt-get install npm" >&2; exit 3; }
+	$(PIP) --editable '.[docs]'
+	rm -rf $(ASSETS) && mkdir -p $(ASSETS)/mathjax-newcm-font
+	cd build/docs && npm pack --silent mathjax@$(MATHJAX) @mathjax/mathjax-newcm-font@$(MATHJAX) > /dev/null
+	tar xzf build/docs/mathjax-$(MATHJAX).tgz -C $(ASSETS) --strip-components=1
+	tar xzf build/docs/mathjax-mathjax-newcm-font-$(MATHJAX).tgz -C $(ASSETS)/mathjax-newcm-font --strip-components=1 package/chtml package/chtml.js
 	touch $@
 
 # Packages for benchmarks; BENCH=bench,peers adds jaxlie and pinocchio, which are large.

@@ -1,9 +1,16 @@
-"""A robot arm by screws: ``python examples/arm.py [--figure FILE]``.
+"""A robot arm by screws
+=====================
+
+Run ``python examples/arm.py [--figure FILE]``.
 
 Forward kinematics and Jacobian of a UR5 as a product of exponentials, inverse kinematics by Gauss–Newton along a path
 of poses, and the hand–eye problem A X = X B. The arm's lengths and screws are those of Lynch and Park, Modern Robotics
 (Cambridge University Press, 2017), example 4.5. Exponential coordinates of a joint are its angle times its screw.
+
+.. image:: /figures/arm.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/arm.png'
 
 import argparse
 from collections.abc import Sequence

@@ -1,13 +1,20 @@
-"""A Kalman filter by modified Rodrigues parameters: ``python examples/attitude_filter.py [--figure FILE]``.
+"""A Kalman filter by modified Rodrigues parameters
+================================================
+
+Run ``python examples/attitude_filter.py [--figure FILE]``.
 
 A spacecraft tumbles without torque. A gyro with a drifting bias is read each second, a star tracker every 20. The state
-is the MRP vector σ = tan(α/4) u and the bias. After each step with |σ| > 1, σ is switched to its shadow. The covariance
-must follow: P becomes J P Jᵀ, with J = ∂σˢ/∂σ = 2 σσᵀ/|σ|⁴ − I/|σ|² for σ and I for the bias.
+is the MRP vector σ = tan(α/4) u and the bias. After each step with ‖σ‖ > 1, σ is switched to its shadow. The covariance
+must follow: P becomes J P Jᵀ, with J = ∂σˢ/∂σ = 2 σσᵀ/‖σ‖⁴ − I/‖σ‖² for σ and I for the bias.
 
 Three filters see the same data. One uses J, one leaves P as it is, as some flight software does, and one uses
-2 |σ|⁴ σσᵀ − |σ|² I, a formula in use that is J at |σ| = 1 only; here |σ| is up to 1.18 before a switch. The normalized
+2 ‖σ‖⁴ σσᵀ − ‖σ‖² I, a formula in use that is J at ‖σ‖ = 1 only; here ‖σ‖ is up to 1.18 before a switch. The normalized
 squared error (NEES) of the six states, eᵀ P⁻¹ e, has the mean 6 if a filter knows its own errors.
+
+.. image:: /figures/attitude_filter.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/attitude_filter.png'
 
 import argparse
 from collections.abc import Callable, Sequence

@@ -1,10 +1,17 @@
-"""Inverse kinematics by JAX: ``python -m examples.inverse_kinematics_jax [--mode reverse] [--figure FILE]``.
+"""Inverse kinematics by JAX
+=========================
+
+Run ``python -m examples.inverse_kinematics_jax [--mode reverse] [--figure FILE]``.
 
 The arm of ``examples/arm.py`` is a chain of six `compose` of array-API kernels, which JAX differentiates and compiles.
-Levenberg–Marquardt minimizes |r|², where r is the step from the tool to its target. The damping is |r|²/2, as in
+Levenberg–Marquardt minimizes ‖r‖², where r is the step from the tool to its target. The damping is ‖r‖²/2, as in
 Sugihara (IEEE Trans. Robotics 27, 2011): it keeps steps short far away and vanishes at the target.
 `jax.vmap` solves all targets at once, each from several random starts: an arm reaches a target in several postures.
+
+.. image:: /figures/inverse_kinematics_jax.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/inverse_kinematics_jax.png'
 
 import argparse
 import importlib

@@ -1,4 +1,7 @@
-"""Two spacecraft meet: ``python examples/rendezvous.py [--figure FILE]``.
+"""Two spacecraft meet
+===================
+
+Run ``python examples/rendezvous.py [--figure FILE]``.
 
 A target turns slowly about its own axis. A chaser approaches it under a controller of the whole pose: an acceleration
 proportional to v, the vector of its pose in the frame of the target, and to its twist there. The target's own motion is
@@ -6,7 +9,11 @@ cancelled by feed-forward. At v = 0 the two are docked.
 
 On the way the chaser knows its pose from its start and from the twist that it measures, with noise. `propagate`
 integrates pose and covariance along the twist in the frame of the body. Random runs with the same noise check it.
+
+.. image:: /figures/rendezvous.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/rendezvous.png'
 
 import argparse
 from collections.abc import Sequence

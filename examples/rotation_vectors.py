@@ -1,13 +1,20 @@
-"""Rotation vectors that jump at half a turn: ``python examples/rotation_vectors.py [--rate HZ] [--figure FILE]``.
+"""Rotation vectors that jump at half a turn
+=========================================
+
+Run ``python examples/rotation_vectors.py [--rate HZ] [--figure FILE]``.
 
 Data sets of robots record poses as position and rotation vector, by a logarithm that returns angles up to π. A gripper
-that points down stays near π: there the vectors w and (1 − 2π/|w|) w are one rotation, and a record jumps between
+that points down stays near π: there the vectors w and (1 − 2π/‖w‖) w are one rotation, and a record jumps between
 the two whenever the angle passes π. Interpolation from number to number, as in resampling or a learned policy, then
 sweeps the gripper through a whole turn.
 
 `unwrap` chooses the branch that continues the sequence. The vectors may be interpolated after that, as any numbers;
 `interpolate` follows the screw from pose to pose and needs no unwrapping.
+
+.. image:: /figures/rotation_vectors.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/rotation_vectors.png'
 
 import argparse
 from collections.abc import Sequence

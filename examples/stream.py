@@ -1,4 +1,7 @@
-"""Ten million poses in constant memory: ``python examples/stream.py [--count N] [--chunk N] [--seed N]``.
+"""Ten million poses in constant memory
+====================================
+
+Run ``python examples/stream.py [--count N] [--chunk N] [--seed N]``.
 
 A camera stands on an arm whose pose is uncertain: a normal perturbation in the space frame about a known pose. A point
 that the camera sees has a mean and a covariance in space. The first-order formula J P Jᵀ uses a Jacobian of the

@@ -1,0 +1,87 @@
+"""Configuration of the site: ``make docs`` builds it offline from this folder."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+sys.path[:0] = [str(ROOT), str(ROOT / "generated"), str(ROOT / "docs")]
+
+from derive import about  # noqa: E402
+
+project = "dualcay"
+author = "The dualcay developers"
+copyright = author
+release = version = about.__version__
+
+extensions = [
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.mathjax",
+    "numpydoc",
+    "myst_nb",
+    "sphinx_design",
+    "sphinx_gallery.gen_gallery",
+]
+exclude_patterns = ["_build", "**/README.md", "examples/*.ipynb"]  # myst-nb would run the notebooks of the gallery
+nitpicky = False
+suppress_warnings = ["config.cache"]
+
+# Pages are MyST Markdown; pages with code cells run, and an error stops the build.
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline"]
+myst_heading_anchors = 3
+nb_execution_mode = "cache"
+nb_execution_cache_path = str(ROOT / "build" / "docs" / "cache")
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_merge_streams = True
+
+# Formulas: MathJax 4 from its npm package, which the Makefile unpacks; the site loads nothing from elsewhere.
+mathjax_path = "mathjax/tex-chtml.js"
+mathjax4_config = {
+    "loader": {"paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"}},
+    "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
+    "options": {"enableMenu": False},
+}
+
+html_theme = "pydata_sphinx_theme"
+html_title = "dualcay"
+html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
+html_css_files = ["site.css"]
+html_theme_options = {
+    "navbar_end": ["theme-switcher"],
+    "show_prev_next": True,
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+}
+html_sidebars = {"index": []}
+html_show_sourcelink = False
+templates_path = ["_templates"]
+
+autodoc_typehints = "none"
+autosummary_generate = True
+numpydoc_show_class_members = False
+numpydoc_xref_param_type = False
+
+sphinx_gallery_conf = {
+    "examples_dirs": [str(ROOT / "examples")],
+    "gallery_dirs": ["examples"],
+    "filename_pattern": r"\.py$",
+    "plot_gallery": False,
+    "download_all_examples": False,
+    "show_signature": False,
+}
+
+
+def from_github(app: object, name: str, source: list[str]) -> None:
+    """Turn what GitHub reads in a report into MyST: formulas $`x`$, and targets of links in headings."""
+    text = re.sub(r"\$`(.+?)`\$", r"$\1$", source[0])
+    source[0] = re.sub(r"^(#+ .*?) *<a id=\"(.+?)\"></a>$", r"(\2)=\n\1", text, flags=re.MULTILINE)
+
+
+def setup(app: object) -> None:
+    """Connect the reader of reports to Sphinx."""
+    app.connect("source-read", from_github)  # type: ignore[attr-defined]
