@@ -23,7 +23,7 @@ def blocks(text: str, language: str) -> list[str]:
 
 
 def sessions(text: str, name: str) -> str:
-    """Run the sessions of a page one after another, with names shared; return differences from their printed results."""
+    """Run the sessions of a page, which share names; return differences from their printed results."""
     names: dict[str, object] = {}
     found = [block for block in blocks(text, "python") if ">>>" in block]
     return "".join(examples.failures(block, f"{name}, session {number}", names) for number, block in enumerate(found))
