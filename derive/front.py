@@ -57,7 +57,7 @@ def family(name: str) -> Any:
 def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None = None) -> Any:
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
-    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits``
+    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of ``|v|``, ``limits``
     of T and T⁻¹ at 0, and ``inverse``. Raise `PhiError`, a ValueError with the reason, for a φ that is refused.
 
     Parameters
