@@ -65,6 +65,7 @@ templates_path = ["_templates"]
 autodoc_typehints = "none"
 autosummary_generate = [f"reference/{page}.md" for page in ("functions", "charts", "tools", "toolkit")]
 default_role = "py:obj"
+toc_object_entries = False
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 

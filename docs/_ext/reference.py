@@ -64,33 +64,45 @@ def facts(name: str) -> dict[str, str]:
     }
 
 
+def escaped(text: str) -> str:
+    """Return plain text as Markdown."""
+    return re.sub(r"([*|\\])", r"\\\1", text)
+
+
 def command_page() -> str:
-    """Return the options of every command, in MyST."""
+    """Return the options of every command, in Markdown."""
     parts = []
     for name, command in cli.commands.items():
-        context = click.Context(command, info_name=f"dualcay {name}")
-        usage = " ".join(command.collect_usage_pieces(context))
-        parts.append(f"## dualcay {name}\n\n{command.help}\n\n```text\ndualcay {name} {usage}\n```\n")
-        parts.append(f"```{{program}} dualcay {name}\n```\n")
+        parts.append(f"## dualcay {name}\n\n{command.help}\n\n```{{program}} dualcay {name}\n```\n")
         for option in command.params:
-            flags, text = option.get_help_record(context)  # type: ignore[misc]
-            parts.append(f":::{{option}} {flags}\n{text.replace('*', chr(92) + '*')}\n:::\n")
+            flags, text = option.get_help_record(click.Context(command))  # type: ignore[misc]
+            parts.append(f":::{{option}} {flags}\n{escaped(text)}\n:::\n")
     return "\n".join(parts)
 
 
-def c_functions() -> list[tuple[str, str, str]]:
-    """Return name, parameters and comment of every function of the C headers for poses."""
-    text = templates.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
-    found = re.findall(r"((?:^// .*\n)+)DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\((.*)\)$", text, re.MULTILINE)
-    return [(name, parameters, re.sub(r"^// ", "", comment, flags=re.MULTILINE)) for comment, name, parameters in found]
+def c_header() -> str:
+    """Return the header of the functions in C for poses."""
+    return templates.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
+
+
+def c_functions(header: str) -> list[tuple[str, str, str]]:
+    """Return name, parameters and comment of every function of a header; a section has its title and nothing else."""
+    found = re.findall(
+        r"^// --- (.+?) -+$|((?:^// .*\n)+)DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\((.*)\)$", header, re.MULTILINE
+    )
+    return [(name or title, parameters, comment.replace("// ", "")) for title, comment, name, parameters in found]
 
 
 def c_page() -> str:
-    """Return the functions of the C headers for poses, in reStructuredText."""
-    parts = []
-    for name, parameters, comment in c_functions():
-        body = "   ".join(re.sub(r"([*|\\])", r"\\\1", comment).splitlines(keepends=True))
-        parts.append(f".. c:function:: void dualcay_cayley2_{name}({parameters})\n\n   {body}")
+    """Return the arrays and the functions of the C headers for poses, in Markdown."""
+    header = c_header()
+    (arrays,) = re.findall(r"then the dual part:\n//\n((?://   .+\n)+)", header)
+    parts = ["```text", arrays.replace("//   ", ""), "```\n"]
+    for name, parameters, comment in c_functions(header):
+        if comment:
+            parts.append(f"```{{c:function}} void dualcay_cayley2_{name}({parameters})\n\n{escaped(comment)}```\n")
+        else:
+            parts.append(f"## {name[0].upper()}{name[1:]}\n")
     return "\n".join(parts)
 
 
