@@ -85,12 +85,15 @@ def c_header() -> str:
     return templates.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
 
 
-def c_functions(header: str) -> list[tuple[str, str, str]]:
-    """Return name, parameters and comment of every function of a header; a section has its title and nothing else."""
-    found = re.findall(
-        r"^// --- (.+?) -+$|((?:^// .*\n)+)DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\((.*)\)$", header, re.MULTILINE
-    )
-    return [(name or title, parameters, comment.replace("// ", "")) for title, comment, name, parameters in found]
+def c_functions(header: str) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    """Return the sections of a header, with name, parameters and comment of each function."""
+    _, *parts = re.split(r"^// --- (.+?) -+$", header, flags=re.MULTILINE)
+    pattern = re.compile(r"((?:^// .*\n)+)DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\((.*)\)$", re.MULTILINE)
+    found = [
+        (title, [(name, parameters, comment.replace("// ", "")) for comment, name, parameters in pattern.findall(text)])
+        for title, text in zip(parts[::2], parts[1::2])
+    ]
+    return [(title, functions) for title, functions in found if functions]
 
 
 def c_page() -> str:
@@ -98,11 +101,10 @@ def c_page() -> str:
     header = c_header()
     (arrays,) = re.findall(r"then the dual part:\n//\n((?://   .+\n)+)", header)
     parts = ["```text", arrays.replace("//   ", ""), "```\n"]
-    for name, parameters, comment in c_functions(header):
-        if comment:
+    for title, found in c_functions(header):
+        parts.append(f"## {title[0].upper()}{title[1:]}\n")
+        for name, parameters, comment in found:
             parts.append(f"```{{c:function}} void dualcay_cayley2_{name}({parameters})\n\n{escaped(comment)}```\n")
-        else:
-            parts.append(f"## {name[0].upper()}{name[1:]}\n")
     return "\n".join(parts)
 
 
@@ -124,7 +126,7 @@ def resolve(app: Any, env: Any, node: Any, content: Any) -> nodes.Node | None:
     for home in HOMES:
         full = f"{home.__name__}.{target}"
         if node.get("refdomain") == "py" and full in env.domains["py"].objects:
-            return env.domains["py"].resolve_xref(env, source, builder, "obj", full, node, content)  # type: ignore[no-any-return]
+            return env.domains["py"].resolve_xref(env, source, builder, "obj", full, node, content)
     return None
 
 

@@ -48,7 +48,7 @@ def unwrap(axes: Any) -> None:
     angles, turns = _turns(4 * np.pi)
     recorded = exponential.principal(turns[::8])
     axes.plot(angles[::8] * DEGREES, recorded[:, 2], ".", label="recorded")
-    axes.plot(angles[::8] * DEGREES, continued(exponential, recorded)[:, 2], label="unwrapped")
+    axes.plot(angles[::8] * DEGREES, np.array(continued(exponential, recorded))[:, 2], label="unwrapped")
     axes.set(xlabel="angle turned (°)", ylabel="component (rad)", xlim=(0, 720))
     axes.legend()
 

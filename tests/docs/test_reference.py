@@ -37,10 +37,14 @@ def test_pages_list_each_public_name_once(page: str) -> None:
     assert listed(text) == dict.fromkeys(EXPECTED[page], 1)
 
 
-def test_toolkit_page_names_the_symbols() -> None:
+def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:
     text = (ROOT / "docs" / "reference" / "toolkit.md").read_text(encoding="utf-8")
     assert "`derive.x`" in text
     assert "`derive.alpha`" in text
+    rows = re.findall(r"^\| (`.+?) \|", text, re.MULTILINE)
+    names = re.findall(r"`(\w+)(?:\(\))?`", " ".join(rows))
+    assert len(names) == 13
+    assert [name for name in names if not hasattr(derive.Cayley(2), name)] == []
 
 
 def test_command_page_has_every_option() -> None:
@@ -53,7 +57,8 @@ def test_command_page_has_every_option() -> None:
 
 
 def test_c_page_has_every_function_with_a_comment() -> None:
-    found = {name: comment for name, _, comment in reference.c_functions(reference.c_header()) if comment}
+    sections = reference.c_functions(reference.c_header())
+    found = {name: comment for _, functions in sections for name, _, comment in functions}
     assert found.keys() == PUBLIC.keys()
     assert all(comment[0].isupper() and comment.rstrip().endswith(".") for comment in found.values())
 
