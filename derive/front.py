@@ -38,7 +38,7 @@ class Cayley(Provable, maps.Cayley):
 def family(name: str) -> Any:
     """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
 
-    The command `dualcay list` shows all names; a numbered family has the order n at the end of its name. The chart has
+    The command ``dualcay list`` shows all names; a numbered family has the order n at the end of its name. The chart has
     the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as
     ``edge``, ``singular_angles`` and ``prove()``. Raise ValueError for an unknown name.
 
