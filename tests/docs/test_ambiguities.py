@@ -62,7 +62,7 @@ WORDS: dict[str, dict[str, np.ndarray]] = {
         "scalar first": np.concatenate([REAL, DUAL]),
         "scalar last": np.concatenate([REAL[LAST], DUAL[LAST]]),
     },
-    "step δ": {"T exp(δ)": T @ D, "exp(δ) T": D @ T},
+    "step δ": {"T·exp(δ)": T @ D, "exp(δ)·T": D @ T},
     "Jacobian of exp": {
         "left": left(XI),
         "right": left(-XI),
