@@ -15,13 +15,10 @@ from ..maps import Cayley
 from ..output import files
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import COMPOSITION_AT
-from .formulas import Formulas
 from .identity import ALL_ORDERS, Proof
-from .limit_theorems import GROWING_ORDER
 from .page import page, title
-from .phi_theorems import ANY_PHI
-from .proved import proofs, stated
-from .theorem import Theorem, decided
+from .proved import claims, proofs
+from .theorem import decided
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders of the proofs and controls at single orders: even and odd orders, with and without poles."""
@@ -50,11 +47,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     text = page(general, again[SHOWN], Counter(title(control.proof) for control in altered))
     return _deliver(text, options.output, options.check)
-
-
-def claims() -> tuple[Theorem, ...]:
-    """Return all theorems that are proved once instead of at each order."""
-    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def at_order(n: int) -> tuple[Proof, ...]:

@@ -14,7 +14,9 @@ from .components import Components
 from .displacement_theorems import COMPOSITION_AT, displacement_theorems
 from .formulas import Formulas
 from .identity import Proof
+from .limit_theorems import GROWING_ORDER
 from .map_theorems import map_theorems
+from .phi_theorems import ANY_PHI
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .scalars import ScalarProofs, instance, is_algebraic
 from .theorem import Theorem, decided
@@ -27,6 +29,11 @@ def stated(formulas: Formulas) -> tuple[Theorem, ...]:
     """Return all theorems on the given formulas, each after the theorems it uses."""
     of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
     return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
+
+
+def claims() -> tuple[Theorem, ...]:
+    """Return all theorems that are proved once instead of at each order."""
+    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
