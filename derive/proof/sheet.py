@@ -73,6 +73,9 @@ MAPS_OF_ORDER: Mapping[str, tuple[Wanted, ...]] = {
     "Space twist, body twist and rates": (
         ("twist", "omega", 0, 1), ("body twist", "omega_B", 0, 1, 2), ("quaternion rate", 0, 1), ("rates of v", 0, 1),
     ),
+    "Growing order: towards the exponential, ε = 1/(2n)²": (
+        ("growing order: angle", 0), ("growing order: maps", "dexp", 0, 1, 2),
+    ),
 }  # fmt: skip
 """First page, by headings."""
 
@@ -99,9 +102,6 @@ MOTION_OF_ORDER: Mapping[str, tuple[Wanted, ...]] = {
 """Second page, by headings."""
 
 EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
-    "Order n towards the exponential, ε = 1/(2n)²": (
-        ("growing order: angle", 0), ("growing order: maps", "dexp", 0, 1, 2),
-    ),
     "Scalars": (("any phi: slopes", "s", "w", "f", "g", "h", "fi", "hi"),),
     "Maps": (
         ("any phi: quaternion", "qhat", "R"), ("any phi: orthogonality", 0), ("any phi: inverse", "T", "T^-1", 0),
