@@ -14,7 +14,7 @@ from derive.cli import sheet
 from derive.cli.sheet import FLAGS, pieces
 from derive.proof.proved import claims
 from tests.support import browsers
-from tests.support.command import dualcay
+from tests.support.command import ROOT, dualcay
 
 WIDE = r"""<script>addEventListener("load", () => {
   const box = node => node.getBoundingClientRect();
@@ -110,3 +110,9 @@ def test_no_formula_is_wider_than_its_column(written: Path, tmp_path: Path, widt
     seen = json.loads(html.unescape(re.search(r'data-probe="([^"]*)"', done.stdout).group(1)))
     assert seen["formulas"] > 300
     assert (seen["flat"], seen["wide"] if width == 800 else [], max(seen["overflow"], 0)) == (0, [], 0)
+
+
+def test_site_links_to_the_files_that_are_built_with_it() -> None:
+    linked = re.findall(r"\{button-link\} (\S+)", (ROOT / "docs" / "sheet.md").read_text(encoding="utf-8"))
+    built = re.findall(r"-o build/docs/html/(\S+)", (ROOT / "Makefile").read_text(encoding="utf-8"))
+    assert sorted(linked) == sorted(built) == ["formula-sheet.html", "formula-sheet.pdf"]
