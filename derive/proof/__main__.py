@@ -9,12 +9,13 @@ import argparse
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
 from .controls import Control, controls, controls_at, controls_of
-from .displacement_theorems import COMPOSITION_AT
+from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
 from .page import page, title
 from .proved import claims, proofs
@@ -51,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def at_order(n: int) -> tuple[Proof, ...]:
     """Return the proofs at order n, without the theorems of `claims`."""
-    once = {theorem.name for theorem in COMPOSITION_AT.values()}
+    once = {theorem.name for theorem in chain(*CLOSED_AT.values())}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 
 

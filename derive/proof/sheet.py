@@ -7,7 +7,7 @@ compares with the theorems. :func:`sheet` raises `ProofFailed` if a theorem of a
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import groupby
+from itertools import chain, groupby
 from typing import NamedTuple
 
 import sympy
@@ -17,7 +17,6 @@ from ..maps import Cayley
 from ..maps.exponential import Exponential
 from ..maps.formula import Formula
 from ..maps.polynomials import x
-from .displacement_theorems import COMPOSITION_AT
 from .identity import Proof
 from .notation import beta, latex, n, prime, r_k, text
 from .page import title
@@ -101,6 +100,12 @@ MOTION_OF_ORDER: Mapping[str, tuple[Wanted, ...]] = {
 }  # fmt: skip
 """Second page, by headings."""
 
+CLOSED: Mapping[int, tuple[Wanted, ...]] = {
+    1: (("inverse map at n = 1", "b", 0), ("composition at n = 1", 0)),
+    2: (("inverse map at n = 2", "sigma", 0), ("composition at n = 2", 0)),
+}
+"""Closed forms of the inverse map and of composition, by order."""
+
 EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
     "Scalars": (("any phi: slopes", "s", "w", "f", "g", "h", "fi", "hi"),),
     "Maps": (
@@ -169,7 +174,7 @@ def _changed(equation: Equation, changes: Mapping[sympy.Expr, sympy.Expr] | None
 
 
 def _of_order(cayley: Cayley, known: Mapping[str, Proof]) -> Iterator[Block]:
-    """Yield the blocks of one order; composition has one where its closed form is proved."""
+    """Yield the blocks of one order; closed forms have one where they are proved."""
     order, at = cayley.order, cayley.scalars(x, PLAIN)
     found = {proof.name: proof for proof in proofs(cayley)}
     polynomials = ", ".join(f"Cayley({order}).{name}" for name in "pqcd")
@@ -186,10 +191,12 @@ def _of_order(cayley: Cayley, known: Mapping[str, Proof]) -> Iterator[Block]:
         ),
     )
     yield Block(f"n = {order}: slopes, for J and K", (_values(slopes, found["slopes"]),))
-    if order in COMPOSITION_AT:
-        yield Block(f"n = {order}: composition", tuple(_lines(((COMPOSITION_AT[order].name, 0),), known)))
-    if steps := tuple(line for branch in range(1, order) for line in _step(order, branch, known)):
-        yield Block(f"n = {order}: switching", steps)
+    if closed := CLOSED.get(order):
+        yield Block(f"n = {order}: inverse map and composition", tuple(_lines(closed, known)))
+    steps = zip(*(tuple(_step(order, branch, known)) for branch in range(1, order)), strict=True)
+    joined = tuple(lines[0]._replace(formulas=tuple(chain(*(line.formulas for line in lines)))) for lines in steps)
+    if joined:
+        yield Block(f"n = {order}: switching", joined)
 
 
 def _step(order: int, branch: int, known: Mapping[str, Proof]) -> Iterator[Line]:
