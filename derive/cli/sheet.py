@@ -69,13 +69,16 @@ def write_pdf(output: Path) -> None:
         )
     text = page()
     output.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=output.parent) as folder:
+    with tempfile.TemporaryDirectory(dir=output.parent.resolve()) as folder:
         source, printed = Path(folder, "sheet.html"), Path(folder, "sheet.pdf")
         source.write_text(text, encoding="utf-8")
         command = [browser, *FLAGS, f"--user-data-dir={folder}/profile", f"--print-to-pdf={printed}", source.as_uri()]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        try:
+            reason = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False).stderr[-500:]
+        except subprocess.TimeoutExpired:
+            reason = f"it was stopped after {TIMEOUT} s"
         if not printed.is_file():
-            raise files.RefusedError(f"cannot write {output}: {browser} printed nothing: {done.stderr[-500:]}")
+            raise files.RefusedError(f"cannot write {output}: {browser} printed nothing: {reason}")
         printed.replace(output)
 
 

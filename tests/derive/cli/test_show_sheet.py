@@ -12,6 +12,7 @@ import pytest
 
 from derive.cli import sheet
 from derive.cli.sheet import FLAGS, pieces
+from derive.output.files import RefusedError
 from derive.proof.proved import claims
 from tests.support import browsers
 from tests.support.command import ROOT, dualcay
@@ -84,6 +85,17 @@ def test_pdf_needs_a_browser_that_prints(tmp_path: Path, monkeypatch: pytest.Mon
     assert list(tmp_path.iterdir()) == []
 
 
+def test_browser_that_hangs_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "browser").write_text("#!/bin/sh\nexec sleep 60\n", encoding="utf-8")
+    (tmp_path / "browser").chmod(0o755)
+    monkeypatch.setenv("CHROMIUM", str(tmp_path / "browser"))
+    monkeypatch.setattr(sheet, "TIMEOUT", 0.1)
+    monkeypatch.setattr(sheet, "page", lambda: "")
+    with pytest.raises(RefusedError, match=r"printed nothing: it was stopped after 0\.1 s"):
+        sheet.write_pdf(tmp_path / "sheet.pdf")
+    assert [path.name for path in tmp_path.iterdir()] == ["browser"]
+
+
 def test_formulas_break_at_outer_signs_only() -> None:
     text = r"R = \left(1 - x\right) I + \frac{a + b}{c} v - w"
     assert list(pieces(text)) == ["R", r"= \left(1 - x\right) I", r"+ \frac{a + b}{c} v", "- w"]
@@ -91,7 +103,7 @@ def test_formulas_break_at_outer_signs_only() -> None:
 
 @pytest.mark.browser
 def test_pdf_has_four_pages_of_a4(tmp_path: Path) -> None:
-    sheet.write_pdf(tmp_path / "sheet.pdf")
+    assert dualcay("show", "--what", "sheet", "-o", "sheet.pdf", cwd=tmp_path).returncode == 0
     printed = (tmp_path / "sheet.pdf").read_bytes()
     assert len(re.findall(rb"/Type /Page\b(?!s)", printed)) == 4
     width, height = map(float, re.search(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", printed).groups())
