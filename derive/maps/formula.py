@@ -57,9 +57,13 @@ class Formula:
         >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
         \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
         """
+        return f"{self.symbol} = {self.definition} = {self.explicit}"
+
+    @property
+    def explicit(self) -> str:
+        """LaTeX of the right-hand side with explicit coefficients, ``a I + …``."""
         terms = [_term(a, e) for a, e in zip(self.coefficients, self.basis, strict=True) if a != 0]
-        explicit = " + ".join(terms).replace("+ - ", "- ").replace("+ -", "- ")
-        return f"{self.symbol} = {self.definition} = {explicit}"
+        return " + ".join(terms).replace("+ - ", "- ").replace("+ -", "- ")
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"
