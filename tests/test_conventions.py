@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import jax
+import jaxlie
 import numpy as np
 import pytest
+from pytransform3d import rotations, transformations
 from scipy.spatial.transform import RigidTransform, Rotation
 
 from dualcay import cayley2, exponential
@@ -44,8 +47,6 @@ def test_schaub_and_junkins():
 
 
 def test_pytransform3d():
-    rotations = pytest.importorskip("pytransform3d.rotations")
-    transformations = pytest.importorskip("pytransform3d.transformations")
     assert close(transformations.exponential_coordinates_from_transform(T), XI)
     assert up_to_sign(transformations.dual_quaternion_from_transform(T), cayley2.quaternion(V))
     assert close(rotations.mrp_from_quaternion(cayley2.quaternion(V)[:4]), V[:3])
@@ -53,8 +54,7 @@ def test_pytransform3d():
 
 
 def test_jaxlie():
-    jaxlie = pytest.importorskip("jaxlie")
-    with pytest.importorskip("jax").enable_x64(True):
+    with jax.enable_x64(True):
         pose = jaxlie.SE3.from_matrix(T)
         assert close(pose.log()[HALVES], XI)
         assert up_to_sign(pose.wxyz_xyz[:4], cayley2.quaternion(V)[:4])
