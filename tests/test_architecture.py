@@ -11,7 +11,10 @@ from tests.support.imports import ROOT, imported, sources
 
 pytestmark = pytest.mark.smoke
 
-ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "front", "cli")
+ROOMS = (
+    "about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "comparison", "front",
+    "cli",
+)  # fmt: skip
 """Packages of derive in import order; each may import itself and earlier ones."""
 
 IN_CODEGEN = (

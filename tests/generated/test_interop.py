@@ -200,7 +200,7 @@ REFUSED: tuple[tuple[Callable[..., object], tuple[Any, ...], type[Exception], st
     (interop.from_ros, (cayley2, np.zeros(3), 1.0), ValueError, r"xyzw must have shape (..., 4), got ()"),
     (interop.to_ros_message, (cayley2, V, "Twist"), ValueError, "kind must be one of 'Pose', 'Transform', got 'Twist'"),
     (interop.to_ros_message, (cayley2, [V, V]), ValueError, "v must have shape (6,), since a message holds one pose"),
-    (interop.from_ros_message, (cayley2, {"position": {}}), TypeError, "must be a Pose (position, orientation) or Tran"),
+    (interop.from_ros_message, (cayley2, {"position": {}}), TypeError, "must be a Pose (position, orientation) or "),
     (interop.to_linear_angular, ([0] * 3,), ValueError, "twist must have shape (..., 6), got (3,)"),
     (interop.to_linear_angular_matrix, (np.eye(5),), ValueError, "matrix must have shape (..., 6, 6), got (5, 5)"),
     (interop.to_cayley_4x4, ([0] * 3,), ValueError, "v must have shape (..., 6), got (3,)"),
