@@ -64,8 +64,10 @@ def test_list_is_a_table_in_a_notebook(found) -> None:
     assert table.count("<td") == len(items) * table.count("<th")
     for item in items:
         for text in item.cells().values():
-            assert f">{html.escape(text)}<" in table
-    assert Listing[Proof]()._repr_html_() == "<table>\n</table>"
+            formula = re.fullmatch(r"\$(.*)\$", text)
+            shown = rf"\({formula[1]}\)" if formula else text
+            assert f">{html.escape(shown)}<" in table
+    assert Listing[Proof]()._repr_html_() == '<table class="mathjax_process">\n</table>'
 
 
 def test_comparison_is_a_table_with_figures() -> None:
