@@ -27,7 +27,8 @@ class Listing(list[T]):
     def _repr_html_(self) -> str:
         rows = [item.cells() for item in self]
         lines = [_row("th", rows[0])] if rows else []
-        return "\n".join(['<table class="mathjax_process">', *lines, *(_row("td", row.values()) for row in rows), "</table>"])
+        lines += [_row("td", row.values()) for row in rows]
+        return "\n".join(['<table class="mathjax_process">', *lines, "</table>"])
 
 
 def _row(kind: str, texts: Iterable[str]) -> str:

@@ -6,6 +6,7 @@ import io
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -68,6 +69,12 @@ def test_long_functions_have_a_bar(line: str, monkeypatch: pytest.MonkeyPatch) -
     terminal = on_terminal(monkeypatch, 0.0)
     LONG[line]()
     assert line in terminal.getvalue()
+
+
+def test_generate_has_a_bar(without_validation: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.0)
+    derive.generate([4], output=tmp_path)
+    assert "cayley4: printing" in terminal.getvalue()
 
 
 def test_own_function_of_progress_replaces_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
