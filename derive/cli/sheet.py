@@ -24,6 +24,9 @@ TIMEOUT = 120
 SIGN = re.compile(r" (?=(?:[=+-]|\\in) )")
 """Place before a sign, where a formula may go on in the next row."""
 
+DOT = "<mo>&#x002D9;</mo>"
+"""Dot of a time derivative."""
+
 
 def page() -> str:
     """Return the sheet as HTML; raise `ProofFailed` if a line is not proved."""
@@ -36,6 +39,7 @@ def mathml(latex: str) -> str:
 
     # the empty group before a sign makes it a sign between two terms
     found = " ".join(convert(f"{{}} {piece}" if i else piece) for i, piece in enumerate(pieces(latex)))
+    found = found.replace(DOT, DOT.replace("<mo>", '<mo mathsize="180%">'))  # browsers draw it as small as an index
     return re.sub('<mi mathvariant="bold">([a-z])</mi>', _bold, found)  # browsers know no variant but "normal"
 
 

@@ -10,8 +10,8 @@ import click
 import sympy
 
 from .. import about
+from ..algebra.latex import latex
 from ..maps import Cayley
-from ..maps.formula import LATEX_ORDER
 from . import options
 from .sheet import WRITERS
 
@@ -59,8 +59,8 @@ def _lines(cayley: Cayley, what: tuple[str, ...], form: str) -> Iterator[str]:
             else:
                 yield f"  {name} = {' + '.join(f'({factor}) {basis}' for basis, factor in terms.items())}"
             continue
-        latex = f"{name}_{{{cayley.order}}} = {sympy.latex(value, order=LATEX_ORDER)}" if polynomial else value.latex()
-        yield f"$${latex}$$\n" if form == "markdown" else latex
+        formula = f"{name}_{{{cayley.order}}} = {latex(value)}" if polynomial else value.latex()
+        yield f"$${formula}$$\n" if form == "markdown" else formula
 
 
 def _text(expression: sympy.Expr) -> str:

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
+from ..output.progress import bar
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
@@ -34,10 +35,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
     parser.add_argument("--check", action="store_true", help="compare the page instead")
     options = parser.parse_args(arguments)
-    general = decided(claims())
-    again = {n: at_order(n) for n in ORDERS}
-    altered = [*controls(claims(), {proof.name: proof for proof in general})]
-    altered += [control for n in ORDERS for control in controlled_at(n)]
+    with bar(2 + 2 * len(ORDERS)) as step:
+        step("theorems")
+        general = decided(claims())
+        again = {}
+        for n in ORDERS:
+            step(f"proofs at n = {n}")
+            again[n] = at_order(n)
+        step("controls of theorems")
+        altered = [*controls(claims(), {proof.name: proof for proof in general})]
+        for n in ORDERS:
+            step(f"controls at n = {n}")
+            altered += controlled_at(n)
     proved = (*general, *(proof for found in again.values() for proof in found))
     wrong = [proof for proof in proved if not proof.proved]
     missed = [control for control in altered if not control.noticed]
