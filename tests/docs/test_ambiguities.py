@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import jax
+import jaxlie
 import numpy as np
 import pytest
+from pytransform3d import rotations, transformations
 from scipy.linalg import expm
 
 from tests.support import pages
@@ -119,8 +122,6 @@ def of_scipy() -> Row:
 
 
 def of_pytransform3d() -> Row:
-    rotations = pytest.importorskip("pytransform3d.rotations")
-    transformations = pytest.importorskip("pytransform3d.transformations")
     return {
         "quaternion": ("quaternion_from_matrix", rotations.quaternion_from_matrix(Q)),
         "matrix": ("matrix_from_compact_axis_angle", rotations.matrix_from_compact_axis_angle(XI[:3])),
@@ -167,8 +168,7 @@ def of_gtsam() -> Row:
 
 
 def of_jaxlie() -> Row:
-    jaxlie = pytest.importorskip("jaxlie")
-    with pytest.importorskip("jax").enable_x64(True):
+    with jax.enable_x64(True):
         pose = jaxlie.SE3.from_matrix(T)
         return {
             "quaternion": ("SO3.wxyz", np.asarray(pose.rotation().wxyz)),
