@@ -14,7 +14,7 @@ from tests.support.kernels import ORDERS
 
 ROOT = Path(__file__).resolve().parents[2]
 SCIPY = ("_motion.py", "_stepping.py", "_trajectory.py", "interop.py")
-OPTIONAL = {name: {"scipy"} for name in SCIPY} | {"dask.py": {"dask"}}
+OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 
 BLOCK = """
