@@ -44,10 +44,12 @@ mathjax4_config = {
     "loader": {"paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"}},
     "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
     "options": {"enableMenu": False},
+    "tex": {"packages": {"[-]": ["noundefined"]}},  # an unknown command is an error, which a test finds
 }
 
 html_theme = "pydata_sphinx_theme"
 html_title = "dualcay"
+html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
 html_theme_options = {
@@ -77,9 +79,9 @@ sphinx_gallery_conf = {
 
 
 def from_github(app: object, name: str, source: list[str]) -> None:
-    """Turn what GitHub reads in a report into MyST: formulas $`x`$, and targets of links in headings."""
+    """Turn what GitHub reads in a report into MyST: formulas $`x`$, and targets of links."""
     text = re.sub(r"\$`(.+?)`\$", r"$\1$", source[0])
-    source[0] = re.sub(r"^(#+ .*?) *<a id=\"(.+?)\"></a>$", r"(\2)=\n\1", text, flags=re.MULTILINE)
+    source[0] = re.sub(r"^<a id=\"(.+?)\"></a>$", r"(\1)=", text, flags=re.MULTILINE)
 
 
 def setup(app: object) -> None:

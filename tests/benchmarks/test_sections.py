@@ -71,7 +71,7 @@ def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
         return page.read_text(encoding="utf-8")
 
     whole = measure()
-    assert whole.startswith("# Speed\n")
+    assert whole.startswith(command.page.INTRODUCTION)
     assert texts["libraries"] in capsys.readouterr().out
     assert [whole.index(text) for text in texts.values()] == sorted(whole.index(text) for text in texts.values())
     texts["native"] = "## Two\n\nanew"

@@ -1,4 +1,4 @@
-"""Pages of the site: sessions run as printed, commands exist, links lead to files."""
+"""Pages of the site and of the root: sessions run as printed, commands exist, links lead to files."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import pytest
 from tests.support import examples, pages
 
 DOCS = pages.ROOT / "docs"
-PAGES = [page for page in sorted(DOCS.rglob("*.md")) if "examples" not in page.relative_to(DOCS).parts]
-TEXTS = {page.relative_to(DOCS).as_posix(): page.read_text(encoding="utf-8") for page in PAGES}
+SITE = [page for page in sorted(DOCS.rglob("*.md")) if "examples" not in page.relative_to(DOCS).parts]
+PAGES = [pages.ROOT / "README.md", pages.ROOT / "CONTRIBUTING.md", *SITE]
+TEXTS = {page.relative_to(pages.ROOT).as_posix(): page.read_text(encoding="utf-8") for page in PAGES}
 COMMANDS = sorted({(name, line) for name, text in TEXTS.items() for line in pages.commands(text)})
 
 
