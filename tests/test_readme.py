@@ -1,4 +1,4 @@
-"""README: its figures agree with the pages that it names. Its sessions, commands and links: tests/docs/test_pages.py."""
+"""README: its figures agree with the pages that it names; tests/docs/test_pages.py runs its sessions and commands."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ def measured() -> dict[str, tuple[str, ...]]:
         read("docs/benchmarks.md"), re.M,
     )  # fmt: skip
     accuracy = re.search(r"`exponential` is off by at most, in eps: Q ([\d.]+), ρ ([\d.]+)", read("docs/accuracy.md"))
-    assert speed and accuracy
+    assert speed is not None
+    assert accuracy is not None
     theorems = read("docs/theorems.md")
     general = theorems.partition("\n## For every order\n")[2].partition("\n## ")[0]
     controls = sum(map(int, re.findall(r"^- controls: (\d+)$", theorems, re.M)))
