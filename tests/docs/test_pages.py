@@ -53,7 +53,7 @@ def test_links_lead_to_files(page: Path) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.compiler
-@pytest.mark.parametrize(("name", "language"), [("howto/c.md", "c"), ("howto/cpp_autodiff.md", "cpp")])
+@pytest.mark.parametrize(("name", "language"), [("docs/howto/c.md", "c"), ("docs/howto/cpp_autodiff.md", "cpp")])
 def test_programs_print_what_the_page_shows(
     name: str, language: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
 ) -> None:
