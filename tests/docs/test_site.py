@@ -35,7 +35,8 @@ const probe = async () => {
   await view.MathJax?.startup?.document.lazyTypesetAll();  // formulas out of view, too
   const texts = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT), raw = [];
   for (let node; node = texts.nextNode();)
-    if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container")) raw.push(node.data);
+    if (/\\[([a-z]/.test(node.data) && !node.parentNode.closest("pre, code, script, mjx-container"))
+      raw.push(node.data);
   const target = view.location.hash && page.getElementById(view.location.hash.slice(1));
   const seen = {
     width: view.innerWidth,
@@ -58,7 +59,9 @@ frame.src = "PAGE" + location.hash;
 </script>"""
 """Page that holds another in a frame, since a window of Chromium is at least 500 px wide, and sends what it shows."""
 
-GOOD = {"unrendered": 0, "wrong": [], "raw": [], "elsewhere": [], "overflow": 0, "console": [], "failed": [], "shown": True}
+GOOD = {
+    "unrendered": 0, "wrong": [], "raw": [], "elsewhere": [], "overflow": 0, "console": [], "failed": [], "shown": True,
+}  # fmt: skip
 """What a sound page shows."""
 
 
