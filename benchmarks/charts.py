@@ -18,8 +18,8 @@ from rich.console import Console
 from benchmarks.accuracy.__main__ import progress
 from benchmarks.kernels import GATED, fresh, measured
 from benchmarks.peers import Poses
-from derive.cli.compare import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
+from derive.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.maps.chart import Chart
 from tests.support import families, oracle
 

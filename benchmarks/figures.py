@@ -25,8 +25,8 @@ from rich.console import Console
 
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
-from derive.cli.compare import Compared
 from derive.codegen import catalogue
+from derive.comparison import Compared
 from derive.maps.any_phi.stretch import stretch
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as mrp

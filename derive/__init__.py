@@ -31,6 +31,7 @@ from .about import __version__
 
 if TYPE_CHECKING:
     from .codegen import generate
+    from .comparison import compare
     from .front import Cayley, Parameterization, family
     from .maps import x
     from .maps.families import alpha
@@ -39,12 +40,16 @@ if TYPE_CHECKING:
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "maps.motion_equations", "generate": "codegen",
+    "compare": "comparison",
     "verify": "papers",
 }  # fmt: skip
-__all__ = ["Cayley", "Parameterization", "__version__", "alpha", "family", "generate", "motion_equation", "verify", "x"]
+__all__ = [
+    "Cayley", "Parameterization", "__version__", "alpha", "compare", "family", "generate", "motion_equation", "verify",
+    "x",
+]  # fmt: skip
 
 _OWN = {
-    "__init__.py", "__main__.py", "about.py", "front.py", "workers.py",
+    "__init__.py", "__main__.py", "about.py", "comparison.py", "front.py", "workers.py",
     "algebra", "cli", "codegen", "machine", "maps", "output", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""

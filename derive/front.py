@@ -9,6 +9,7 @@ import sympy
 
 from . import maps
 from .output.listing import Listing
+from .output.progress import bar
 from .proof import Proof, proofs
 
 
@@ -27,7 +28,9 @@ class Provable:
         >>> all(proof.proved for proof in proofs), {proof.scope for proof in proofs} == {"all n", "n = 3"}
         (True, True)
         """
-        return Listing(proofs(self))
+        with bar() as step:
+            step(f"proofs of {self.name}")
+            return Listing(proofs(self))
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from pathlib import Path
@@ -38,6 +39,7 @@ nb_execution_cache_path = str(ROOT / "build" / "docs" / "cache")
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
 nb_merge_streams = True
+os.environ["TTY_INTERACTIVE"] = "0"  # no progress bars in the output of cells
 
 # Formulas: MathJax 4 from its npm package, which the Makefile unpacks; the site loads nothing from elsewhere.
 # A formula is set when it comes into view, and without the trees for speech: the errata have hundreds.

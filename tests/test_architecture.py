@@ -11,7 +11,10 @@ from tests.support.imports import ROOT, imported, sources
 
 pytestmark = pytest.mark.smoke
 
-ROOMS = ("about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "front", "cli")
+ROOMS = (
+    "about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "comparison", "front",
+    "cli",
+)  # fmt: skip
 """Packages of derive in import order; each may import itself and earlier ones."""
 
 IN_CODEGEN = (
@@ -58,7 +61,7 @@ def test_imports_inside_functions_are_found():
 
 
 def test_kernels_import_numpy_and_the_standard_library_only():
-    tools = {"dask.py": "dask", "_motion.py": "scipy", "_stepping.py": "scipy", "_trajectory.py": "scipy"}
+    tools = dict.fromkeys(("interop.py", "_motion.py", "_stepping.py", "_trajectory.py"), "scipy") | {"dask.py": "dask"}
     for path in sorted((ROOT / "generated" / "dualcay").glob("*.py")):
         outside = {name[0] for name in imported(path)} - {"generated", "numpy", tools.get(path.name)}
         assert outside <= sys.stdlib_module_names

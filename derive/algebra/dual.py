@@ -12,6 +12,9 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self, TypeAlias
 
+from ..output.typeset import Typeset
+from .latex import bracketed, latex, matrix
+
 Coefficient: TypeAlias = Any
 
 
@@ -19,7 +22,7 @@ class ZeroDivisorError(ZeroDivisionError):
     """Error for inverting, dividing by or taking the root of a zero divisor, a dual number with real part zero."""
 
 
-class Structure:
+class Structure(Typeset):
     """Base class of vectors, tensors and quaternions: sums and multiples, component by component.
 
     A structure is never a coefficient. ``__array_ufunc__ = None`` makes NumPy leave products to the structure.
@@ -27,6 +30,8 @@ class Structure:
 
     __slots__ = ()
     __array_ufunc__: ClassVar[None] = None
+    columns: ClassVar[int] = 1
+    """Number of columns in which notebooks show the components."""
 
     def __iter__(self) -> Iterator[Coefficient]:
         raise NotImplementedError
@@ -80,9 +85,14 @@ class Structure:
     def __truediv__(self, scalar: Coefficient) -> Self:
         return NotImplemented if isinstance(scalar, Structure) else self._with(a / scalar for a in self)
 
+    def _typeset(self) -> str:
+        if any(isinstance(c, Dual) for c in self):
+            return rf"{self.re._typeset()} + \varepsilon {self.du._typeset()}"
+        return matrix(self, self.columns)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Dual:
+class Dual(Typeset):
     """Dual number ``re + ε du``.
 
     Plain numbers count as ``a + ε 0``. A dual number is invertible if and only if its real part is invertible. Division
@@ -171,6 +181,9 @@ class Dual:
     def __hash__(self) -> int:
         # Dual(a, 0) equals the plain number a, so both have the same hash.
         return hash(self.re) if self.du == 0 else hash((self.re, self.du))
+
+    def _typeset(self) -> str:
+        return rf"{latex(self.re)} + \varepsilon {bracketed(self.du)}"
 
     def _require_invertible(self) -> None:
         if self.re == 0:

@@ -11,7 +11,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from .dual import Coefficient, Structure
+from .latex import combination
 from .structures import Tensor, Vector
+
+BASIS = ("I", r"\tilde{v}", r"v \otimes v")
+"""Basis of the algebra in LaTeX."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +72,9 @@ class Isotropic(Structure):
 
     def __iter__(self) -> Iterator[Coefficient]:
         return iter(self.coefficients)
+
+    def _typeset(self) -> str:
+        return combination(self, BASIS)
 
     def _with(self, components: Iterable[Coefficient]) -> Isotropic:
         a, b, c = components

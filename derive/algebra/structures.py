@@ -61,6 +61,8 @@ class Tensor(Structure):
 
     rows: tuple[Row, Row, Row]
 
+    columns = 3
+
     @classmethod
     def from_entries(cls, entries: Iterable[Coefficient]) -> Tensor:
         """Return the tensor with nine `entries`, row by row."""

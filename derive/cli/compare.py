@@ -5,35 +5,19 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from functools import cached_property
+from dataclasses import asdict
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import click
 import sympy
 
-from .. import about
-from ..codegen import catalogue
-from ..codegen.lowered import lower_chart
-from ..maps import PhiError
+from .. import comparison
+from ..comparison import ANGLES, COUNTED, MEASURED, TIMED, Compared, number
 from ..maps.any_phi.stretch import POINTS, Stretch, best, bound, stretch
-from ..maps.chart import Chart
-from ..maps.families import alpha
 from ..output import render
 from ..output.tables import columns, figures
-from . import options
-
-ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
-"""Angles at which singular values and errors are shown."""
-
-COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
-MEASURED = ("pose", "tangent", "from_pose")
-TIMED = ("pose", "from_pose")
-"""Functions with counted operations, functions with measured errors, and functions with measured times."""
-
-MEASUREMENTS = "docs/parameterizations.json"
-"""File of measurements in a checkout."""
+from . import display, options
 
 PANELS: Mapping[str, tuple[Callable[[Stretch, float], float], tuple[float, float]]] = {
     "|v|/φ′(0)": (lambda found, at_0: found.size * at_0, (0, 8)),
@@ -47,71 +31,18 @@ Table: TypeAlias = tuple[Sequence[str], Sequence[Sequence[str]]]
 """Headings, and a row for each chart."""
 
 
-def as_float(value: sympy.Expr) -> float:
-    return math.inf if value.is_infinite else float(value.evalf(20))
-
-
-@dataclass(frozen=True)
-class Compared:
-    """Chart with the figures that are compared."""
-
-    chart: Chart
-
-    @cached_property
-    def edge(self) -> float:
-        return as_float(self.chart.edge)
-
-    @property
-    def range(self) -> float:
-        """Value of |v| at the edge of the chart."""
-        return as_float(self.chart.phi.subs(alpha, self.chart.edge))
-
-    @cached_property
-    def stretches(self) -> dict[str, Stretch | None]:
-        """Singular values at `ANGLES`; None beyond the edge."""
-        return {name: stretch(self.chart.phi, a) if a < self.edge else None for name, a in ANGLES.items()}
-
-    @cached_property
-    def operations(self) -> dict[str, int | None]:
-        """Number of operations by function; None for a φ that kernels cannot compute."""
-        try:
-            found = lower_chart(self.chart).operations
-        except PhiError:
-            return dict.fromkeys(COUNTED)
-        return {name: found[name].total() for name in COUNTED}
-
-    @cached_property
-    def measured(self) -> Mapping[str, Any] | None:
-        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
-
-        The command ``python -m benchmarks.charts`` writes these measurements in a checkout.
-        """
-        root = about.checkout()
-        return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
-
-
 def compare(
     orders: tuple[int, ...], families: tuple[str, ...], phi: str | None, plot: Path | None, form: str, max_n: int
 ) -> None:
     """Run the command; parameters are its options."""
     options.require_cap(orders, max_n)
     with options.refusals("--family"):
-        charts = catalogue.charts(orders, families)
-        if phi is not None:
-            charts.append(catalogue.charts((), (), phi, "phi")[0])
-        compared = [Compared(chart) for chart in charts or catalogue.charts((1, 2, 3, 4), about.FAMILIES)]
-        click.echo(FORMS[form](compared), nl=False)
+        chosen = comparison.charts(orders, families, phi)
+        with display.progress(len(chosen)) as step:
+            rows = comparison.compared(chosen, step)
+        click.echo(FORMS[form](rows), nl=False)
     if plot is not None:
-        draw(compared, plot)
-
-
-def number(value: float | None) -> str:
-    """Format a number with few digits, and None as a dash."""
-    if value is None:
-        return "-"
-    if math.isinf(value):
-        return "∞"
-    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
+        draw(rows, plot)
 
 
 def measured(compared: Sequence[Compared], what: str) -> Table:

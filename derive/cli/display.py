@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
 import click
+
+from ..output.progress import Step, bar, watched
 
 if TYPE_CHECKING:
     from ..output import Difference
@@ -19,22 +19,12 @@ FIRST_PAUSE = 10.0
 PAUSE_MAX = 60.0
 
 
-@contextmanager
-def progress(total: int) -> Iterator[Callable[[str], None]]:
+def progress(total: int) -> AbstractContextManager[Step]:
     """Provide a function that reports the next step: in a progress bar on a terminal, in occasional lines elsewhere."""
-    if not sys.stderr.isatty():
-        yield _lines(total)
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True, highlight=False), transient=True) as bar:
-        task = bar.add_task("", total=total, completed=-1)
-        yield lambda line: bar.update(task, description=line, advance=1)
+    return bar(total) if watched() else nullcontext(_lines(total))
 
 
-def _lines(total: int) -> Callable[[str], None]:
+def _lines(total: int) -> Step:
     begun, pause, done = time.monotonic(), FIRST_PAUSE, -1
     due = begun + pause
 

@@ -9,7 +9,7 @@ import click
 
 from .. import about
 from ..codegen import Package, catalogue, generate_charts, publish
-from ..codegen.build import with_geometry
+from ..codegen.build import STEPS, with_geometry
 from ..maps.chart import Chart
 from ..maps.named import described
 from ..output.tables import Grid, columns, figures
@@ -53,11 +53,11 @@ def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> No
 
 
 def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
-    """Write files; each module has four lines of progress."""
+    """Write files."""
     charts = publish.with_bases(charts, target)
     processes = cores() if len(charts) > SERIAL_MAX else 1
     built = with_geometry(publish.with_bases(charts, target))
-    with display.progress(4 * len(built)) as step:
+    with display.progress(STEPS * len(built)) as step:
         package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -12,6 +12,7 @@ from pathlib import Path
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
+from ..output.progress import Step, no_op
 from ..proof import prove
 from ..workers import each
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
@@ -25,10 +26,11 @@ GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher o
 GC_THRESHOLD = 20_000
 """Number of allocations between two garbage collections while charts are built."""
 
-Progress = Callable[[str], None]
+STEPS = 4
+"""Lines of progress for each chart."""
 
 
-def build(charts: Sequence[Chart], target: Target, progress: Progress | None = None, processes: int = 1) -> Package:
+def build(charts: Sequence[Chart], target: Target, progress: Step | None = None, processes: int = 1) -> Package:
     """Prove, lower, print and check charts, without publishing; ``processes`` is the number of workers that check.
 
     Raise `ProofFailed` or `ValidationFailed` if any chart fails.
@@ -53,12 +55,12 @@ def build(charts: Sequence[Chart], target: Target, progress: Progress | None = N
     return Package(shared, tuple(module for module in modules if module.proved.formulas in charts))
 
 
-def print_package(charts: Sequence[Chart], target: Target, progress: Progress | None = None) -> Package:
+def print_package(charts: Sequence[Chart], target: Target, progress: Step | None = None) -> Package:
     """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
     return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
 
 
-def print_module(chart: Chart, target: Target, report: Progress) -> Module:
+def print_module(chart: Chart, target: Target, report: Step) -> Module:
     """Prove, lower and print a chart."""
     report(f"{chart.name}: proving")
     proved = prove(chart)
@@ -92,7 +94,3 @@ def relaxed_gc() -> Iterator[None]:
         yield
     finally:
         gc.set_threshold(first, *others)
-
-
-def no_op(line: str) -> None:
-    """No-op progress callback."""

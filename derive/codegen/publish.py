@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
 from .. import about
 from ..maps.chart import Chart
 from ..output import files
+from ..output.progress import Step, bar
 from . import catalogue
-from .build import Progress, build, print_package
+from .build import STEPS, build, print_package, with_geometry
 from .package import Package, module_name, notices
 from .targets import TARGETS, Target
 
@@ -23,7 +25,7 @@ def generate(
     phi: str | None = None,
     name: str | None = None,
     force: bool = False,
-    progress: Progress | None = None,
+    progress: Step | None = None,
     processes: int = 1,
 ) -> Package:
     """Write proven kernels of some charts into a folder, as a package that needs NumPy only.
@@ -45,7 +47,8 @@ def generate(
     force : bool
         Overwrite files that do not bear the generated header.
     progress : callable, optional
-        Called with a line of text before each step.
+        Called with a line of text before each step. Without one, a terminal or a notebook shows a progress bar after
+        two seconds.
     processes : int
         Number of worker processes that check printed charts. Workers are spawned: a script that asks for more than
         one must call `generate` under ``if __name__ == "__main__":``.
@@ -82,7 +85,7 @@ def generate_charts(
     output: str | Path | None = None,
     *,
     force: bool = False,
-    progress: Progress | None = None,
+    progress: Step | None = None,
     processes: int = 1,
 ) -> Package:
     """Write proven kernels of charts into a folder; `generate` describes the other parameters."""
@@ -91,7 +94,8 @@ def generate_charts(
         raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
     charts, entry = with_bases(charts, target), notices(charts, chosen)
     files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before the long work
-    package = build(charts, chosen, progress, processes)
+    with bar(STEPS * len(with_geometry(charts))) if progress is None else nullcontext(progress) as step:
+        package = build(charts, chosen, step, processes)
     files.write(folder, package.texts, force, entry)
     return package
 
@@ -112,7 +116,7 @@ def check(
     folder: Path,
     orders: Iterable[int] | None = None,
     target: str = "numpy",
-    progress: Progress | None = None,
+    progress: Step | None = None,
     cap: int = about.MAX_ORDER,
     *,
     families: Iterable[str] = (),
@@ -140,7 +144,7 @@ def expected(
 
 
 def check_charts(
-    folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Progress | None = None
+    folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Step | None = None
 ) -> list[files.Difference]:
     """Return the differences between a folder and the modules of charts; ``unmade`` are the reasons of `expected`."""
     return list(files.compare(folder, print_package(charts, _target(target), progress).texts, unmade))

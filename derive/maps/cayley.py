@@ -17,11 +17,12 @@ import sympy
 
 from ..algebra import Coefficient, Isotropic, Quaternion
 from ..algebra.arithmetic import Arithmetic
+from ..algebra.latex import latex
 from . import closed_forms, polynomials
 from .cayley_scalars import CHAIN_POWER, HORNER_LIMIT, CayleyScalars
 from .chart import Map
 from .families import alpha
-from .formula import LATEX_ORDER, IsotropicMap, QuaternionMap
+from .formula import IsotropicMap, QuaternionMap
 from .order_charts import BranchesOfOrder, Derivatives, cayley_gain, near_pole
 from .polynomials import FIELD, Pair, Triple, rational, require_order, x
 from .scalars import NOISE
@@ -242,7 +243,7 @@ class Cayley(BranchesOfOrder):
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the notation of the paper."""
         return self._aligned(
-            *((f"{letter}_{{{self.order}}}", sympy.latex(value, order=LATEX_ORDER)) for letter, value in self.letters)
+            *((f"{letter}_{{{self.order}}}", latex(value)) for letter, value in self.letters)
         )
 
 

@@ -27,6 +27,7 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import PLAIN, Arithmetic
+from ..output.typeset import Typeset
 from .any_phi.edges import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
@@ -60,7 +61,7 @@ Their slopes, ``2 d/dx``, are sy, wy, fy, gy, hy, fiy, hiy and ratey; second slo
 """
 
 
-class Chart(ABC):
+class Chart(Typeset, ABC):
     """Parameterization of displacements, as an immutable data class for proofs and for lowering to programs."""
 
     name: str  # name of the generated module, an identifier
@@ -252,8 +253,8 @@ class Chart(ABC):
         lines = " \\\\\n".join(f"{left} &= {right}" for left, right in equations)
         return f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
 
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
+    def _typeset(self) -> str:
+        return self.latex()
 
     @cached_property
     def _values(self) -> Any:

@@ -9,14 +9,14 @@ from typing import ClassVar
 import sympy
 
 from ..algebra import Dual, Isotropic, Quaternion, Tensor, Vector
+from ..algebra.isotropic import BASIS
+from ..algebra.latex import combination
+from ..output.typeset import Typeset
 from .polynomials import x
-
-LATEX_ORDER = "rev-lex"
-"""Order of terms in LaTeX: ascending powers, as in the paper."""
 
 
 @dataclass(frozen=True, slots=True)
-class Formula:
+class Formula(Typeset):
     """Map of order n whose coefficients are functions of ``x = v · v``, exact and reduced.
 
     Parameters
@@ -57,12 +57,15 @@ class Formula:
         >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
         \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
         """
-        terms = [_term(a, e) for a, e in zip(self.coefficients, self.basis, strict=True) if a != 0]
-        explicit = " + ".join(terms).replace("+ - ", "- ").replace("+ -", "- ")
-        return f"{self.symbol} = {self.definition} = {explicit}"
+        return f"{self.symbol} = {self.definition} = {self.explicit}"
 
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
+    @property
+    def explicit(self) -> str:
+        """LaTeX of the right-hand side with explicit coefficients, ``a I + …``."""
+        return combination(self.coefficients, self.basis)
+
+    def _typeset(self) -> str:
+        return self.latex()
 
     def _expand(self, v: Sequence[sympy.Expr]) -> tuple[tuple[Dual, ...], Vector]:
         """Return the coefficients ``f(x) + ε x° f′(x)`` at the dual vector `v`, and the vector itself."""
@@ -80,7 +83,7 @@ class IsotropicMap(Formula):
 
     __slots__ = ()
 
-    basis = ("I", r"\tilde{v}", r"v \otimes v")
+    basis = BASIS
 
     @property
     def isotropic(self) -> Isotropic:
@@ -125,10 +128,3 @@ class QuaternionMap(Formula):
         (s, t), vector = self._expand(v)
         components = Quaternion(s, vector * t)
         return sympy.Matrix(list(components.re)), sympy.Matrix(list(components.du))
-
-
-def _term(coefficient: sympy.Expr, basis: str) -> str:
-    text = str(sympy.latex(coefficient, order=LATEX_ORDER))
-    if basis and coefficient.is_Add:
-        text = rf"\left({text}\right)"
-    return f"{text} {basis}".rstrip()

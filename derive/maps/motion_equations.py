@@ -28,6 +28,7 @@ import numpy as np
 
 from ..algebra import Coefficient, Dual, Isotropic, Quaternion, Structure, Tensor, Vector
 from ..algebra.arithmetic import PLAIN, Arithmetic
+from ..output.typeset import Typeset
 from .cayley import Cayley
 from .chart import Chart
 from .exponential import Exponential
@@ -68,7 +69,7 @@ class ArrayArithmetic(Arithmetic):
 
 
 @dataclass(frozen=True)
-class MotionEquation:
+class MotionEquation(Typeset):
     """Kinematic equation of CP23 as a system of real equations; `motion_equation` returns it.
 
     A state y has shape (states, ...): its components, then any batch. All real parts precede the dual parts. A tensor
@@ -89,6 +90,18 @@ class MotionEquation:
     frame: str
     kind: type[Structure] = field(repr=False)
     chart: Any = None
+
+    def _typeset(self) -> str:
+        body = self.frame == BODY
+        twist = r"\omega_B" if body else r"\omega"
+        if self.kind is Vector:
+            inverse = self.chart.tangent_inv
+            operator = rf"\left({inverse.symbol}\right)^T" if body else inverse.symbol
+            return rf"\dot{{v}} = {operator} {twist} \qquad {inverse.latex()}"
+        if self.kind is Tensor:
+            return rf"\dot{{R}} = R\,\tilde{{{twist}}}" if body else rf"\dot{{R}} = \tilde{{{twist}}}\,R"
+        product = rf"\hat{{q}}\,{twist}" if body else rf"{twist}\,\hat{{q}}"
+        return rf"\dot{{\hat{{q}}}} = \tfrac12 {product}"
 
     @property
     def states(self) -> int:

@@ -11,7 +11,7 @@ class Shown(Protocol):
     """Result that fills one row of a table."""
 
     def cells(self) -> Mapping[str, str]:
-        """Return texts by heading; a formula is LaTeX between ``$``, which notebooks typeset."""
+        """Return texts by heading; a formula is LaTeX between ``$``, which notebooks and sites typeset."""
 
 
 T = TypeVar("T", bound=Shown)
@@ -27,9 +27,15 @@ class Listing(list[T]):
     def _repr_html_(self) -> str:
         rows = [item.cells() for item in self]
         lines = [_row("th", rows[0])] if rows else []
-        return "\n".join(["<table>", *lines, *(_row("td", row.values()) for row in rows), "</table>"])
+        lines += [_row("td", row.values()) for row in rows]
+        return "\n".join(['<table class="mathjax_process">', *lines, "</table>"])
 
 
 def _row(kind: str, texts: Iterable[str]) -> str:
-    cells = (f'<{kind} style="text-align: left">{html.escape(text)}</{kind}>' for text in texts)
+    cells = (f'<{kind} style="text-align: left">{_in_html(text)}</{kind}>' for text in texts)
     return f"<tr>{''.join(cells)}</tr>"
+
+
+def _in_html(text: str) -> str:
+    r"""Return a cell in HTML; a formula stands between ``\(`` and ``\)``, which MathJax finds in sites too."""
+    return html.escape(rf"\({text[1:-1]}\)" if text.startswith("$") and text.endswith("$") else text)

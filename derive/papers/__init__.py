@@ -20,8 +20,10 @@ Each module imports only from modules above it in the table.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext
 
 from ..output.listing import Listing
+from ..output.progress import bar, no_op
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
 from .equation import Equation, Paper, Reading, UndecidedError, equation
@@ -47,7 +49,8 @@ def verify(
     orders : sequence of int, optional
         Orders n at which statements about n are evaluated; 1 … 5 by default.
     progress : callable, optional
-        Function called with (done, total) after each equation.
+        Function called with (done, total) after each equation. Without one, a terminal or a notebook shows a progress
+        bar after two seconds.
 
     Raises
     ------
@@ -70,10 +73,12 @@ def verify(
     if missing:
         raise ValueError(f"no equation {', '.join(missing)}")
     results: Listing[Result] = Listing()
-    for done, (source, entry) in enumerate(chosen, 1):
-        results.append(decide(source.slug, entry, source.lost, tuple(orders or ORDERS)))
-        if progress is not None:
-            progress(done, len(chosen))
+    with bar(len(chosen)) if progress is None else nullcontext(no_op) as step:
+        for done, (source, entry) in enumerate(chosen, 1):
+            step(f"equation ({entry.number})")
+            results.append(decide(source.slug, entry, source.lost, tuple(orders or ORDERS)))
+            if progress is not None:
+                progress(done, len(chosen))
     return results
 
 

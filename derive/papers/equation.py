@@ -22,8 +22,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from ..output.typeset import Typeset
 from .language.evaluation import Definition
-from .language.terms import Symbol, Term, symbols, text
+from .language.terms import Symbol, Term, latex, symbols, text
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
@@ -47,7 +48,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Equation:
+class Equation(Typeset):
     """Entry for a printed equation or claim; create one with `equation`."""
 
     number: str  # the paper's number, or a slug
@@ -89,6 +90,9 @@ class Equation:
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
+
+    def _typeset(self) -> str:
+        return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:

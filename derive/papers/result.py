@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
+from ..output.typeset import Typeset
 from .equation import Equation
 from .language.terms import Term, latex
 
@@ -31,7 +32,7 @@ class Counterexample:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(Typeset):
     """Verdict on one reading: whether its statement is true at every tested point inside its domain.
 
     A false reading has a counterexample; `method` describes in words how it was decided.
@@ -48,9 +49,12 @@ class Verdict:
         """Return the reading as LaTeX."""
         return latex(self.statement)
 
+    def _typeset(self) -> str:
+        return rf"\text{{{str(self.true).lower()}:}}\quad {self.latex}"
+
 
 @dataclass(frozen=True)
-class Result:
+class Result(Typeset):
     """Equation with its computed status."""
 
     paper: str  # slug
@@ -136,11 +140,11 @@ class Result:
     def __repr__(self) -> str:
         return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
 
-    def _repr_latex_(self) -> str:
+    def _typeset(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"
         if self.corrected is not None:
             body += rf"\quad\longrightarrow\quad {self.corrected}"
-        return f"$\\displaystyle {body}$"
+        return body
 
 
 def _latex(statement: Term | None) -> str | None:

@@ -10,6 +10,7 @@ from typing import Any, Literal, NamedTuple
 
 import sympy
 
+from ..output.typeset import Typeset
 from .notation import text
 from .statement import Equation, Premise
 
@@ -67,7 +68,7 @@ Checks = Iterable[Check | tuple[str, Any, Sides] | Multiplier]
 """Checks of a statement, and the factors by which differences were multiplied."""
 
 @dataclass(frozen=True)
-class Proof:
+class Proof(Typeset):
     """Outcome of deciding one statement.
 
     Attributes
@@ -140,8 +141,8 @@ class Proof:
     def __repr__(self) -> str:
         return f"<Proof [{self.scope}] {textwrap.shorten(self.name, 80, placeholder=' …')}: {self.status}>"
 
-    def _repr_latex_(self) -> str:
-        return f"$\\displaystyle \\text{{{self.status} [{self.scope}]:}}\\quad {self.latex}$"
+    def _typeset(self) -> str:
+        return rf"\text{{{self.status} [{self.scope}]:}}\quad {self.latex}"
 
 
 def decide(

@@ -11,11 +11,12 @@ from functools import cached_property
 
 import sympy
 
+from ..output.typeset import Typeset
 from .notation import Shifted, latex, text
 
 
 @dataclass(frozen=True)
-class Equation:
+class Equation(Typeset):
     """Equation ``left = right``.
 
     Attributes
@@ -54,6 +55,9 @@ class Equation:
 
     def __str__(self) -> str:
         return self.text
+
+    def _typeset(self) -> str:
+        return self.latex
 
     def replaced(self, changes: Mapping[sympy.Expr, sympy.Expr]) -> Equation:
         """Return the equation with symbols or terms replaced on both sides, all at once."""

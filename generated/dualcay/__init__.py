@@ -27,7 +27,7 @@ __all__ = [
 __version__ = "0.1.0"
 
 
-PARTS = ("rotation", "dask")
+PARTS = ("rotation", "dask", "interop")
 """Public parts that are no chart: the package of rotations alone, and tools that import further libraries."""
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import html
 import inspect
 import re
+from fractions import Fraction
 
 import pytest
+import sympy
 
 import derive
+from derive.algebra import Dual, Isotropic, Quaternion, Tensor, Vector
 from derive.codegen import Package
 from derive.output.listing import Listing
 from derive.proof import Proof, theorems
@@ -61,8 +64,52 @@ def test_list_is_a_table_in_a_notebook(found) -> None:
     assert table.count("<td") == len(items) * table.count("<th")
     for item in items:
         for text in item.cells().values():
-            assert f">{html.escape(text)}<" in table
-    assert Listing[Proof]()._repr_html_() == "<table>\n</table>"
+            formula = re.fullmatch(r"\$(.*)\$", text)
+            shown = rf"\({formula[1]}\)" if formula else text
+            assert f">{html.escape(shown)}<" in table
+    assert Listing[Proof]()._repr_html_() == '<table class="mathjax_process">\n</table>'
+
+
+def test_comparison_is_a_table_with_figures() -> None:
+    rows = derive.compare([2], ["lambert"])
+    cells = [row.cells() for row in rows]
+    assert [(row["chart"], row["edge/π"]) for row in cells] == [("cayley2", "2"), ("lambert", "2")]
+    assert cells[0]["condition of Re T at π"] == "1"  # n = 2 is conformal
+    assert cells[0]["φ"] == r"$\tan{\left(\frac{\alpha}{4} \right)}$"
+    assert rows._repr_html_().count("<tr>") == 3
+    assert [row.chart.name for row in derive.compare(phi="alpha/(1 + alpha**2/40)")] == ["phi"]
+    with pytest.raises(ValueError, match="nonsense"):
+        derive.compare(families=["nonsense"])
+
+
+s, t = sympy.symbols("s t")
+FORMULAS = {
+    r"\begin{bmatrix} \frac{1}{2} \\ t + s \\ 0 \end{bmatrix}": Vector(Fraction(1, 2), s + t, 0),
+    r"\begin{bmatrix} s \\ t \\ 0 \end{bmatrix} + \varepsilon \begin{bmatrix} 1 \\ 2 \\ 3 \end{bmatrix}":
+        Vector.dual((s, t, 0), (1, 2, 3)),
+    r"\begin{bmatrix} 0 & - t & s \\ t & 0 & -1 \\ - s & 1 & 0 \end{bmatrix}": Tensor.skew(Vector(1, s, t)),
+    r"\begin{bmatrix} s \\ 1 \\ 2 \\ 3 \end{bmatrix}": Quaternion(s, Vector(1, 2, 3)),
+    r"s + \varepsilon \left(t + s\right)": Dual(s, s + t),
+    r"\left(t + s\right) I - 2 \tilde{v}": Isotropic(s + t, -2, 0, s),
+    r"\left(s + \varepsilon t\right) I + 1 v \otimes v": Isotropic(Dual(s, t), 0, 1, s),
+    r"\text{(14)}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].equation,
+    r"\text{false:}\quad b_1^{*} = ": derive.verify("karakilic-2010", ["14"])[0].verdicts[0],
+    theorems()[2].claim[0].latex: theorems()[2].claim[0],
+    r"\dot{R} = \tilde{\omega}\,R": derive.motion_equation("70"),
+    r"\dot{R} = R\,\tilde{\omega_B}": derive.motion_equation("74"),
+    r"\dot{\hat{q}} = \tfrac12 \omega\,\hat{q}": derive.motion_equation("75"),
+    r"\dot{\hat{q}} = \tfrac12 \hat{q}\,\omega_B": derive.motion_equation("76"),
+    r"\dot{v} = \mathrm{dcay}_{2}^{-1} \omega \qquad \mathrm{dcay}_{2}^{-1} = ": derive.motion_equation("90", 2),
+    r"\dot{v} = \left(T^{-1}\right)^T \omega_B \qquad T^{-1} = ": derive.motion_equation("85"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("latex", FORMULAS)
+def test_values_are_formulas_in_a_notebook(latex: str) -> None:
+    shown = FORMULAS[latex]._repr_latex_()
+    assert shown.startswith(rf"$\displaystyle {latex}")
+    assert shown.endswith("$")
+    assert shown.count("{") == shown.count("}")
 
 
 def test_less_than_sign_is_escaped() -> None:

@@ -13,7 +13,8 @@ import pytest
 from tests.support.kernels import ORDERS
 
 ROOT = Path(__file__).resolve().parents[2]
-OPTIONAL = {"dask.py": {"dask"}, "_motion.py": {"scipy"}, "_stepping.py": {"scipy"}, "_trajectory.py": {"scipy"}}
+SCIPY = ("_motion.py", "_stepping.py", "_trajectory.py", "interop.py")
+OPTIONAL = {name: {"scipy"} for name in SCIPY} | {"dask.py": {"dask"}}
 """Libraries that modules of tools import, by file."""
 
 BLOCK = """

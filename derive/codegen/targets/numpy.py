@@ -18,9 +18,9 @@ class Numpy(PythonTarget):
     options = "axis: int = -1, out: Array | None = None"
     files = (
         *PythonTarget.files, "_kernel.py", "_motion.py", "_multiple.py", "_native.py", "_program.py", "_recorder.py",
-        "_stepping.py", "_switching.py", "_trajectory.py",
+        "_stepping.py", "_switching.py", "_trajectory.py", "interop.py",
     )  # fmt: skip
-    tools = ("dask",)
+    tools = ("dask", "interop")
     imports_bases = True
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"

@@ -10,8 +10,8 @@ import pytest
 
 from derive import about
 from derive.cli import compare
-from derive.cli.compare import MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.codegen import catalogue
+from derive.comparison import MEASURED, MEASUREMENTS, TIMED, Compared
 from tests.support.command import ROOT, dualcay
 
 

@@ -1,0 +1,35 @@
+"""LaTeX of coefficients, of matrices, and of combinations of the elements of a basis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+import sympy
+
+
+def latex(value: Any) -> str:
+    """Return a coefficient, with ascending powers as in the papers; elements of exact rings are printed as text."""
+    if hasattr(value, "_typeset"):  # a dual number
+        return str(value._typeset())
+    return str(sympy.latex(sympy.Rational(value) if isinstance(value, Fraction) else value, order="rev-lex"))
+
+
+def bracketed(value: Any) -> str:
+    """Return a coefficient for a product: sums and dual numbers stand in brackets."""
+    text = latex(value)
+    return rf"\left({text}\right)" if getattr(value, "is_Add", hasattr(value, "_typeset")) else text
+
+
+def matrix(entries: Iterable[Any], columns: int) -> str:
+    """Return a matrix with the given entries, row by row."""
+    cells = [*map(latex, entries)]
+    rows = r" \\ ".join(" & ".join(cells[i : i + columns]) for i in range(0, len(cells), columns))
+    return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+
+def combination(coefficients: Iterable[Any], basis: Iterable[str]) -> str:
+    """Return the sum of coefficients times the elements of a basis, without zero terms; the element 1 is ``""``."""
+    terms = [f"{bracketed(a)} {e}" if e else latex(a) for a, e in zip(coefficients, basis, strict=True) if a != 0]
+    return " + ".join(terms or ["0"]).replace("+ - ", "- ").replace("+ -", "- ")

@@ -1,0 +1,150 @@
+"""Charts side by side: how far they reach, how they stretch, what they cost."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy
+
+from . import about
+from .codegen import catalogue
+from .codegen.lowered import lower_chart
+from .maps import PhiError
+from .maps.any_phi.stretch import Stretch, stretch
+from .maps.chart import Chart
+from .maps.families import alpha
+from .output.listing import Listing
+from .output.progress import Step, bar
+
+ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
+"""Angles at which singular values and errors are shown."""
+
+COUNTED = ("pose", "from_pose", "tangent", "rate", "compose")
+MEASURED = ("pose", "tangent", "from_pose")
+TIMED = ("pose", "from_pose")
+"""Functions with counted operations, functions with measured errors, and functions with measured times."""
+
+MEASUREMENTS = "docs/parameterizations.json"
+"""File of measurements in a checkout."""
+
+
+def as_float(value: sympy.Expr) -> float:
+    return math.inf if value.is_infinite else float(value.evalf(20))
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Chart with the figures that are compared."""
+
+    chart: Chart
+
+    @cached_property
+    def edge(self) -> float:
+        return as_float(self.chart.edge)
+
+    @property
+    def range(self) -> float:
+        """Value of |v| at the edge of the chart."""
+        return as_float(self.chart.phi.subs(alpha, self.chart.edge))
+
+    @cached_property
+    def stretches(self) -> dict[str, Stretch | None]:
+        """Singular values at `ANGLES`; None beyond the edge."""
+        return {name: stretch(self.chart.phi, a) if a < self.edge else None for name, a in ANGLES.items()}
+
+    @cached_property
+    def operations(self) -> dict[str, int | None]:
+        """Number of operations by function; None for a φ that kernels cannot compute."""
+        try:
+            found = lower_chart(self.chart).operations
+        except PhiError:
+            return dict.fromkeys(COUNTED)
+        return {name: found[name].total() for name in COUNTED}
+
+    @cached_property
+    def measured(self) -> Mapping[str, Any] | None:
+        """Measured ``errors`` by function and angle, and ``nanoseconds`` by function and number of poses, if known.
+
+        The command ``python -m benchmarks.charts`` writes these measurements in a checkout.
+        """
+        root = about.checkout()
+        return json.loads((root / MEASUREMENTS).read_text(encoding="utf-8")).get(self.chart.name) if root else None
+
+    def cells(self) -> dict[str, str]:
+        """Return the row in a table of charts."""
+        conditions = {name: number(found.condition if found else None) for name, found in self.stretches.items()}
+        return {
+            "chart": self.chart.name,
+            "φ": f"${sympy.latex(self.chart.phi)}$",
+            "edge/π": number(self.edge / math.pi),
+            **{f"condition of Re T at {name}": condition for name, condition in conditions.items()},
+            **{f"operations of {name}": number(count) for name, count in self.operations.items()},
+        }
+
+    def __repr__(self) -> str:
+        return f"<Compared {self.chart.name}: v = {self.chart.parameter} u, edge at {number(self.edge / math.pi)} π>"
+
+
+def number(value: float | None) -> str:
+    """Format a number with few digits, and None as a dash."""
+    if value is None:
+        return "-"
+    if math.isinf(value):
+        return "∞"
+    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
+
+
+def compare(orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None) -> Listing[Compared]:
+    """Compare parameterizations by largest angle, condition of the tangent operator, and operations.
+
+    Parameters
+    ----------
+    orders : iterable of int
+        Orders n of Cayley maps.
+    families : iterable of str
+        Names of parameterizations, such as ``"lambert"`` or ``"sine7"``.
+    phi : str, optional
+        Formula φ of a chart of your own, such as ``"alpha/(1 + alpha**2/40)"``.
+
+    Returns
+    -------
+    list of Compared
+        Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families. Each has its ``chart``,
+        ``edge`` (rad), ``range`` of ``|v|``, ``stretches`` by angle, and ``operations`` by function.
+
+    Raises
+    ------
+    ValueError
+        If an order or a family does not exist, or φ is refused.
+
+    Examples
+    --------
+    >>> import derive
+    >>> derive.compare([2], ["lambert"])
+    [<Compared cayley2: v = tan(α/4) u, edge at 2 π>,
+     <Compared lambert: v = sin(α/4) u, edge at 2 π>]
+    """
+    chosen = charts(orders, families, phi)
+    with bar(len(chosen)) as step:
+        return Listing(compared(chosen, step))
+
+
+def charts(orders: Iterable[int], families: Iterable[str], phi: str | None) -> list[Chart]:
+    """Return the charts to compare: n = 1 … 4 and the committed families if none is named."""
+    chosen = catalogue.charts(orders, families) + (catalogue.charts((), (), phi, "phi") if phi is not None else [])
+    return chosen or catalogue.charts((1, 2, 3, 4), about.FAMILIES)
+
+
+def compared(chosen: Sequence[Chart], step: Step) -> list[Compared]:
+    """Return the figures of charts, with their operations counted; a step reports each."""
+    rows = []
+    for chart in chosen:
+        step(chart.name)
+        rows.append(Compared(chart))
+        _ = rows[-1].operations  # counted now, while progress is shown
+    return rows

@@ -1,0 +1,16 @@
+"""Results that notebooks show as formulas."""
+
+from __future__ import annotations
+
+
+class Typeset:
+    """Base class of results that a notebook shows as a formula."""
+
+    __slots__ = ()
+
+    def _typeset(self) -> str:
+        """Return the formula in LaTeX, without delimiters."""
+        raise NotImplementedError
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self._typeset()}$"

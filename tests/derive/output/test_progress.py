@@ -1,0 +1,120 @@
+"""Progress bars: on a terminal and in a notebook after a while, nowhere else."""
+
+from __future__ import annotations
+
+import io
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+import derive
+from derive.output import progress
+
+
+class Terminal(io.StringIO):
+    """Stream of a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def on_terminal(monkeypatch: pytest.MonkeyPatch, after: float) -> Terminal:
+    """Put a terminal in place of stderr, and let bars appear after some seconds."""
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(progress, "BAR_AFTER", after)
+    monkeypatch.delenv("TTY_INTERACTIVE", raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    return terminal
+
+
+def long_work() -> None:
+    """Report two of three steps, the second one late."""
+    with progress.bar(3) as step:
+        step("first")
+        time.sleep(0.5)
+        step("second")
+        time.sleep(0.5)
+
+
+def test_bar_appears_after_a_while_and_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.1)
+    long_work()
+    text = terminal.getvalue()
+    assert "first" in text
+    assert "1/3" in text
+    assert text.endswith("\x1b[2K")  # the line of the bar is erased
+
+
+def test_short_work_has_no_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 2.0)
+    long_work()
+    assert terminal.getvalue() == ""
+
+
+LONG: dict[str, Callable[[], object]] = {
+    "equation (22)": lambda: derive.verify("karakilic-2010", "14,22"),
+    "cayley3": lambda: derive.compare([2, 3]),
+    "proofs of cayley40": lambda: derive.Cayley(40).prove(),
+}
+
+
+@pytest.mark.parametrize("line", LONG)
+def test_long_functions_have_a_bar(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.0)
+    LONG[line]()
+    assert line in terminal.getvalue()
+
+
+def test_generate_has_a_bar(without_validation: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.0)
+    derive.generate([4], output=tmp_path)
+    assert "cayley4: printing" in terminal.getvalue()
+
+
+def test_own_function_of_progress_replaces_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.0)
+    seen: list[tuple[int, int]] = []
+    derive.verify("karakilic-2010", "14,22", progress=lambda *parts: seen.append(parts))
+    assert seen == [(1, 2), (2, 2)]
+    assert terminal.getvalue() == ""
+
+
+@pytest.mark.parametrize("variable", ["TTY_INTERACTIVE=0", "TERM=dumb"])
+def test_bar_can_be_switched_off(variable: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = on_terminal(monkeypatch, 0.1)
+    monkeypatch.setenv(*variable.split("="))
+    long_work()
+    assert terminal.getvalue() == ""
+
+
+def test_pipe_has_no_bar(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(progress, "BAR_AFTER", 0.1)
+    long_work()
+    assert capsys.readouterr().err == ""
+
+
+CELL = """
+from derive.output import progress
+import time
+progress.BAR_AFTER = 0.1
+with progress.bar(3) as step:
+    step("first")
+    time.sleep(0.5)
+print("done")
+"""
+
+
+@pytest.mark.parametrize("interactive", ["1", "0"])
+def test_notebook_shows_a_bar_in_its_cell(interactive: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TTY_INTERACTIVE", interactive)
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(CELL)])
+    NotebookClient(notebook, timeout=60, kernel_name="python3").execute()
+    said = {output.name: output.text for output in notebook.cells[0].outputs}
+    assert said["stdout"] == "done\n"
+    assert ("first" in said.get("stderr", "")) == (interactive == "1")
