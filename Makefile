@@ -10,6 +10,11 @@ TESTED := $(VENV)/.test
 PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
+# The site's formulas: version of MathJax, its folder, and the stamp of a complete folder.
+MATHJAX := 4.1.3
+ASSETS  := build/docs/assets/mathjax
+MATHJAX_READY := build/docs/.mathjax-$(MATHJAX)
+
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
@@ -85,20 +90,21 @@ parameterizations: $(VENV)/.bench  ## properties of charts, measured: docs/param
 	$(RUN) -m derive compare --plot docs/parameterizations.png > /dev/null
 	$(RUN) -m derive compare --format markdown > docs/parameterizations.md
 
-figures: $(VENV)/.bench  ## pictures of the README (docs/figures); with all libraries: make figures BENCH=bench,peers
+figures: $(VENV)/.bench  ## pictures of the README and the site (docs/figures); with all libraries: make figures BENCH=bench,peers
 	$(RUN) -m benchmarks.figures
 
 accuracy: $(VENV)/.bench  ## largest errors and their figures; search for worse inputs: make accuracy SEARCH=60
 	$(RUN) -m benchmarks.accuracy --search $(or $(SEARCH),0)
 	$(RUN) -m benchmarks.conditioning
 
-docs: $(VENV)/.docs  ## the site, built offline: build/docs/html/index.html
+docs: $(VENV)/.docs $(MATHJAX_READY)  ## the site, built offline: build/docs/html/index.html
 	$(RUN) -m sphinx -W --keep-going --jobs auto --quiet docs build/docs/html
 	$(RUN) -m derive show --what sheet -o build/docs/html/formula-sheet.html
 	$(RUN) -m derive show --what sheet -o build/docs/html/formula-sheet.pdf
 
-clean:  ## remove the environment and caches
+clean:  ## remove the environment, caches and what the site's build writes
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf docs/examples docs/reference/generated docs/sg_execution_times.rst
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help:  ## list these targets
@@ -115,12 +121,14 @@ $(TESTED): $(READY)
 	$(PIP) --editable '.[test]'
 	touch $@
 
-# Packages for the site, and MathJax with its font from npm, so that the site needs no other host.
-MATHJAX := 4.1.3
-ASSETS  := build/docs/assets/mathjax
+# Packages for the site.
 $(VENV)/.docs: $(READY)
-	@command -v npm > /dev/null || { echo "npm is needed, for MathJax: apt-get install npm" >&2; exit 3; }
 	$(PIP) --editable '.[docs]'
+	touch $@
+
+# MathJax with its font from npm, so that the site needs no other host.
+$(MATHJAX_READY):
+	@command -v npm > /dev/null || { echo "npm is needed, for MathJax: apt-get install npm" >&2; exit 3; }
 	rm -rf $(ASSETS) && mkdir -p $(ASSETS)/mathjax-newcm-font
 	cd build/docs && npm pack --silent mathjax@$(MATHJAX) @mathjax/mathjax-newcm-font@$(MATHJAX) > /dev/null
 	tar xzf build/docs/mathjax-$(MATHJAX).tgz -C $(ASSETS) --strip-components=1

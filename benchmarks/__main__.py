@@ -24,7 +24,7 @@ def main() -> None:
     if output and output.exists():
         kept = page.sections(output.read_text(encoding="utf-8"))
     how = (
-        f"Written by `make bench`, NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
+        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
         f"{kernels.ROUNDS_OF_LARGE} from {kernels.LARGE:,} poses on. SymPy's derivatives, those of JAX in forward mode "
         "and complex steps are of the maps that our derivatives are of; `called` is JAX without compilation, traced "
         "at every call. SymPy's functions return arrays of their components, none of zeros and equal ones once, where "
@@ -38,7 +38,7 @@ def main() -> None:
             print(kept[name], end="\n\n", flush=True)
     if output:
         output.parent.mkdir(exist_ok=True)
-        output.write_text(page.joined(f"# Speed\n\n{how}", kept), encoding="utf-8")
+        output.write_text(page.joined(f"{page.INTRODUCTION}\n{how}", kept), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Pictures of the README and of docs/motion.md: ``python -m benchmarks.figures``.
+"""Pictures of the README and the site: ``python -m benchmarks.figures``.
 
 ======== ====================================================================================================
 accuracy error against angle, of our kernels and other libraries: the main panels of docs/accuracy.md

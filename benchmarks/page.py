@@ -8,6 +8,14 @@ from pathlib import Path
 ORDER = ("kernels", "native", "libraries", "motion", "propagate", "compiling", "recorded")
 """Names of the sections, in the order of the page."""
 
+INTRODUCTION = """# Speed
+
+This page shows how long the kernels take, beside other libraries. All libraries run in turn in one process, on equal
+arguments; other machines have other times, of like ratios. Times are nanoseconds per pose, n is the order of a Cayley
+map, and N the number of poses in one call. A gate is the ratio that a row must reach; the first table tells which are
+met and which are missed. `make bench` measures, and writes this page.
+"""
+
 
 def sections(page: str) -> dict[str, str]:
     """Return the sections of a page by name; the text above the first section has the name ''."""

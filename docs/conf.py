@@ -42,15 +42,19 @@ nb_merge_streams = True
 os.environ["TTY_INTERACTIVE"] = "0"  # no progress bars in the output of cells
 
 # Formulas: MathJax 4 from its npm package, which the Makefile unpacks; the site loads nothing from elsewhere.
+# A formula is set when it comes into view, and without the trees for speech: the errata have hundreds.
 mathjax_path = "mathjax/tex-chtml.js"
 mathjax4_config = {
-    "loader": {"paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"}},
+    "loader": {"load": ["ui/lazy"], "paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"}},
     "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
-    "options": {"enableMenu": False},
+    "options": {"enableMenu": False, "enableEnrichment": False, "enableSpeech": False, "enableBraille": False},
+    "tex": {"packages": {"[-]": ["noundefined"]}},  # an unknown command is an error, which a test finds
 }
 
 html_theme = "pydata_sphinx_theme"
+html_context = {"default_mode": "auto"}  # light or dark, as the reader's system
 html_title = "dualcay"
+html_favicon = "_static/favicon.svg"
 html_static_path = ["_static", str(ROOT / "build" / "docs" / "assets")]
 html_css_files = ["site.css"]
 html_theme_options = {
@@ -82,9 +86,9 @@ sphinx_gallery_conf = {
 
 
 def from_github(app: object, name: str, source: list[str]) -> None:
-    """Turn what GitHub reads in a report into MyST: formulas $`x`$, and targets of links in headings."""
-    text = re.sub(r"\$`(.+?)`\$", r"$\1$", source[0])
-    source[0] = re.sub(r"^(#+ .*?) *<a id=\"(.+?)\"></a>$", r"(\2)=\n\1", text, flags=re.MULTILINE)
+    """Turn what GitHub reads in a report into MyST: formulas $`x`$, and targets of links."""
+    text = re.sub(r"\$`(.+?)`\$", r"{math}`\1`", source[0])
+    source[0] = re.sub(r"^<a id=\"(.+?)\"></a>$", r"(\1)=", text, flags=re.MULTILINE)
 
 
 def setup(app: object) -> None:

@@ -1,14 +1,18 @@
 """Ten million poses in constant memory
 ====================================
 
-Run ``python examples/stream.py [--count N] [--chunk N] [--seed N]``.
+Run ``python examples/stream.py [--count N] [--chunk N] [--seed N] [--figure FILE]``.
 
 A camera stands on an arm whose pose is uncertain: a normal perturbation in the space frame about a known pose. A point
 that the camera sees has a mean and a covariance in space. The first-order formula J P Jᵀ uses a Jacobian of the
 kernels; the Monte Carlo sum shows what it leaves out, up to 2 per cent of a deviation here.
 
 Chunks are drawn, moved and summed one by one. The peak of memory depends on the size of a chunk, not on the count.
+
+.. image:: /figures/stream.png
 """
+
+# sphinx_gallery_thumbnail_path = 'figures/stream.png'
 
 import argparse
 import resource
@@ -54,19 +58,41 @@ def first_order() -> np.ndarray:
     return slope @ np.diag(DEVIATION**2) @ slope.T
 
 
+def picture(file: str, drawn: np.ndarray, ellipses: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
+    """Draw points in the x-z plane, and ellipses of three deviations by mean and covariance."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8, 4), layout="constrained")
+    axes = figure.subplots()
+    axes.plot(*drawn[:, [0, 2]].T, ".", color="0.6", markersize=3, label=f"{len(drawn)} of the points")
+    t = np.linspace(0, 2 * np.pi, 200)
+    for (name, (mean, covariance)), style in zip(ellipses.items(), ("C0-", "C1--"), strict=True):
+        edge = mean[[0, 2], None] + 3 * np.linalg.cholesky(covariance[::2, ::2]) @ [np.cos(t), np.sin(t)]
+        axes.plot(*edge, style, label=f"three deviations, {name}")
+    axes.set(xlabel="x (m)", ylabel="z (m)")
+    axes.legend(fontsize="small", loc="upper right")
+    figure.savefig(file, dpi=110, metadata={"Software": None})
+
+
 def main(argv: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description="Monte Carlo of poses in constant memory")
     parser.add_argument("--count", type=int, default=10_000_000, help="number of poses")
     parser.add_argument("--chunk", type=int, default=100_000, help="number of poses in a chunk")
     parser.add_argument("--seed", type=int, default=1, help="seed of the random numbers")
+    parser.add_argument("--figure", help="file for the picture")
     options = parser.parse_args(argv)
+    moved = points(options.count, options.chunk, options.seed)
     with ProgressBar():
-        mean, covariance = moments(points(options.count, options.chunk, options.seed))
+        mean, covariance = moments(moved)
+    center = cayley2.transform_point(POSE, POINT)
     print(f"{options.count} poses in chunks of {options.chunk}; the poses alone hold {48e-6 * options.count:.0f} MB")
-    print(f"mean of the point   {mean.round(4)} m, at the mean pose {cayley2.transform_point(POSE, POINT).round(4)} m")
-    for name, found in (("Monte Carlo", covariance), ("first order", first_order())):
+    print(f"mean of the point   {mean.round(4)} m, at the mean pose {center.round(4)} m")
+    ellipses = {"Monte Carlo": (mean, covariance), "first order": (center, first_order())}
+    for name, (_, found) in ellipses.items():
         print(f"deviations, {name} {np.sqrt(np.diag(found)).round(5)} m")
     print(f"peak of memory      {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
+    if options.figure:
+        picture(options.figure, moved[:3000].compute(), ellipses)
 
 
 if __name__ == "__main__":

@@ -1,73 +1,49 @@
-"""README: example sessions run, commands exist, links have targets, numbers agree with the benchmark pages."""
+"""README: its figures agree with the pages that it names; tests/docs/test_pages.py runs its sessions and commands."""
 
 from __future__ import annotations
 
 import re
-import shlex
-import tomllib
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
-from derive.cli.commands import cli
 from derive.codegen.targets import TARGETS
-from tests.support import examples
-
-ROOT = Path(__file__).parent.parent
-TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```(\w*)\n(.*?)```", TEXT, re.S)
-LINES = [re.sub(r"\s+#.*", "", line) for language, block in BLOCKS if language == "sh" for line in block.splitlines()]
-QUICK = ("show", "list", "verify --eq")
-"""Commands run by this test; tests/derive/cli tests slower ones."""
+from tests.support import pages
 
 
-def test_every_block_is_a_session_or_commands() -> None:
-    assert {language for language, _ in BLOCKS} == {"python", "sh"}
+def read(name: str) -> str:
+    return (pages.ROOT / name).read_text(encoding="utf-8")
 
 
-def test_every_session_runs_as_printed() -> None:
-    sessions = [block for language, block in BLOCKS if language == "python"]
-    assert len(sessions) >= 5
-    names: dict[str, object] = {}  # sessions use names of earlier sessions
-    for number, session in enumerate(sessions):
-        assert examples.failures(session, f"README session {number}", names) == ""
+ROWS = dict(re.findall(r"^\| (speed|accuracy|proofs|papers) \| (.+?) \| ", read("README.md"), re.M))
 
 
-@pytest.mark.parametrize("line", LINES)
-def test_every_command_exists(line: str) -> None:
-    program, *arguments = shlex.split(line.replace("python -m derive", "dualcay"))
-    if program == "dualcay":
-        command, *rest = arguments
-        cli.commands[command].make_context(command, list(rest))
-        if line.startswith(tuple(f"dualcay {quick}" for quick in QUICK)):
-            done = CliRunner().invoke(cli, arguments)
-            assert done.exit_code == 0, done.output
-    elif program == "make":
-        target = re.compile(rf"^{arguments[0] if arguments else 'generate'}:", re.M)
-        assert target.search((ROOT / "Makefile").read_text(encoding="utf-8"))
-    elif program == "pip":
-        extras = re.findall(r"[^\[\],]+", arguments[-1])[1:]  # folder with extras
-        project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-        assert set(extras) <= project["optional-dependencies"].keys()
-    else:
-        assert line == "python -m pytest -n auto"
+def measured() -> dict[str, tuple[str, ...]]:
+    """Return the figures of the pages, by row of the README."""
+    speed = re.search(
+        r"^\| n \| function \| N \| [^|]+ \| SciPy RigidTransform \| pytransform3d \|$(?s:.+?)"
+        r"^\| 2 \| pose \| (10000) \| ([\d.]+) \| ([\d.]+) \(.+?\) \| ([\d.]+) \(",
+        read("docs/benchmarks.md"), re.M,
+    )  # fmt: skip
+    accuracy = re.search(r"`exponential` is off by at most, in eps: Q ([\d.]+), ρ ([\d.]+)", read("docs/accuracy.md"))
+    assert speed is not None
+    assert accuracy is not None
+    theorems = read("docs/theorems.md")
+    general = theorems.partition("\n## For every order\n")[2].partition("\n## ")[0]
+    controls = sum(map(int, re.findall(r"^- controls: (\d+)$", theorems, re.M)))
+    counts = re.findall(r"^\| \w+ \| (\d+) \| \d+ \| \d+ \| \d+ \| (\d+) \|$", read("docs/errata.md"), re.M)
+    errata, entries = (sum(map(int, column)) for column in zip(*counts, strict=True))
+    return {
+        "speed": speed.groups(),
+        "accuracy": accuracy.groups(),
+        "proofs": (str(general.count("\n### ")), str(controls)),
+        "papers": (str(entries), str(errata)),
+    }
 
 
-@pytest.mark.parametrize("link", re.findall(r"(?:\]\(|src=\")([^)\"]+)", TEXT))
-def test_every_link_leads_somewhere(link: str) -> None:
-    file, _, section = link.partition("#")
-    assert (ROOT / file).exists()
-    assert not section or f"\n## {section}\n" in TEXT.lower()
-
-
-def test_numbers_agree_with_the_benchmark_page() -> None:
-    page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8").splitlines()
-    rows = [line for line in TEXT.splitlines() if re.match(r"\| (n|\d+) \| ", line)]
-    assert len(rows) > 5
-    assert [row for row in rows if row not in page] == []
+@pytest.mark.parametrize("row", ["speed", "accuracy", "proofs", "papers"])
+def test_figures_agree_with_the_pages(row: str) -> None:
+    assert tuple(re.findall(r"(?<!\w)\d+(?:\.\d+)?", ROWS[row])) == measured()[row]
 
 
 def test_assurance_page_has_a_section_for_every_target() -> None:
-    page = (ROOT / "docs" / "assurance.md").read_text(encoding="utf-8")
-    assert re.findall(r"^### (.+)$", page, re.M) == list(TARGETS)
+    assert re.findall(r"^### (.+)$", read("docs/assurance.md"), re.M) == list(TARGETS)

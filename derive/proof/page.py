@@ -11,11 +11,13 @@ from .identity import ALL_ORDERS, Proof
 
 HEAD = """# Theorems
 
-Written by `make proofs`; do not edit.
+This page lists what is proved and from what. A theorem is an identity for every order n or every φ, and the formulas
+of the kernels are its instances. An entry states the claim with its numbers in CP23, premises, method, and the factors
+by which differences were multiplied. A control is the theorem with one error in its claim, a premise or a multiplier;
+every control was decided, and failed as it must. The last two tables tell who proves a theorem, and on which theorems
+each kernel function rests.
 
-Each theorem lists its claim, its premises, the factors by which differences were multiplied, and its method. Numbers
-are those of equations in CP23. A control is the theorem with one error in its claim, a premise or a multiplier. Every
-control was decided, and failed as it must.
+Written by `make proofs`; do not edit.
 """
 
 AT_ORDER = """## At one order

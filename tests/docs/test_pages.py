@@ -1,4 +1,4 @@
-"""Pages of the site: sessions run as printed, commands exist, links lead to files."""
+"""Pages of the site and of the root: sessions run as printed, commands exist, links lead to files."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ import pytest
 from tests.support import compilers, examples, packages, pages
 
 DOCS = pages.ROOT / "docs"
-PAGES = [page for page in sorted(DOCS.rglob("*.md")) if "examples" not in page.relative_to(DOCS).parts]
-TEXTS = {page.relative_to(DOCS).as_posix(): page.read_text(encoding="utf-8") for page in PAGES}
+SITE = [page for page in sorted(DOCS.rglob("*.md")) if "examples" not in page.relative_to(DOCS).parts]
+PAGES = [pages.ROOT / "README.md", pages.ROOT / "CONTRIBUTING.md", *SITE]
+TEXTS = {page.relative_to(pages.ROOT).as_posix(): page.read_text(encoding="utf-8") for page in PAGES}
 COMMANDS = sorted({(name, line) for name, text in TEXTS.items() for line in pages.commands(text)})
 
 
@@ -52,7 +53,7 @@ def test_links_lead_to_files(page: Path) -> None:
 
 @pytest.mark.thorough
 @pytest.mark.compiler
-@pytest.mark.parametrize(("name", "language"), [("howto/c.md", "c"), ("howto/cpp_autodiff.md", "cpp")])
+@pytest.mark.parametrize(("name", "language"), [("docs/howto/c.md", "c"), ("docs/howto/cpp_autodiff.md", "cpp")])
 def test_programs_print_what_the_page_shows(
     name: str, language: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
 ) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tracemalloc
+from pathlib import Path
 
 import dask
 import numpy as np
@@ -46,8 +47,9 @@ def test_memory_depends_on_the_chunk_only():
     assert many - few < 0.1 * 25 * 48 * 20_000
 
 
-def test_printed_results(capsys: pytest.CaptureFixture[str]):
-    stream.main(["--count", "20000", "--chunk", "5000"])
+def test_printed_results_and_figure(capsys: pytest.CaptureFixture[str], tmp_path: Path):
+    stream.main(["--count", "20000", "--chunk", "5000", "--figure", str(tmp_path / "stream.png")])
+    assert (tmp_path / "stream.png").stat().st_size > 10_000
     out = capsys.readouterr().out
     assert "100% Completed" in out
     assert "20000 poses in chunks of 5000" in out

@@ -73,7 +73,7 @@ def test_file_is_written_checked_and_reported_stale(tmp_path: Path) -> None:
     page.write_text(page.read_text(encoding="utf-8").replace("(22)", "(23)"), encoding="utf-8")
     stale = dualcay(*write, "--check")
     assert stale.returncode == 1
-    assert "+#### (22)" in stale.stdout
+    assert "+<details><summary><b>(22)</b>" in stale.stdout
     assert f"accept with:  dualcay {shlex.join(write)}\n" in stale.stderr
     assert [p.name for p in page.parent.iterdir()] == ["errata.md"]
 

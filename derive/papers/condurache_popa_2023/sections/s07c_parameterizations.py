@@ -85,7 +85,7 @@ THEOREM_17 = (
              equal(pm(q_of(v)), 1 / root((1 + xw)**n) * (p(norm(w)) + q(norm(w)) * v)),
              extract="± q _ ^ v _ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=MODIFIED,
              corrected=equal(pm(q_of(v)), 1 / root((1 + xw)**n) * (p(norm(w)) + q(norm(w)) * w)),
-             remark="With w = v/a(v)."),
+             remark="The vector part is along w = v/a(v), not v."),
     equation("vector-w", "the vector w", 308, equal(w, v / a(v)), extract="w _ = v _ a v _", where=FACTOR),
     equation("63", "p_n by binomial coefficients, again", 309, p_by_binomials,
              extract="p n X = k = 0 n / 2 1 k n 2 k X 2 k", where=MODIFIED, because=by_induction, remark=FOR_EVERY_N),
@@ -95,7 +95,8 @@ THEOREM_17 = (
     equation("65", "orthogonal dual tensor of a vectorial parameterization", 314,
              equal(R, rotation_by(norm(w), (1 + xw)**n, V)),
              extract="R _ = I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2",
-             where=MODIFIED, corrected=equal(R, rotation_by(norm(w), (1 + xw)**n, W)), remark="With w = v/a(v)."),
+             where=MODIFIED, corrected=equal(R, rotation_by(norm(w), (1 + xw)**n, W)),
+             remark="Both terms hold w = v/a(v), not v."),
 )
 
 ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

@@ -39,12 +39,13 @@ FIRST = (
     equation("normal-quaternion", "its unit dual quaternion", 319,
              equal(pm(q_hat), 1 / root(power) * (pw + qw * v)),
              extract="± q _ ^ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=NORMAL, condition=reachable,
-             corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w))),
+             corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w)),
+             remark="The vector part is along w = v/2n, not v."),
     equation("normal-w", "its vector w", 319, equal(w, v / (2 * n)), extract="w _ = v _ 2 n", where=NORMAL,
              condition=reachable),
     equation("normal-tensor", "its orthogonal dual tensor", 320, equal(R, R_by_w),
              extract="R _ = I _ + 2 p n w _ q n w _ 1 + w _ 2 n v ~ _ + 2 q n 2 w _ 1 + w _ 2 n v ~ _ 2", where=NORMAL,
-             condition=reachable, corrected=equal(R, R_corrected)),
+             condition=reachable, corrected=equal(R, R_corrected), remark="Both terms hold w = v/2n, not v."),
     equation("limit-quaternion", "limit of the quaternion", 322,
              equal(limit(n, (2 * n + v)**n / root((4 * n**2 + x)**n)), exp(alpha_vector / 2)),
              extract="lim n 2 n + v _ n 4 n 2 + v _ 2 n = e x p α _ 2", where=NORMAL,
@@ -77,7 +78,8 @@ SECOND = (
     equation("lambert-tensor", "their orthogonal dual tensor", 331,
              equal(R_of(v), I + 4 * root(1 - x) * (1 - x) * V + 8 * (1 - x) * V**2),
              extract="R _ v _ = I _ + 4 1 v _ 2 1 v _ 2 v ~ _ + 8 1 v _ 2 v ~ _ 2", where=LAMBERT, condition=forward_4,
-             corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2)),
+             corrected=equal(R_of(v), I + 4 * root(1 - x) * (1 - 2 * x) * V + 8 * (1 - x) * V**2),
+             remark="The factor of ṽ holds cos(α/2), which is 1 − 2|v|², not 1 − |v|²."),
 )
 
 w_two = vector("w of order 2", "w", "w")

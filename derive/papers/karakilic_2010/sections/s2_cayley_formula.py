@@ -58,7 +58,8 @@ SKEW = (
               Reading(equal(quadratic(z, B), sum_above(symmetric_part)), "over i < j")),
              extract=shown(r"\hat{z}^{T}\hat{B}\hat{z} = \sum (\hat{b}_{ij} + \hat{b}_{ji})\hat{z}_{i}\hat{z}_{j}"),
              where=quadratic_of_any, corrected=equal(quadratic(z, B), half * sum_all(symmetric_part)),
-             remark="For a matrix not yet known to be skew; the conclusion from it stands."),
+             remark="The sum over all i and j counts each product twice, the others err in the squares. The matrix is "
+                    "not yet known to be skew; the conclusion stands."),
     equation("skew-entries", "entries of B̂", 74,
              everywhere(both(equal(entry(b_ij, i, i), 0), equal(entry(b_ij, i, j), -entry(b_ij, j, i)))),
              extract=shown(r"\hat{b}_{ii} = 0 \hat{b}_{ij} = -\hat{b}_{ji}"), components=True, where=FROM_A,
