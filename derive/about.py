@@ -31,6 +31,9 @@ TARGET = TARGETS[0]
 FORMULAS = ("p", "q", "quaternion", "tensor", "tangent", "tangent_inv")
 """Attributes of `derive.Cayley` that are formulas."""
 
+SHEET = "sheet"
+"""Name of the formula sheet, beside the names of formulas."""
+
 PAPERS = ("condurache-popa-2023", "karakilic-2010")
 """Slugs of `derive.papers.PAPERS`."""
 

@@ -41,8 +41,8 @@ class Cayley(Provable, maps.Cayley):
 def family(name: str) -> Any:
     """Return a parameterization v = φ(α) u by its name, such as ``"lambert"``, ``"sine7"``, ``"scaled3"``.
 
-    The command `dualcay list` shows all names; a numbered family has the order n at the end of its name. The chart has
-    the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as
+    The command ``dualcay list`` shows all names; a numbered family has the order n at the end of its name. The chart
+    has the formulas ``quaternion``, ``tensor``, ``tangent`` and ``tangent_inv``, φ as ``phi``, its largest angle as
     ``edge``, ``singular_angles`` and ``prove()``. Raise ValueError for an unknown name.
 
     Examples
@@ -60,8 +60,9 @@ def family(name: str) -> Any:
 def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None = None) -> Any:
     """Return the parameterization v = φ(α) u of a φ, such as ``"alpha/(1 + alpha**2/40)"``.
 
-    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of |v|, ``limits``
-    of T and T⁻¹ at 0, and ``inverse``. Raise `PhiError`, a ValueError with the reason, for a φ that is refused.
+    Besides the attributes listed in `family`, the chart has ``scale`` (a(v) of CP23 (60)), ``range`` of ``|v|``,
+    ``limits`` of T and T⁻¹ at 0, and ``inverse``. Raise `PhiError`, a ValueError with the reason, for a φ that is
+    refused.
 
     Parameters
     ----------

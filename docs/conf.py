@@ -25,8 +25,9 @@ extensions = [
     "myst_nb",
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
+    "_ext.reference",
 ]
-exclude_patterns = ["_build", "**/README.md", "examples/*.ipynb"]  # myst-nb would run the notebooks of the gallery
+exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"]  # myst-nb would run these notebooks
 nitpicky = False
 suppress_warnings = ["config.cache"]
 
@@ -64,7 +65,9 @@ html_show_sourcelink = False
 templates_path = ["_templates"]
 
 autodoc_typehints = "none"
-autosummary_generate = True
+autosummary_generate = [f"reference/{page}.md" for page in ("functions", "charts", "tools", "toolkit")]
+default_role = "py:obj"
+toc_object_entries = False
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 

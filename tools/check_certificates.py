@@ -49,7 +49,7 @@ class Part:
         self.origin = [origin.get(name, value) for name, value in zip(self.names, self.values)]
         for entry in part["factors"]:
             require(self.is_nonzero(entry), f"the factor {entry['factor']} may be 0")
-        self.labels = [equation["label"] for equation in part["equations"]]
+        self.labels, self.terms = [equation["label"] for equation in part["equations"]], {}
         for equation in part["equations"]:
             require(not self.remainder(self.difference(equation)), f"{equation['label']!r} is not an identity")
 
@@ -86,6 +86,7 @@ class Part:
         if kind == "left":
             return plus(self.side(equation["left"]), right, -1)[0]
         term, values = self.side(equation[kind]["term"]), [self.side(value) for value in equation[kind]["values"]]
+        require(self.terms.setdefault(equation["label"].partition(", ")[2], term) == term, "start and law differ")
         if kind == "rate":
             values = [plus(old, times(EPSILON, rate)) for old, rate in zip(self.values, values, strict=True)]
             right = plus(term, times(EPSILON, right))
@@ -142,8 +143,7 @@ def check(shown, claims):
     parts = check_series(shown["series"]) if "series" in shown else list(map(Part, shown["parts"]))
     labels = {label.split(", component ")[0] for part in parts for label in part.labels}
     for claim in shown["claims"]:
-        left = claim.split(" = ")[0]
-        decided = {claim, left} & labels or {f"start, {left}", f"law, {left}"} <= labels
+        decided = {claim, left := claim.split(" = ")[0]} & labels or {f"start, {left}", f"law, {left}"} <= labels
         require(decided or "series" in shown, f"no equation decides {claim!r}")
 
 def main(path):

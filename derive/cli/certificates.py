@@ -10,9 +10,9 @@ from typing import Any
 from ..papers import Result
 from ..papers.certificate import certificate as of_equation
 from ..proof import Proof
-from ..proof.__main__ import claims
 from ..proof.certificate import Certificate
 from ..proof.certificate import certificate as of_proof
+from ..proof.proved import claims
 from ..proof.theorem import decided
 
 FORMAT = (

@@ -35,9 +35,9 @@ class Commands(click.Group):
             ctx.exit(130)
 
 
-def orders(text: str, required: bool = False) -> Decorator:
+def orders(text: str) -> Decorator:
     """Declare the option -n."""
-    return click.option("-n", "orders", callback=options.orders, required=required, metavar="ORDERS", help=text)
+    return click.option("-n", "orders", callback=options.orders, metavar="ORDERS", help=text)
 
 
 def form(choices: tuple[str, ...], text: str) -> Decorator:
@@ -81,13 +81,14 @@ def generate(**given: Any) -> None:
 
 
 @cli.command()
-@orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.", required=True)
+@orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.")
 @click.option("--what", callback=options.formulas, default=ALL, metavar="NAMES",
-              help=f"Out of {ALL}; all by default.")  # fmt: skip
+              help=f"Out of {ALL}; all by default. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
 @form(("text", "latex", "markdown", "json"), "How formulas are written.")
+@click.option("-o", "output", type=options.Place(dir_okay=False), help="File of the sheet, .html or .pdf.")
 @options.max_n
 def show(**given: Any) -> None:
-    """Print the formulas of an order."""
+    """Print the formulas of an order, or write the formula sheet."""
     run_module("show", given)
 
 

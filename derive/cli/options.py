@@ -38,10 +38,13 @@ def _range(part: str, value: str) -> range:
 
 
 def formulas(context: click.Context, parameter: click.Parameter, value: str) -> tuple[str, ...]:
-    """Return the comma-separated names of formulas, without repetition."""
+    """Return the comma-separated names of formulas, without repetition, or only the name of the formula sheet."""
     given = listed(context, parameter, value)
+    if given == (about.SHEET,):
+        return given
     if unknown := ", ".join(repr(name) for name in given if name not in about.FORMULAS):
-        raise click.BadParameter(f"expected names out of {', '.join(about.FORMULAS)}, got {unknown}")
+        known = ", ".join(about.FORMULAS)
+        raise click.BadParameter(f"expected names out of {known}, or {about.SHEET} alone, got {unknown}")
     return given
 
 

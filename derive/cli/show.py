@@ -1,20 +1,33 @@
-"""``dualcay show``: the formulas of an order."""
+"""``dualcay show``: the formulas of an order, or the formula sheet."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from pathlib import Path
 
 import click
 import sympy
 
+from .. import about
 from ..algebra.latex import latex
 from ..maps import Cayley
 from . import options
+from .sheet import WRITERS
 
 
-def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, max_n: int) -> None:
+def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, output: Path | None, max_n: int) -> None:
     """Run the command; parameters are its options."""
+    if what == (about.SHEET,):
+        write = WRITERS.get(output.suffix) if output and form == "text" and not orders else None
+        if output is None or write is None:
+            raise click.UsageError(f"the sheet needs -o with an ending {' or '.join(WRITERS)}, and no -n or --format")
+        write(output)
+        return
+    if output is not None:
+        raise click.UsageError(f"-o names the file of the sheet: add --what {about.SHEET}")
+    if not orders:
+        raise click.UsageError("Missing option '-n'.")
     options.require_cap(orders, max_n)
     if form == "json":
         found = ({"n": n, **{name: _terms(Cayley(n), name) for name in what}} for n in orders)

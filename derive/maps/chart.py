@@ -275,7 +275,7 @@ class Chart(Typeset, ABC):
             coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
             equations=(),
             identities=IDENTITIES[name],
-            domain="every dual vector v" if infinite else f"|Re v| < {self.range}",
+            domain="every dual vector v" if infinite else f"Re|v| < {self.range}",
             singular=f"{lost} {', '.join(poles)}; {end}" if lost else end,
             symbol=symbol,
             definition=definition,

@@ -57,7 +57,12 @@ class Formula(Typeset):
         >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
         \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
         """
-        return f"{self.symbol} = {self.definition} = {combination(self.coefficients, self.basis)}"
+        return f"{self.symbol} = {self.definition} = {self.explicit}"
+
+    @property
+    def explicit(self) -> str:
+        """LaTeX of the right-hand side with explicit coefficients, ``a I + …``."""
+        return combination(self.coefficients, self.basis)
 
     def _typeset(self) -> str:
         return self.latex()

@@ -97,7 +97,7 @@ class Multiple(Chart):
     def overflow(self, largest: float) -> tuple[str, float]:
         reason, most = self.base.overflow(largest)
         if self.range.is_finite:
-            return f"v ends, at |Re v| = {self.range}", most * float(self.factor)
+            return f"v ends, at Re|v| = {self.range}", most * float(self.factor)
         return reason.replace("x", f"x/{self.factor**2}", 1), most * float(self.factor)
 
     @cached_property

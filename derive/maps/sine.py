@@ -140,7 +140,7 @@ class Sine(OrderChart):
         return sympy.sin(alpha / (2 * self.order))
 
     def overflow(self, largest: float) -> tuple[str, float]:
-        return "v ends, at |Re v| = 1", 1.0
+        return "v ends, at Re|v| = 1", 1.0
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> SineScalars:
         return SineScalars(self.order, x, m)

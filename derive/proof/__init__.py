@@ -29,6 +29,7 @@ series_certificate     sums of binomials and their laws as integer lists
 certificate            certificate of a proof: both sides of its equations as integer lists
 coverage               theorems and validation behind each kernel function
 page                   docs/theorems.md
+sheet                  lines of the formula sheet
 ====================== =========================================================================
 
 ``python -m derive.proof`` proves everything and runs all controls.

@@ -9,20 +9,18 @@ import argparse
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 from ..maps import Cayley
 from ..output import files
 from ..output.progress import bar
 from .controls import Control, controls, controls_at, controls_of
-from .displacement_theorems import COMPOSITION_AT
-from .formulas import Formulas
+from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
-from .limit_theorems import GROWING_ORDER
 from .page import page, title
-from .phi_theorems import ANY_PHI
-from .proved import proofs, stated
-from .theorem import Theorem, decided
+from .proved import claims, proofs
+from .theorem import decided
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders of the proofs and controls at single orders: even and odd orders, with and without poles."""
@@ -61,14 +59,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return _deliver(text, options.output, options.check)
 
 
-def claims() -> tuple[Theorem, ...]:
-    """Return all theorems that are proved once instead of at each order."""
-    return (*stated(Formulas()), *COMPOSITION_AT.values(), *ANY_PHI, *GROWING_ORDER)
-
-
 def at_order(n: int) -> tuple[Proof, ...]:
     """Return the proofs at order n, without the theorems of `claims`."""
-    once = {theorem.name for theorem in COMPOSITION_AT.values()}
+    once = {theorem.name for theorem in chain(*CLOSED_AT.values())}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 
 

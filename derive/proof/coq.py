@@ -24,6 +24,7 @@ def _whole(names: str, left_out: str = "") -> InCoq:
 
 _SECOND = "second derivatives of the scalars are not stated in Coq"
 _VARIATION = "the variational equation; Coq takes the pose multiplied by a constant"
+_INVERSE = "closed forms of the inverse map are not stated in Coq"
 _SHADOW = _whole("shadow change_of_chart", "the matrix S_k itself; that v_k moves so that the pose is kept")
 
 BY_COQ: Mapping[str, InCoq] = {
@@ -77,6 +78,8 @@ BY_COQ: Mapping[str, InCoq] = {
     "transport, even branch": _SHADOW,
     "transport, odd branch": _SHADOW,
     "twist of a product": _whole("twist_of_a_product", "the statement is about tensors, not quaternions"),
+    "inverse map at n = 1": InCoq(left_out=_INVERSE),
+    "inverse map at n = 2": InCoq(left_out=_INVERSE),
     "composition at n = 1": _whole("composition_first_order"),
     "composition at n = 2": _whole("composition_second_order"),
     "any phi: orthogonality": _whole("phi_orthogonal"),

@@ -105,8 +105,19 @@ SECOND_ORDER = identity(
     definition(sigma, second_order(sigma_2, sigma_1)),
     scope="n = 2",
 )  # fmt: skip
-COMPOSITION_AT = {1: FIRST_ORDER, 2: SECOND_ORDER}
-"""Theorems on closed forms of the composition, by order."""
+_QUATERNION, _UNIT_NORM = scalar + vector, definition(scalar**2 + dot(vector, vector), 1)
+FIRST_INVERSE = identity(
+    "inverse map at n = 1", Symbols((scalar,), (vector,), (scalar,)),
+    (Equation((1 + dot(b, b)) * _QUATERNION**2, (1 + b) ** 2),),
+    definition(b, vector / scalar), _UNIT_NORM, scope="n = 1",
+)  # fmt: skip
+SECOND_INVERSE = identity(
+    "inverse map at n = 2", Symbols((scalar,), (vector,), (scalar,)),
+    (Equation((1 + dot(sigma, sigma)) * _QUATERNION, (1 + sigma) ** 2),),
+    definition(sigma, vector / (1 + scalar)), _UNIT_NORM, scope="n = 2",
+)  # fmt: skip
+CLOSED_AT = {1: (FIRST_INVERSE, FIRST_ORDER), 2: (SECOND_INVERSE, SECOND_ORDER)}
+"""Theorems on closed forms of the inverse map and of composition, by order."""
 
 
 def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:

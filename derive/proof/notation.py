@@ -53,9 +53,16 @@ TYPESET = {
     x: "x", q_hat: r"\hat q", dcay: r"\mathrm{dcay}_n", dcay_inv: r"\mathrm{dcay}_n^{-1}", omega_body: r"\omega_B",
     point: r"\mathbf r", along: r"\mathbf a", vector: r"\mathbf q", first: r"\mathbf q_1", second: r"\mathbf q_2",
     scalar: "q_0", scalar_1: "q_{0,1}", scalar_2: "q_{0,2}", R_k: "R(v_k)", R_dual: "R(V)", v_dual: r"v^\circ",
-    x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon",
+    x_dual: "x(V)", p_dual: "p_n(V)", q_dual: "q_n(V)", epsilon: r"\varepsilon", v_dot: r"\dot v",
+    body_jacobian: "J_B(a)", structure("J_B(b)"): "J_B(b)", body_rate_jacobian: "K_B(a)",
+    dcay_k: r"\mathrm{dcay}_n(v_k)", structure("dexp"): r"\mathrm{dexp}",
+    **{sympy.Symbol(f"phi{mark}"): rf"{{\varphi{mark}}}" for mark in ("", "'", "''", "'''")},
+    **{sympy.Symbol(f"{name}i"): f"{name}_i" for name in "fh"}, sympy.Symbol("psi'"): r"{\psi'}",
 }  # fmt: skip
 """LaTeX of symbols that SymPy cannot typeset from their names."""
+
+FUNCTIONS = {sympy.Symbol(f"{name}(alpha/2)"): getattr(sympy, name)(alpha / 2) for name in ("sin", "cos")}
+"""Functions for which symbols stand."""
 
 
 class Operator(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
@@ -155,6 +162,10 @@ class _Typeset(LatexPrinter):  # type: ignore[misc]
             return rf"\mathtt{{{expr.name.replace('_', chr(92) + '_')}}}"
         return str(TYPESET.get(expr) or super()._print_Symbol(expr, style))
 
+    def _needs_mul_brackets(self, expr: sympy.Expr, first: bool = False, last: bool = False) -> bool:
+        """Put a product of vectors in brackets when it is a factor."""
+        return isinstance(expr, (dot, cross)) or bool(super()._needs_mul_brackets(expr, first, last))
+
     def _print_Mul(self, expr: sympy.Expr) -> str:
         above, below = sympy.fraction(expr)
         if below == 1 or expr.is_Rational:
@@ -169,4 +180,4 @@ def text(expression: sympy.Expr) -> str:
 
 def latex(expression: sympy.Expr) -> str:
     """Return an expression as LaTeX, without delimiters."""
-    return str(_Typeset({"order": "rev-lex"}).doprint(expression))
+    return str(_Typeset({"order": "rev-lex"}).doprint(expression.xreplace(FUNCTIONS)))

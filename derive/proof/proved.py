@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 from dataclasses import InitVar, dataclass
 from functools import cache
+from itertools import chain
 
 from ..maps import Cayley
 from ..maps.chart import Chart
 from .at_order import computations, instances
 from .calculus_theorems import calculus_theorems
 from .components import Components
-from .displacement_theorems import COMPOSITION_AT, displacement_theorems
+from .displacement_theorems import CLOSED_AT, displacement_theorems
 from .formulas import Formulas
 from .identity import Proof
+from .limit_theorems import GROWING_ORDER
 from .map_theorems import map_theorems
+from .phi_theorems import ANY_PHI
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .scalars import ScalarProofs, instance, is_algebraic
 from .theorem import Theorem, decided
@@ -27,6 +30,11 @@ def stated(formulas: Formulas) -> tuple[Theorem, ...]:
     """Return all theorems on the given formulas, each after the theorems it uses."""
     of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
     return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
+
+
+def claims() -> tuple[Theorem, ...]:
+    """Return all theorems that are proved once instead of at each order."""
+    return (*stated(Formulas()), *chain(*CLOSED_AT.values()), *ANY_PHI, *GROWING_ORDER)
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
@@ -114,8 +122,7 @@ def _proofs_of_order(cayley: Cayley, backend: str | None) -> Iterator[Proof]:
     yield from theorems()
     yield from instances(cayley)
     yield from computations(cayley.order)
-    if cayley.order in COMPOSITION_AT:
-        yield COMPOSITION_AT[cayley.order].decide({})
+    yield from decided(CLOSED_AT.get(cayley.order, ()))
     yield from Components(cayley, backend).proofs()
 
 

@@ -228,7 +228,7 @@ class PoseKernels(Kernels):
 
         Returns
         -------
-        array, shape (*shape, 6)
+        array, shape (..., 6)
             Rodrigues dual vectors; directions of axes and translations are uniform on the sphere.
 
         Examples

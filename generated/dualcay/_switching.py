@@ -65,7 +65,7 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
     >>> event.terminal, event.direction, event(0.0, np.zeros(6)) < 0
     (True, 1.0, True)
 
-    The loop around ``solve_ivp``, for |ω| up to 1 rad/s; ``rhs(t, y)`` begins with the rate of v::
+    The loop around ``solve_ivp``, for ``|ω|`` up to 1 rad/s; ``rhs(t, y)`` begins with the rate of v::
 
         event, pieces = switch_event(cayley2), []
         while True:

@@ -17,9 +17,9 @@ r"""Lambert's equal-area projection: Rodrigues dual vectors ``v = sin(α/4) u`` 
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: v ends, and with it the domain, at Re alpha = 2*pi.
-``tangent_inv`` is defined for |Re v| < 1; v ends, and with it the domain, at Re alpha = 2*pi.
+``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = 2*pi.
 A pose has 2 vectors.
-Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 

@@ -17,9 +17,9 @@ r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: v ends, and with it the domain, at Re alpha = pi.
-``tangent_inv`` is defined for |Re v| < 1; v ends, and with it the domain, at Re alpha = pi.
+``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = pi.
 A pose has one vector.
-Forward maps are NaN where v ends, at |Re v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 

@@ -86,6 +86,17 @@ def test_altered_certificates_are_refused_by_name(first: int, found: dict[str, A
         assert not done.stderr
 
 
+def test_start_and_law_have_one_term(found: dict[str, Any], tmp_path: Path) -> None:
+    content = json.loads(json.dumps(found))
+    (certificate,) = (c for c in content["certificates"] if c["name"] == "double angle")
+    start = next(e["start"] for e in certificate["parts"][0]["equations"] if e["label"] == "start, sin(alpha)")
+    start["term"][2] = [[5 * c, powers] for c, powers in start["term"][2]]  # 0 at the start all the same
+    seal(certificate)
+    (tmp_path / "terms.json").write_text(json.dumps(content), "utf-8")
+    refusal = "certificate 'double angle' is refused: start and law differ"
+    assert checked(tmp_path / "terms.json").stdout.splitlines()[0] == refusal
+
+
 @pytest.mark.parametrize("name", ["binomial sums", "binomial theorem", "binomial sums of the brackets"])
 def test_altered_sums_are_refused(name: str, found: dict[str, Any], tmp_path: Path) -> None:
     content = json.loads(json.dumps(found))

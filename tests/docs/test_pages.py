@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import jax
 import pytest
 
-from tests.support import examples, pages
+from tests.support import compilers, examples, packages, pages
 
 DOCS = pages.ROOT / "docs"
 PAGES = [page for page in sorted(DOCS.rglob("*.md")) if "examples" not in page.relative_to(DOCS).parts]
@@ -14,7 +20,22 @@ TEXTS = {page.relative_to(DOCS).as_posix(): page.read_text(encoding="utf-8") for
 COMMANDS = sorted({(name, line) for name, text in TEXTS.items() for line in pages.commands(text)})
 
 
-@pytest.mark.parametrize("name", [name for name, text in TEXTS.items() if "\n>>> " in text])
+def marks(text: str) -> list[pytest.MarkDecorator]:
+    """Return the marker of pages that need PyTorch."""
+    return [pytest.mark.torch] if ">>> import torch" in text else []
+
+
+@pytest.fixture
+def _settings(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Restore the import path and the precision of JAX after a page that changes them."""
+    monkeypatch.setattr(sys, "path", [*sys.path])
+    precision = jax.config.jax_enable_x64
+    yield
+    jax.config.update("jax_enable_x64", precision)
+
+
+@pytest.mark.usefixtures("_settings")
+@pytest.mark.parametrize("name", [pytest.param(n, marks=marks(text)) for n, text in TEXTS.items() if "\n>>> " in text])
 def test_sessions_run_as_printed(name: str) -> None:
     assert pages.sessions(TEXTS[name], name) == ""
 
@@ -27,6 +48,22 @@ def test_commands_exist(name: str, line: str) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=TEXTS)
 def test_links_lead_to_files(page: Path) -> None:
     assert pages.dead_links(page) == []
+
+
+@pytest.mark.thorough
+@pytest.mark.compiler
+@pytest.mark.parametrize(("name", "language"), [("howto/c.md", "c"), ("howto/cpp_autodiff.md", "cpp")])
+def test_programs_print_what_the_page_shows(
+    name: str, language: str, shared: Callable[[str, Callable[[Path], object]], Path], tmp_path: Path
+) -> None:
+    kernels = shared("pages_c", lambda place: packages.write([2], "c", place))
+    (tmp_path / "dualcay").symlink_to(kernels)
+    [program], [output] = pages.blocks(TEXTS[name], language), pages.blocks(TEXTS[name], "text")
+    source = tmp_path / f"program.{language}"
+    source.write_text(program, encoding="utf-8")
+    compiler = [compilers.find()] if language == "c" else shlex.split(os.environ.get("CXX", "c++"))
+    subprocess.run([*compiler, "-I", tmp_path, source, "-o", tmp_path / "program", "-lm"], check=True)
+    assert subprocess.run(tmp_path / "program", capture_output=True, text=True, check=True).stdout == output
 
 
 def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:

@@ -198,7 +198,7 @@ class General(AngleChart):
             return "x overflows", float(largest**0.5)
         with mpmath.workdps(DIGITS):
             size = float(self.phi.subs(alpha, self.edge).evalf(DIGITS))
-        return f"v ends, at |Re v| = {size:.6g}", size
+        return f"v ends, at Re|v| = {size:.6g}", size
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)

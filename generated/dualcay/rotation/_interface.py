@@ -186,7 +186,7 @@ class RotationKernels(Kernels):
 
         Returns
         -------
-        array, shape (*shape, 3)
+        array, shape (..., 3)
             Rodrigues vectors; directions of axes are uniform on the sphere.
 
         Examples

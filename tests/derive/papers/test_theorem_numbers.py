@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import chain
 from typing import Any
 
 import pytest
@@ -18,7 +19,7 @@ from derive.papers.language.terms import Apply, Number, Symbol, Term, walk
 from derive.proof import formulas
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS
-from derive.proof.displacement_theorems import COMPOSITION_AT
+from derive.proof.displacement_theorems import CLOSED_AT
 from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
@@ -136,7 +137,7 @@ def says(number: int, equation: Equation) -> bool:
 @cache
 def equations() -> list[Equation]:
     """Return the equations of all claims and definitions of the theorems."""
-    found = [e for t in (*stated(Formulas()), *COMPOSITION_AT.values()) for e in (*t.claim, *_definitions(t))]
+    found = [e for t in (*stated(Formulas()), *chain(*CLOSED_AT.values())) for e in (*t.claim, *_definitions(t))]
     return list({(e.left, e.right, e.numbers): e for e in found}.values())
 
 

@@ -9,7 +9,7 @@ import sympy
 from derive.maps import polynomials
 from derive.proof import citing, formulas, theorems
 from derive.proof.controls import controls
-from derive.proof.displacement_theorems import COMPOSITION_AT, DOUBLE_ANGLE, EXPONENTIAL
+from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
 from derive.proof.formulas import Formulas
 from derive.proof.identity import ALL_ORDERS
 from derive.proof.notation import I, alpha, dcay, det, n, p, q, skew, u, v, x
@@ -48,11 +48,11 @@ def test_citing_proves_only_what_is_needed(number: int) -> None:
     assert citing({}) == ()
 
 
-def test_compositions_of_low_orders() -> None:
-    for order, composition in COMPOSITION_AT.items():
-        proof = composition.decide({})
-        assert proof.proved
-        assert proof.scope == f"n = {order}"
+def test_closed_forms_of_low_orders() -> None:
+    for order, claimed in CLOSED_AT.items():
+        found = decided(claimed)
+        assert [proof.name for proof in found] == [f"inverse map at n = {order}", f"composition at n = {order}"]
+        assert all(proof.proved and proof.scope == f"n = {order}" for proof in found)
 
 
 @pytest.mark.parametrize(

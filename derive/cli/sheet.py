@@ -1,0 +1,86 @@
+"""Formula sheet as a page of HTML with MathML, or printed by a browser as PDF."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unicodedata
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+from .. import about
+from ..output import files
+from ..output.templates import render
+from ..proof.sheet import sheet
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--no-pdf-header-footer")
+TIMEOUT = 120
+"""Seconds after which a browser is stopped."""
+
+SIGN = re.compile(r" (?=(?:[=+-]|\\in) )")
+"""Place before a sign, where a formula may go on in the next row."""
+
+
+def page() -> str:
+    """Return the sheet as HTML; raise `ProofFailed` if a line is not proved."""
+    return render("report/sheet.html.j2", pages=sheet(), version=about.__version__, mathml=mathml)
+
+
+def mathml(latex: str) -> str:
+    """Return a formula as pieces of MathML, between which a browser may break the row."""
+    from latex2mathml.converter import convert  # slow import, needed by this format only
+
+    # the empty group before a sign makes it a sign between two terms
+    found = " ".join(convert(f"{{}} {piece}" if i else piece) for i, piece in enumerate(pieces(latex)))
+    return re.sub('<mi mathvariant="bold">([a-z])</mi>', _bold, found)  # browsers know no variant but "normal"
+
+
+def _bold(letter: re.Match[str]) -> str:
+    return f"<mi>{unicodedata.lookup(f'MATHEMATICAL BOLD SMALL {letter[1].upper()}')}</mi>"
+
+
+def pieces(latex: str) -> Iterator[str]:
+    """Yield parts of a formula, separated at signs outside of all brackets."""
+    start = 0
+    for found in SIGN.finditer(latex):
+        before = latex[: found.start()]
+        if all(before.count(opening) == before.count(closing) for opening, closing in ("{}", "()", "[]")):
+            yield latex[start : found.start()]
+            start = found.end()
+    yield latex[start:]
+
+
+def write_html(output: Path) -> None:
+    """Write the sheet as HTML."""
+    files.write(output.parent, {output.name: page()}, force=True)
+
+
+def write_pdf(output: Path) -> None:
+    """Write the sheet as PDF, printed by the browser that CHROMIUM names, or by the first one found."""
+    browser = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        raise files.RefusedError(
+            f"cannot write {output}: a PDF needs Chromium or Chrome, named in CHROMIUM or on PATH; "
+            f"write {output.with_suffix('.html')}, and print it with any browser"
+        )
+    text = page()
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=output.parent.resolve()) as folder:
+        source, printed = Path(folder, "sheet.html"), Path(folder, "sheet.pdf")
+        source.write_text(text, encoding="utf-8")
+        command = [browser, *FLAGS, f"--user-data-dir={folder}/profile", f"--print-to-pdf={printed}", source.as_uri()]
+        try:
+            reason = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False).stderr[-500:]
+        except subprocess.TimeoutExpired:
+            reason = f"it was stopped after {TIMEOUT} s"
+        if not printed.is_file():
+            raise files.RefusedError(f"cannot write {output}: {browser} printed nothing: {reason}")
+        printed.replace(output)
+
+
+WRITERS: Mapping[str, Callable[[Path], None]] = {".html": write_html, ".pdf": write_pdf}
+"""Function that writes the sheet, by the ending of the file's name."""

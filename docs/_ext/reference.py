@@ -1,0 +1,148 @@
+"""Parts of the reference that come from the code: facts about charts, options of the command, functions in C."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import click
+from docutils import nodes
+
+import dualcay
+from derive.cli.commands import cli
+from derive.codegen.signatures import POSES
+from derive.codegen.targets.c import shared_geometry
+from derive.output import templates
+from dualcay import cayley2
+from dualcay.rotation import cayley2 as rotation
+
+from . import reference_figures
+
+GENERATED = "reference/generated"
+HOMES = (dualcay, cayley2, rotation)
+"""Modules in which the docstrings' bare names are looked up, after the module of the docstring."""
+
+
+def functions(module: Any) -> list[str]:
+    """Return the functions of a kernel module that every chart has."""
+    return [name for name in dir(type(module.KERNELS)) if not name.startswith("_")]
+
+
+def charts() -> list[str]:
+    """Return the names of the committed kernel modules."""
+    return [name for name in dir(dualcay) if hasattr(getattr(dualcay, name), "KERNELS")]
+
+
+def angle(radians: float) -> str:
+    """Return an angle as a multiple of π where it is one, else in radians.
+
+    Examples
+    --------
+    >>> angle(6.283185307179586), angle(4.5)
+    ('2π', '4.5 rad')
+    """
+    turns = radians / math.pi
+    return f"{'' if round(turns) == 1 else round(turns)}π" if abs(turns - round(turns)) < 1e-9 else f"{radians:.6g} rad"
+
+
+def facts(name: str) -> dict[str, str]:
+    """Return properties of a chart, read and computed from its module."""
+    module = getattr(dualcay, name)
+    header = Path(inspect.getfile(module)).read_text(encoding="utf-8").splitlines()[0]
+    half_turn = abs(module.from_exponential([math.pi, 0, 0, 0, 0, 0])[0])
+    further = sorted(set(module.__all__) - set(functions(module)))
+    aliases = [f"``{alias}`` of ``{getattr(module, alias).__name__}``" for alias in further]
+    return {
+        "Vectors of a pose": str(module.KERNELS._chart.branches or "one for every integer k"),
+        "Singular angles": ", ".join(map(angle, module.singular_angles())) or "none",
+        "Size of v at half a turn": f"{half_turn:.4g}" if half_turn < 1e9 else "infinite",
+        "Further names": ", ".join(aliases) or "none",
+        "Written by": f"``{header.removeprefix('# ').replace('python -m derive', 'dualcay')}``",
+    }
+
+
+def escaped(text: str) -> str:
+    """Return plain text as Markdown."""
+    return re.sub(r"([*|\\])", r"\\\1", text)
+
+
+def command_page() -> str:
+    """Return the options of every command, in Markdown."""
+    parts = []
+    for name, command in cli.commands.items():
+        parts.append(f"## dualcay {name}\n\n{command.help}\n\n```{{program}} dualcay {name}\n```\n")
+        for option in command.params:
+            flags, text = option.get_help_record(click.Context(command))  # type: ignore[misc]
+            parts.append(f":::{{option}} {flags}\n{escaped(text)}\n:::\n")
+    return "\n".join(parts)
+
+
+def c_header() -> str:
+    """Return the header of the functions in C for poses."""
+    return templates.render("c/geometry.h.j2", header="", **shared_geometry(POSES))
+
+
+def c_functions(header: str) -> list[tuple[str, list[tuple[str, str, str]]]]:
+    """Return the sections of a header, with name, parameters and comment of each function."""
+    _, *parts = re.split(r"^// --- (.+?) -+$", header, flags=re.MULTILINE)
+    pattern = re.compile(r"((?:^// .*\n)+)DUALCAY_FUNCTION void DUALCAY_NAME\((\w+)\)\((.*)\)$", re.MULTILINE)
+    found = [
+        (title, [(name, parameters, comment.replace("// ", "")) for comment, name, parameters in pattern.findall(text)])
+        for title, text in zip(parts[::2], parts[1::2])
+    ]
+    return [(title, functions) for title, functions in found if functions]
+
+
+def c_page() -> str:
+    """Return the arrays and the functions of the C headers for poses, in Markdown."""
+    header = c_header()
+    (arrays,) = re.findall(r"then the dual part:\n//\n((?://   .+\n)+)", header)
+    parts = ["```text", arrays.replace("//   ", ""), "```\n"]
+    for title, found in c_functions(header):
+        parts.append(f"## {title[0].upper()}{title[1:]}\n")
+        for name, parameters, comment in found:
+            parts.append(f"```{{c:function}} void dualcay_cayley2_{name}({parameters})\n\n{escaped(comment)}```\n")
+    return "\n".join(parts)
+
+
+def write(app: Any) -> None:
+    """Write the included texts and the figures into the folder of generated pages."""
+    folder = Path(app.srcdir) / GENERATED
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in (("command.inc", command_page()), ("c.inc", c_page())):
+        (folder / name).write_text(text, encoding="utf-8")
+    reference_figures.draw(folder)
+
+
+def resolve(app: Any, env: Any, node: Any, content: Any) -> nodes.Node | None:
+    """Resolve a bare name in a docstring: a function of the package or of charts, or the interface of charts."""
+    builder, source, target = app.builder, node["refdoc"], node.get("reftarget", "")
+    if target in ("PoseKernels", "RotationKernels"):
+        uri = builder.get_relative_uri(source, "reference/functions")
+        return nodes.reference("", "", content, refuri=f"{uri}#conventions", internal=True)
+    for home in HOMES:
+        full = f"{home.__name__}.{target}"
+        if node.get("refdomain") == "py" and full in env.domains["py"].objects:
+            return env.domains["py"].resolve_xref(env, source, builder, "obj", full, node, content)
+    return None
+
+
+def context() -> dict[str, Any]:
+    """Return what the templates of generated pages need."""
+    return {
+        "facts": {f"dualcay.{name}": facts(name) for name in charts()},
+        "rotations": functions(rotation),
+        "figures": {name: draw.__name__ for name, draw in reference_figures.FIGURES.items()},
+        "captions": {name: inspect.getdoc(draw) for name, draw in reference_figures.FIGURES.items()},
+    }
+
+
+def setup(app: Any) -> dict[str, bool]:
+    """Connect the parts of the reference to Sphinx."""
+    app.config.autosummary_context = context()
+    app.connect("builder-inited", write, priority=400)  # before autosummary looks for pages
+    app.connect("missing-reference", resolve)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
