@@ -31,11 +31,17 @@ EPS = Fraction(1, 2**52)
 STEPS = 16
 """Steps of a bound per eps."""
 
-SPLITS = 12
+SLACK = Fraction(102, 100)
+"""Factor from a found bound to its claim. Gappa drops improvements of a result below 1 %, so its own bound may fail."""
+
+SPLITS = 16
 """Parts of the range of |v|, each bounded alone. Twice as many lower the bounds by a sixth, in twice the time."""
 
 TIME_LIMIT = 300
 """Seconds for one script, ten times the time of the slowest."""
+
+NAMES = ("square", "reach", "length", "cosine")
+"""Names in premises, which no step of a program may have."""
 
 OPERATIONS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
@@ -113,16 +119,17 @@ def reach(order: int) -> str:
 def premises(program: Program, order: int) -> Iterator[str]:
     """Yield what Gappa may assume: ranges, and exact values of steps, which are decided as polynomials.
 
-    v is length times a vector of length 1, its dual part is at most reach long, and along is the cosine between them.
+    v is length times a vector, its dual part is reach times another, both of length at most 1. The cosine is that of
+    the angle between them.
     """
     yield "length in [0, 1]"
-    yield from (f"{name} in [-1, 1]" for name in ("along", *(f"{each}_unit" for each in V)))
+    yield from (f"{name} in [-1, 1]" for name in ("cosine", *(f"{each}_unit" for each in V)))
     symbols = sympy.symbols(V)
     v, dual = symbols[:3], symbols[3:]
     dot, slope = (sum(a * b for a, b in zip(v, other, strict=True)) for other in (v, dual))
     forms = {
         sympy.expand(dot): "square",
-        sympy.expand(slope): "length * reach * along",
+        sympy.expand(slope): "length * reach * cosine",
         sympy.expand((1 + dot) ** order): " * ".join(["(1 + square)"] * order),
     }
     for name, found in values(program, dict(zip(V, symbols, strict=True)), sympy.sqrt).items():
@@ -138,6 +145,8 @@ def script(program: Program, order: int, claims: Mapping[int, str]) -> str:
     lines += [f"{name} = {'length' if i < 3 else 'reach'} * {name}_unit;" for i, name in enumerate(V)]
     lines += [f"{name} rnd= {term};" for name, term in steps]
     lines += [f"{name}_exact = {_exact(term)};" for name, term in steps]
+    if clashing := {*NAMES, *V, *(f"{each}_unit" for each in V)} & {name for name, _ in steps}:
+        raise ReadError(f"{program.place}: the name {min(clashing)} is one of the premises")
     goals = [f"result{i} - result{i}_exact {claim}" for i, claim in claims.items()]
     lines.append(f"{{ {_all(list(premises(program, order)))}\n->\n{_all(goals)} }}")
     ratios = {found for _, term in steps for found in re.findall(r"\((\w+) / \1\)", term)}
@@ -152,6 +161,11 @@ def _exact(term: str) -> str:
 
 def _all(parts: Sequence[str]) -> str:
     return "\n/\\ ".join(parts)
+
+
+def rounded_up(bound: Fraction) -> float:
+    """Return a bound in eps a little larger than a found one, in whole steps."""
+    return math.ceil(SLACK * bound / EPS * STEPS) / STEPS
 
 
 def claim(bound: float) -> str:

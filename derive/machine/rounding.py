@@ -1,23 +1,21 @@
 """``python -m derive.machine.rounding``: bound the rounding errors of emitted C programs with Gappa.
 
-The exit code is 1 if a bound is refused or a control passes, and 3 if Gappa is missing. A bound holds if every operation
-is rounded to nearest, without fused multiply-adds.
+The exit code is 1 if a bound is refused or a control passes, and 3 if Gappa is missing. Bounds hold if every
+operation is rounded to nearest, without fused multiply-adds.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
-import math
 import sys
 import tempfile
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from itertools import product
 from pathlib import Path
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -26,7 +24,7 @@ from ..codegen.build import print_package
 from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..output import files
-from .gappa import EPS, STEPS, claim, outputs, reach, read, run, script, value, values
+from .gappa import EPS, claim, outputs, reach, read, rounded_up, run, script, value, values
 from .goals import GEOMETRY, V
 from .statements import MachineError
 from .terms import Program, ReadError
@@ -36,9 +34,6 @@ FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)
 
 SAMPLES, DIGITS = 10_000, 40
 """Arguments of a measurement, and digits of the exact values, of which 16 are lost in the difference."""
-
-CONTROL = 1000
-"""Factor by which the bound of the control is too small."""
 
 PROCESSES = 2
 
@@ -89,7 +84,7 @@ def found(folder: Path, function: str, order: int) -> list[Bound]:
     program = read(folder, function, order)
     bounds, reason = run(script(program, order, dict.fromkeys(outputs(program), "in ?")))
     return [
-        Bound(function, order, i, math.ceil(bounds[i] / EPS * STEPS) / STEPS, error)
+        Bound(function, order, i, rounded_up(bounds[i]), error)
         if i in bounds
         else Bound(function, order, i, None, error, f"not covered: {reason}")
         for i, error in measured(program, order).items()
@@ -112,11 +107,11 @@ def certify(folder: Path, bounds: Sequence[Bound]) -> None:
 
 
 def control(folder: Path, bound: Bound) -> None:
-    """Require that Gappa refuses a bound that is far too small."""
-    program, small = read(folder, bound.function, bound.order), (bound.bound or 0) / CONTROL
+    """Require that Gappa refuses a bound of half the measured error, which is false."""
+    program, small = read(folder, bound.function, bound.order), bound.measured / 2
     _, unproved = run(script(program, bound.order, {bound.output: claim(small)}))
     if not unproved:
-        raise MachineError(f"{bound.name} of order {bound.order}: the control passes, a bound of {small} eps")
+        raise MachineError(f"{bound.name} of order {bound.order}: Gappa accepts {small} eps, half the measured error")
 
 
 def every(folder: Path, known: Sequence[Bound] = ()) -> list[Bound]:
@@ -152,7 +147,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m derive.machine.rounding", description="Bound rounding errors.")
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     parser.add_argument("-o", "--output", type=Path, help="file of bounds to write")
-    parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead of finding them")
+    parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead")
     options = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as scratch:
         try:
