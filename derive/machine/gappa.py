@@ -178,11 +178,15 @@ def claim(bound: float) -> str:
 # --- Gappa ------------------------------------------------------------------------------------------------------------
 
 
+def require() -> None:
+    """Raise `MachineError` if Gappa is missing."""
+    if shutil.which("gappa") is None:
+        raise MachineError("Gappa is needed, and no gappa is found: install it with  apt-get install gappa", 3)
+
+
 def run(text: str) -> tuple[dict[int, Fraction], str]:
     """Run a script; return the bounds that Gappa prints, by output, and its words on unproved claims."""
     command = ["gappa", "-Edichotomy=0", "-Wno-null-denominator"]
-    if shutil.which("gappa") is None:
-        raise MachineError("Gappa is needed, and no gappa is found: install it with  apt-get install gappa", 3)
     try:
         done = subprocess.run(command, input=text, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
     except subprocess.TimeoutExpired:

@@ -24,7 +24,7 @@ from ..codegen.build import print_package
 from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..output import files
-from .gappa import EPS, claim, outputs, reach, read, rounded_up, run, script, value, values
+from .gappa import EPS, claim, outputs, reach, read, require, rounded_up, run, script, value, values
 from .goals import GEOMETRY, V
 from .statements import MachineError
 from .terms import Program, ReadError
@@ -151,9 +151,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as scratch:
         try:
+            known = load(options.check) if options.check else ()
+            require()
             if not options.c:
                 files.write(Path(scratch), print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
-            bounds = every(options.c or Path(scratch), load(options.check) if options.check else ())
+            bounds = every(options.c or Path(scratch), known)
         except (MachineError, ReadError) as error:
             print(f"error: {error}", file=sys.stderr)
             return getattr(error, "code", 1)
