@@ -12,7 +12,14 @@ from tests.support.nilpotent import Nil
 from tests.support.oracle import oracle_of
 
 CASES = [(n, regime) for n in ORDERS for regime in sampling.REGIMES if sampling.has_regime(n, regime)]
-CASE = pytest.mark.parametrize(("order", "regime"), CASES, ids=[f"n={n}, {regime}" for n, regime in CASES])
+BETWEEN = (4, 5)
+"""Orders between a low one and a high one, whose programs are alike; they are tested among the thorough ones."""
+CASE = pytest.mark.parametrize(
+    ("order", "regime"),
+    [
+        pytest.param(n, r, id=f"n={n}, {r}", marks=[pytest.mark.thorough] if n in BETWEEN else []) for n, r in CASES
+    ],
+)
 
 
 @CASE
