@@ -67,6 +67,7 @@ def test_programs_print_what_the_page_shows(
     assert subprocess.run(tmp_path / "program", capture_output=True, text=True, check=True).stdout == output
 
 
+@pytest.mark.smoke
 def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:
     assert "Expected" in pages.sessions("```python\n>>> 1 + 1\n3\n```\n", "page")
     assert "has no example" in examples.failures("nothing", "page")
