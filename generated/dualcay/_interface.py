@@ -453,6 +453,7 @@ class PoseKernels(Kernels):
         -------
         tuple of float
             The angles 2kπ, where ``tangent`` loses rank and ``tangent_inv`` has a pole; then the edge of the chart.
+            Without an edge, angles up to 4π are listed.
 
         Examples
         --------

@@ -16,9 +16,9 @@ r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
-``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-``tangent_inv`` is defined for every dual vector v; pole at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-A pose has the vectors φ(α + 2kπ) u, for every k.
+``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+A pose has the vectors φ(α + 2kπ) u, for every k that stays within the edge.
 Forward maps are NaN where x overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """

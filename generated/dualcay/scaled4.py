@@ -17,7 +17,7 @@ r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8)
     T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
-``tangent_inv`` is defined for every dual vector v; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
+``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A pose has 4 vectors.
 Forward maps are NaN where (1 + x/64)^4 overflows: beyond Re|v| = 3e+39 in float64, 5e+05 in float32.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.

@@ -289,6 +289,7 @@ class RotationKernels(Kernels):
         -------
         tuple of float
             The angles 2kπ, where ``tangent`` loses rank and ``tangent_inv`` has a pole; then the edge of the chart.
+            Without an edge, angles up to 4π are listed.
 
         Examples
         --------
