@@ -24,8 +24,8 @@ def main() -> None:
     if output and output.exists():
         kept = page.sections(output.read_text(encoding="utf-8"))
     how = (
-        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
-        f"{kernels.ROUNDS_OF_LARGE} from {kernels.LARGE:,} poses on. SymPy, JAX in forward mode and complex "
+        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, or of "
+        f"{kernels.ROUNDS_OF_LARGE} for {kernels.LARGE:,} poses or more. SymPy, JAX in forward mode and complex "
         "steps differentiate the same maps as our derivatives. `called` is JAX without compilation, traced at every "
         "call. Ours fill one result; SymPy's functions return separate arrays of components, none for zeros and one "
         "for equal components. The copy floor is the time of a copy that fills such a result, a lower bound. A dash: "

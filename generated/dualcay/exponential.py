@@ -8,13 +8,13 @@ r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
 
-    \hat q = s + w\,v
+    \hat q &= s + w\,v
 
-    R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
+    R &= I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
 
-    T = f\,I + g\,\tilde v + h\,v \otimes v
+    T &= f\,I + g\,\tilde v + h\,v \otimes v
 
-    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
+    T^{-1} &= \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
 ``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.

@@ -8,13 +8,13 @@ r"""Normal Rodrigues vector of order 5: Rodrigues dual vectors ``v = 10 tan(α/1
 
 .. math::
 
-    \hat q = s + w\,v
+    \hat q &= s + w\,v
 
-    R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
+    R &= I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
 
-    T = f\,I + g\,\tilde v + h\,v \otimes v
+    T &= f\,I + g\,\tilde v + h\,v \otimes v
 
-    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
+    T^{-1} &= \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; v is infinite at Re alpha = 5*pi.
 ``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi, Re alpha = 4*pi; v is infinite at Re alpha = 5*pi.
