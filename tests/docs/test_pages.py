@@ -22,8 +22,9 @@ COMMANDS = sorted({(name, line) for name, text in TEXTS.items() for line in page
 
 
 def marks(text: str) -> list[pytest.MarkDecorator]:
-    """Return the marker of pages that need PyTorch."""
-    return [pytest.mark.torch] if ">>> import torch" in text else []
+    """Return the markers of a page that needs PyTorch, or that generates kernels."""
+    needed = {">>> import torch": pytest.mark.torch, "derive.generate(": pytest.mark.thorough}
+    return [mark for words, mark in needed.items() if words in text]
 
 
 @pytest.fixture

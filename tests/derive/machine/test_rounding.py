@@ -114,7 +114,7 @@ def test_measured_errors_stay_below_recorded_bounds(headers: Path) -> None:
     assert {(each.function, each.order) for each in bounds} == set(product(FUNCTIONS, ORDERS))
     for function, order in {(each.function, each.order) for each in bounds}:
         own = {each.output: each for each in bounds if (each.function, each.order) == (function, order)}
-        errors = measured(gappa.read(headers, function, order), order, 200)
+        errors = measured(gappa.read(headers, function, order), order, 60)
         assert errors.keys() == own.keys()
         for i, error in errors.items():
             assert 0.2 * own[i].measured < error < (own[i].bound or 0)
