@@ -24,13 +24,12 @@ def main() -> None:
     if output and output.exists():
         kept = page.sections(output.read_text(encoding="utf-8"))
     how = (
-        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, of "
-        f"{kernels.ROUNDS_OF_LARGE} from {kernels.LARGE:,} poses on. SymPy's derivatives, those of JAX in forward mode "
-        "and complex steps are of the maps that our derivatives are of; `called` is JAX without compilation, traced "
-        "at every call. SymPy's functions return arrays of their components, none of zeros and equal ones once, where "
-        "ours fill a result: the copy floor is what that takes, and a gate which a copy misses is said to be one. A "
-        "dash: nothing to compare with, or SymPy derives it for minutes, or computes it in more than "
-        f"{peers.ROOM / 1e9:g} GB."
+        f"NumPy {np.__version__}: medians of {ROUNDS} interleaved rounds, or of "
+        f"{kernels.ROUNDS_OF_LARGE} for {kernels.LARGE:,} poses or more. SymPy, JAX in forward mode and complex "
+        "steps differentiate the same maps as our derivatives. `called` is JAX without compilation, traced at every "
+        "call. Ours fill one result; SymPy's functions return separate arrays of components, none for zeros and one "
+        "for equal components. The copy floor is the time of a copy that fills such a result, a lower bound. A dash: "
+        f"nothing to compare with, or SymPy needs minutes, or more than {peers.ROOM / 1e9:g} GB."
     )
     for name, measure in SECTIONS.items():
         if name in options.section:

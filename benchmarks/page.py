@@ -11,9 +11,10 @@ ORDER = ("kernels", "native", "libraries", "motion", "propagate", "compiling", "
 INTRODUCTION = """# Speed
 
 This page shows how long the kernels take, beside other libraries. All libraries run in turn in one process, on equal
-arguments; other machines have other times, of like ratios. Times are nanoseconds per pose, n is the order of a Cayley
-map, and N the number of poses in one call. A gate is the ratio that a row must reach; the first table tells which are
-met and which are missed. `make bench` measures, and writes this page.
+arguments; other machines have other times, with similar ratios. Times are nanoseconds per pose, n is the order of a
+Cayley map, and N the number of poses in one call. A gate is the ratio that a row must reach; the first table tells
+which are met, the others are SHORT. `1/3 x` means that ours take three times as long. `make bench`
+measures, and writes this page.
 """
 
 

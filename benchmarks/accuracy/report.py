@@ -266,18 +266,19 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
         f"Arguments: {COUNT} seeded samples per order, type and regime, and the worst inputs found before "
         "(`benchmarks/worst_cases.json`).",
         "",
-        "Errors are normwise in eps of the type, the larger of the real part's, ‖Δ‖ / ‖Re‖, and the dual part's, ‖Δ‖ / "
-        "(sum of the norms of the terms it is made of); for inverse maps, shadows and rates outside the principal "
-        "range these norms include the condition number from the exact Jacobian. `round_trip` is v → pose → v.",
+        "Errors are normwise, in eps of the type. That of the real part is ‖Δ‖ / ‖Re‖, that of the dual part ‖Δ‖ / "
+        "(sum of the norms of its terms); the larger is shown. For inverse maps, for shadows, and for rates outside "
+        "the principal range, these norms include the condition number from the exact Jacobian. `round_trip` is "
+        "v → pose → v.",
         "",
-        f"Of derivatives, group operations and steps, and of all functions of rotations alone, {FEW} samples at some "
-        "orders; what they are compared with is a product of exact operators, and an error is in eps of the product of "
-        f"their norms and conditions. Their gate in the principal range is {errors.CONDITIONED}.",
+        f"Derivatives, group operations, steps, and all functions of rotations alone have {FEW} samples at some "
+        "orders. They are compared with a product of exact operators. Their errors are in eps of the product of the "
+        f"operators' norms and condition numbers. Their gate in the principal range is {errors.CONDITIONED}.",
         "",
-        "Gates on shadows: max(16, 2n); tangent operators and twists there max(40, 10n), and their derivatives five "
-        "times that. To the norms of the latter's terms there comes what rounding to subnormal numbers may do to "
-        "slopes, divided by gate and eps, so that it counts once: slopes go like |v|⁻⁶ and |v|⁻⁸ for n = 2, and in "
-        "float32 lose digits from |v| = 1e5 on, within 4e-5 of 2π.",
+        "Gates on shadows are max(16, 2n) for maps, max(40, 10n) for tangent operators and twists, and five times "
+        "that for their derivatives. Slopes fall like |v|⁻⁶ and |v|⁻⁸ for n = 2. In float32 they round to subnormal "
+        "numbers and lose digits from |v| = 1e5 on, within 4e-5 of 2π. The norms for derivatives include an allowance "
+        "for this.",
         "",
         *(f"- {line}" for line in verdict(measurements)),
         "",

@@ -265,8 +265,10 @@ class Chart(Typeset, ABC):
         poles = [f"Re alpha = {angle}" for angle in self.singular_angles if angle != self.edge]
         infinite = self.range.is_infinite
         end = "v is infinite" if infinite else "v ends, and with it the domain,"
-        end = "there is no edge" if self.edge.is_infinite else f"{end} at Re alpha = {self.edge}"
+        end = f"{end} at Re alpha = {self.edge}"
+        end = "no edge; angles beyond 4*pi are not listed" if self.edge.is_infinite else end
         lost = {"tangent": "loses rank at", "tangent_inv": "pole at"}.get(name, "") if poles else ""
+        domain = "every dual vector v" if infinite else f"Re|v| < {self.range}"
         coefficients = tuple(c + sympy.Integer(0) for c in coefficients)  # Python integers become SymPy numbers
         symbol, _, definition = DEFINITIONS[name].partition(" = ")
         return kind(
@@ -275,7 +277,7 @@ class Chart(Typeset, ABC):
             coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
             equations=(),
             identities=IDENTITIES[name],
-            domain="every dual vector v" if infinite else f"Re|v| < {self.range}",
+            domain=f"{domain} off the poles" if lost and name == "tangent_inv" else domain,
             singular=f"{lost} {', '.join(poles)}; {end}" if lost else end,
             symbol=symbol,
             definition=definition,

@@ -52,6 +52,11 @@ def verify(
         Function called with (done, total) after each equation. Without one, a terminal or a notebook shows a progress
         bar after two seconds.
 
+    Returns
+    -------
+    list of Result
+        One for each equation, with its `status`; a notebook shows a table.
+
     Raises
     ------
     ValueError

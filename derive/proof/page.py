@@ -12,10 +12,12 @@ from .identity import ALL_ORDERS, Proof
 HEAD = """# Theorems
 
 This page lists what is proved and from what. A theorem is an identity for every order n or every φ, and the formulas
-of the kernels are its instances. An entry states the claim with its numbers in CP23, premises, method, and the factors
-by which differences were multiplied. A control is the theorem with one error in its claim, a premise or a multiplier;
-every control was decided, and failed as it must. The last two tables tell who proves a theorem, and on which theorems
-each kernel function rests.
+of the kernels are its instances. An entry states the claim with its numbers in CP23 (Condurache and Popa 2023),
+premises and method. A control is the theorem with one error in its claim, a premise or a multiplier; every control
+failed, as it must. The last two tables tell who proves a theorem, and on which theorems each kernel function rests.
+
+`[p_n](n -> 1 + n)` is p_n at the order n + 1. A residue is the difference of two sides as a polynomial; all of them
+are 0. A multiplier is a denominator that was multiplied out; it is proved not to be a zero divisor.
 
 Written by `make proofs`; do not edit.
 """

@@ -51,11 +51,13 @@ def angle(radians: float) -> str:
 def facts(name: str) -> dict[str, str]:
     """Return properties of a chart, read and computed from its module."""
     module = getattr(dualcay, name)
-    header = Path(inspect.getfile(module)).read_text(encoding="utf-8").splitlines()[0]
+    header, *lines = Path(inspect.getfile(module)).read_text(encoding="utf-8").splitlines()
+    polynomials = [f"``{line.removeprefix('#   ')}``" for line in lines if re.match("#   [pq] = ", line)]
     half_turn = abs(module.from_exponential([math.pi, 0, 0, 0, 0, 0])[0])
     further = sorted(set(module.__all__) - set(functions(module)))
     aliases = [f"``{alias}`` of ``{getattr(module, alias).__name__}``" for alias in further]
     return {
+        "Scalars": ", ".join(polynomials) or "defined in the :ref:`conventions <conventions>`",
         "Vectors of a pose": str(module.KERNELS._chart.branches or "one for every integer k"),
         "Singular angles": ", ".join(map(angle, module.singular_angles())) or "none",
         "Size of v at half a turn": f"{half_turn:.4g}" if half_turn < 1e9 else "infinite",

@@ -152,7 +152,7 @@ def propagate(
     >>> motion = propagate(cayley2, np.zeros(6), lambda t: omega, [0, 10, 20])
     >>> np.allclose(motion.pose, exponential.pose(np.outer([0, 10, 20], omega)), rtol=0, atol=1e-9)
     True
-    >>> motion.switches.round(3)  # at 3π/2 and 7π/2 in turn angle, |ω| = 0.5
+    >>> motion.switches.round(3)  # after a turn by 3π/2, |ω| = 0.5; the next is after 7π/2
     array([9.425])
     """
     try:

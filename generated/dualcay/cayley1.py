@@ -10,14 +10,14 @@ r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid d
 
 .. math::
 
-    \hat{q} = \frac{p_{1} + q_{1} v}{(1 + x)^{1/2}}
+    \hat{q} &= \frac{p_{1} + q_{1} v}{(1 + x)^{1/2}}
 
-    R = I + \frac{2 p_{1} q_{1}}{(1 + x)} \tilde{v} + \frac{2 q_{1}^2}{(1 + x)} \tilde{v}^2
+    R &= I + \frac{2 p_{1} q_{1}}{(1 + x)} \tilde{v} + \frac{2 q_{1}^2}{(1 + x)} \tilde{v}^2
 
-    \mathrm{dcay}_{1} = \frac{2 p_{1} q_{1}}{(1 + x)} I + \frac{2 q_{1}^2}{(1 + x)} \tilde{v} + \frac{2 [1 - p_{1}
+    \mathrm{dcay}_{1} &= \frac{2 p_{1} q_{1}}{(1 + x)} I + \frac{2 q_{1}^2}{(1 + x)} \tilde{v} + \frac{2 [1 - p_{1}
     q_{1}]}{x (1 + x)} v \otimes v
 
-    \mathrm{dcay}_{1}^{-1} = \frac{p_{1}}{2 q_{1}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{1} - p_{1}}{2 x
+    \mathrm{dcay}_{1}^{-1} &= \frac{p_{1}}{2 q_{1}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{1} - p_{1}}{2 x
     q_{1}} v \otimes v
 
 ``tangent``: loses rank at no finite v; v is infinite at Re alpha = pi.

@@ -10,14 +10,14 @@ r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid d
 
 .. math::
 
-    \hat{q} = \frac{p_{2} + q_{2} v}{(1 + x)}
+    \hat{q} &= \frac{p_{2} + q_{2} v}{(1 + x)}
 
-    R = I + \frac{2 p_{2} q_{2}}{(1 + x)^{2}} \tilde{v} + \frac{2 q_{2}^2}{(1 + x)^{2}} \tilde{v}^2
+    R &= I + \frac{2 p_{2} q_{2}}{(1 + x)^{2}} \tilde{v} + \frac{2 q_{2}^2}{(1 + x)^{2}} \tilde{v}^2
 
-    \mathrm{dcay}_{2} = \frac{2 p_{2} q_{2}}{(1 + x)^{2}} I + \frac{2 q_{2}^2}{(1 + x)^{2}} \tilde{v} + \frac{2 [2
+    \mathrm{dcay}_{2} &= \frac{2 p_{2} q_{2}}{(1 + x)^{2}} I + \frac{2 q_{2}^2}{(1 + x)^{2}} \tilde{v} + \frac{2 [2
     (1 + x) - p_{2} q_{2}]}{x (1 + x)^{2}} v \otimes v
 
-    \mathrm{dcay}_{2}^{-1} = \frac{p_{2}}{2 q_{2}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{2} - 2 p_{2}}{4 x
+    \mathrm{dcay}_{2}^{-1} &= \frac{p_{2}}{2 q_{2}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{2} - 2 p_{2}}{4 x
     q_{2}} v \otimes v
 
 ``tangent``: loses rank at no finite v; v is infinite at Re alpha = 2*pi.

@@ -10,14 +10,14 @@ r"""Cayley map of order 3: Rodrigues dual vectors ``v = tan(α/6) u`` of rigid d
 
 .. math::
 
-    \hat{q} = \frac{p_{3} + q_{3} v}{(1 + x)^{3/2}}
+    \hat{q} &= \frac{p_{3} + q_{3} v}{(1 + x)^{3/2}}
 
-    R = I + \frac{2 p_{3} q_{3}}{(1 + x)^{3}} \tilde{v} + \frac{2 q_{3}^2}{(1 + x)^{3}} \tilde{v}^2
+    R &= I + \frac{2 p_{3} q_{3}}{(1 + x)^{3}} \tilde{v} + \frac{2 q_{3}^2}{(1 + x)^{3}} \tilde{v}^2
 
-    \mathrm{dcay}_{3} = \frac{2 p_{3} q_{3}}{(1 + x)^{3}} I + \frac{2 q_{3}^2}{(1 + x)^{3}} \tilde{v} + \frac{2 [3
+    \mathrm{dcay}_{3} &= \frac{2 p_{3} q_{3}}{(1 + x)^{3}} I + \frac{2 q_{3}^2}{(1 + x)^{3}} \tilde{v} + \frac{2 [3
     (1 + x)^{2} - p_{3} q_{3}]}{x (1 + x)^{3}} v \otimes v
 
-    \mathrm{dcay}_{3}^{-1} = \frac{p_{3}}{2 q_{3}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{3} - 3 p_{3}}{6 x
+    \mathrm{dcay}_{3}^{-1} &= \frac{p_{3}}{2 q_{3}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{3} - 3 p_{3}}{6 x
     q_{3}} v \otimes v
 
 ``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 3*pi.

@@ -10,14 +10,14 @@ r"""Cayley map of order 4: Rodrigues dual vectors ``v = tan(α/8) u`` of rigid d
 
 .. math::
 
-    \hat{q} = \frac{p_{4} + q_{4} v}{(1 + x)^{2}}
+    \hat{q} &= \frac{p_{4} + q_{4} v}{(1 + x)^{2}}
 
-    R = I + \frac{2 p_{4} q_{4}}{(1 + x)^{4}} \tilde{v} + \frac{2 q_{4}^2}{(1 + x)^{4}} \tilde{v}^2
+    R &= I + \frac{2 p_{4} q_{4}}{(1 + x)^{4}} \tilde{v} + \frac{2 q_{4}^2}{(1 + x)^{4}} \tilde{v}^2
 
-    \mathrm{dcay}_{4} = \frac{2 p_{4} q_{4}}{(1 + x)^{4}} I + \frac{2 q_{4}^2}{(1 + x)^{4}} \tilde{v} + \frac{2 [4
+    \mathrm{dcay}_{4} &= \frac{2 p_{4} q_{4}}{(1 + x)^{4}} I + \frac{2 q_{4}^2}{(1 + x)^{4}} \tilde{v} + \frac{2 [4
     (1 + x)^{3} - p_{4} q_{4}]}{x (1 + x)^{4}} v \otimes v
 
-    \mathrm{dcay}_{4}^{-1} = \frac{p_{4}}{2 q_{4}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{4} - 4 p_{4}}{8 x
+    \mathrm{dcay}_{4}^{-1} &= \frac{p_{4}}{2 q_{4}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{4} - 4 p_{4}}{8 x
     q_{4}} v \otimes v
 
 ``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.

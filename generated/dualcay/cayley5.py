@@ -10,14 +10,14 @@ r"""Cayley map of order 5: Rodrigues dual vectors ``v = tan(α/10) u`` of rigid 
 
 .. math::
 
-    \hat{q} = \frac{p_{5} + q_{5} v}{(1 + x)^{5/2}}
+    \hat{q} &= \frac{p_{5} + q_{5} v}{(1 + x)^{5/2}}
 
-    R = I + \frac{2 p_{5} q_{5}}{(1 + x)^{5}} \tilde{v} + \frac{2 q_{5}^2}{(1 + x)^{5}} \tilde{v}^2
+    R &= I + \frac{2 p_{5} q_{5}}{(1 + x)^{5}} \tilde{v} + \frac{2 q_{5}^2}{(1 + x)^{5}} \tilde{v}^2
 
-    \mathrm{dcay}_{5} = \frac{2 p_{5} q_{5}}{(1 + x)^{5}} I + \frac{2 q_{5}^2}{(1 + x)^{5}} \tilde{v} + \frac{2 [5
+    \mathrm{dcay}_{5} &= \frac{2 p_{5} q_{5}}{(1 + x)^{5}} I + \frac{2 q_{5}^2}{(1 + x)^{5}} \tilde{v} + \frac{2 [5
     (1 + x)^{4} - p_{5} q_{5}]}{x (1 + x)^{5}} v \otimes v
 
-    \mathrm{dcay}_{5}^{-1} = \frac{p_{5}}{2 q_{5}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{5} - 5 p_{5}}{10 x
+    \mathrm{dcay}_{5}^{-1} &= \frac{p_{5}}{2 q_{5}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{5} - 5 p_{5}}{10 x
     q_{5}} v \otimes v
 
 ``tangent``: loses rank at Re alpha = 2*pi, 4*pi; v is infinite at Re alpha = 5*pi.

@@ -10,14 +10,14 @@ r"""Cayley map of order 8: Rodrigues dual vectors ``v = tan(α/16) u`` of rigid 
 
 .. math::
 
-    \hat{q} = \frac{p_{8} + q_{8} v}{(1 + x)^{4}}
+    \hat{q} &= \frac{p_{8} + q_{8} v}{(1 + x)^{4}}
 
-    R = I + \frac{2 p_{8} q_{8}}{(1 + x)^{8}} \tilde{v} + \frac{2 q_{8}^2}{(1 + x)^{8}} \tilde{v}^2
+    R &= I + \frac{2 p_{8} q_{8}}{(1 + x)^{8}} \tilde{v} + \frac{2 q_{8}^2}{(1 + x)^{8}} \tilde{v}^2
 
-    \mathrm{dcay}_{8} = \frac{2 p_{8} q_{8}}{(1 + x)^{8}} I + \frac{2 q_{8}^2}{(1 + x)^{8}} \tilde{v} + \frac{2 [8
+    \mathrm{dcay}_{8} &= \frac{2 p_{8} q_{8}}{(1 + x)^{8}} I + \frac{2 q_{8}^2}{(1 + x)^{8}} \tilde{v} + \frac{2 [8
     (1 + x)^{7} - p_{8} q_{8}]}{x (1 + x)^{8}} v \otimes v
 
-    \mathrm{dcay}_{8}^{-1} = \frac{p_{8}}{2 q_{8}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{8} - 8 p_{8}}{16 x
+    \mathrm{dcay}_{8}^{-1} &= \frac{p_{8}}{2 q_{8}} I - \frac{1}{2} \tilde{v} + \frac{(1 + x) q_{8} - 8 p_{8}}{16 x
     q_{8}} v \otimes v
 
 ``tangent``: loses rank at Re alpha = 2*pi, 4*pi, 6*pi; v is infinite at Re alpha = 8*pi.

@@ -8,17 +8,17 @@ r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
 
-    \hat q = s + w\,v
+    \hat q &= s + w\,v
 
-    R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
+    R &= I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
 
-    T = f\,I + g\,\tilde v + h\,v \otimes v
+    T &= f\,I + g\,\tilde v + h\,v \otimes v
 
-    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
+    T^{-1} &= \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
-``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-``tangent_inv`` is defined for every dual vector v; pole at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-A pose has the vectors φ(α + 2kπ) u, for every k.
+``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+A pose has the vectors φ(α + 2kπ) u, for every k that stays within the edge.
 Forward maps are NaN where x overflows: beyond Re|v| = 1e+154 in float64, 2e+19 in float32.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """

@@ -8,16 +8,16 @@ r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8)
 
 .. math::
 
-    \hat q = s + w\,v
+    \hat q &= s + w\,v
 
-    R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
+    R &= I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
 
-    T = f\,I + g\,\tilde v + h\,v \otimes v
+    T &= f\,I + g\,\tilde v + h\,v \otimes v
 
-    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
+    T^{-1} &= \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: loses rank at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
-``tangent_inv`` is defined for every dual vector v; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
+``tangent_inv`` is defined for every dual vector v off the poles; pole at Re alpha = 2*pi; v is infinite at Re alpha = 4*pi.
 A pose has 4 vectors.
 Forward maps are NaN where (1 + x/64)^4 overflows: beyond Re|v| = 3e+39 in float64, 5e+05 in float32.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.

@@ -8,16 +8,16 @@ r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid d
 
 .. math::
 
-    \hat q = s + w\,v
+    \hat q &= s + w\,v
 
-    R = I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
+    R &= I + f\,\tilde v + g\,\tilde v^2 \qquad f = 2 s w \quad g = 2 w^2
 
-    T = f\,I + g\,\tilde v + h\,v \otimes v
+    T &= f\,I + g\,\tilde v + h\,v \otimes v
 
-    T^{-1} = \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
+    T^{-1} &= \tfrac12 (f_i\,I - \tilde v + h_i\,v \otimes v) \qquad f_i = \frac{f}{g}
 
 ``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
-``tangent_inv`` is defined for Re|v| < 1; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
+``tangent_inv`` is defined for Re|v| < 1 off the poles; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 A pose has 4 vectors.
 Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.

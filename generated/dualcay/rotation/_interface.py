@@ -210,7 +210,7 @@ class RotationKernels(Kernels):
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
         q and −q give the same v: the sign with scalar >= 0 is used. If the scalar is 0, the vector part keeps its sign.
-        Branches k ≠ 0 lose digits near the identity, because the axis does: docs/conditioning.md.
+        Branches k ≠ 0 lose digits near the identity, because the axis does. The page Conditioning says how many.
 
         Parameters
         ----------
@@ -249,7 +249,7 @@ class RotationKernels(Kernels):
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
         The axis at the angle π is chosen so that its first non-zero component is positive.
-        Branches k ≠ 0 lose digits near the identity, because the axis does: docs/conditioning.md.
+        Branches k ≠ 0 lose digits near the identity, because the axis does. The page Conditioning says how many.
 
         Parameters
         ----------
@@ -289,6 +289,7 @@ class RotationKernels(Kernels):
         -------
         tuple of float
             The angles 2kπ, where ``tangent`` loses rank and ``tangent_inv`` has a pole; then the edge of the chart.
+            Without an edge, angles up to 4π are listed.
 
         Examples
         --------
@@ -525,7 +526,7 @@ class RotationKernels(Kernels):
 
         α is the principal angle and u its axis, ``u = sign(p q) v/|v|``.
         If the sign is undecided, the vector part of the quaternion gives it, then v.
-        A shadow loses digits near the identity, because its axis does: docs/conditioning.md.
+        A shadow loses digits near the identity, because its axis does. The page Conditioning says how many.
 
         Parameters
         ----------

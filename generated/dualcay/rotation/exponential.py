@@ -4,9 +4,9 @@
 r"""Exponential map, rotations alone: Rodrigues vectors ``v = α u``, the real parts of `exponential`.
 
 The formulas of `exponential` hold with real v.
-``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-``tangent_inv``: pole at Re alpha = 2*pi, Re alpha = 4*pi; there is no edge.
-A rotation has the vectors φ(α + 2kπ) u, for every k.
+``tangent``: loses rank at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+``tangent_inv``: pole at Re alpha = 2*pi, Re alpha = 4*pi; no edge; angles beyond 4*pi are not listed.
+A rotation has the vectors φ(α + 2kπ) u, for every k that stays within the edge.
 The functions are methods of `RotationKernels`, which explains shapes and conventions.
 """
 
