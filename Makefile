@@ -14,11 +14,13 @@ PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --co
 MATHJAX := 4.1.3
 ASSETS  := build/docs/assets/mathjax
 MATHJAX_READY := build/docs/.mathjax-$(MATHJAX)
+# Certified bounds of rounding errors.
+BOUNDS := benchmarks/certified.json
 
 CHECKS := check-errata check-theorems check-kernels
 
 .DEFAULT_GOAL := generate
-.PHONY: generate check $(CHECKS) proofs machine-proofs verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
+.PHONY: generate check $(CHECKS) proofs machine-proofs bounds verify show test thorough test-native quick smoke lint types mutants native bench accuracy figures parameterizations docs clean help
 
 generate: $(READY)  ## derive, prove and write the committed kernels (the default)
 	$(RUN) -m derive generate
@@ -37,9 +39,15 @@ check-theorems: $(READY)
 proofs: $(READY)  ## prove all theorems, require that every control fails, and write docs/theorems.md
 	$(RUN) -m derive.proof -o docs/theorems.md
 
-machine-proofs: $(READY)  ## check the theorems of proofs/ and their controls with Coq (apt-get install coq)
+machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa (apt-get install coq gappa)
 	$(RUN) -m derive.machine
 	$(RUN) -m derive.machine.bridge
+	@if command -v gappa > /dev/null; then $(RUN) -m derive.machine.rounding --check $(BOUNDS); \
+	    else echo "skipped: bounds of rounding errors need Gappa (apt-get install gappa)"; fi
+
+bounds: $(VENV)/.bench  ## find bounds of rounding errors with Gappa, and write them into docs/accuracy.md
+	$(RUN) -m derive.machine.rounding -o $(BOUNDS)
+	$(RUN) -m benchmarks.accuracy --bounds-only
 
 verify: $(READY)  ## decide every equation of the papers and write docs/errata.md
 	$(RUN) -m derive verify --format markdown -o docs/errata.md

@@ -115,7 +115,7 @@ def compare(orders: Iterable[int] = (), families: Iterable[str] = (), phi: str |
     -------
     list of Compared
         Rows of a table, as notebooks show it; by default n = 1 … 4 and the committed families. Each has its ``chart``,
-        ``edge`` (rad), ``range`` of ``|v|``, ``stretches`` by angle, and ``operations`` by function.
+        ``edge`` (rad), ``range`` (length of v there), ``stretches`` by angle, and ``operations`` by function.
 
     Raises
     ------

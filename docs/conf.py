@@ -45,10 +45,14 @@ os.environ["TTY_INTERACTIVE"] = "0"  # no progress bars in the output of cells
 # A formula is set when it comes into view, and without the trees for speech: the errata have hundreds.
 mathjax_path = "mathjax/tex-chtml.js"
 mathjax4_config = {
-    "loader": {"load": ["ui/lazy"], "paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"}},
+    "loader": {
+        "load": ["ui/lazy", "[tex]/boldsymbol", "[tex]/color"],
+        "paths": {"mathjax-newcm": "[mathjax]/mathjax-newcm-font"},
+    },
     "output": {"fontPath": "[mathjax]/mathjax-newcm-font", "displayOverflow": "scroll"},
     "options": {"enableMenu": False, "enableEnrichment": False, "enableSpeech": False, "enableBraille": False},
-    "tex": {"packages": {"[-]": ["noundefined"]}},  # an unknown command is an error, which a test finds
+    # an unknown command is an error, which a test finds
+    "tex": {"packages": {"[+]": ["boldsymbol", "color"], "[-]": ["noundefined"]}},
 }
 
 html_theme = "pydata_sphinx_theme"

@@ -11,7 +11,7 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from benchmarks.accuracy import figures, measure, report
+from benchmarks.accuracy import certified, figures, measure, report
 from tests.support import cases, kernels, sampling
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -50,9 +50,14 @@ def measurements(folder: Path, bar: Progress) -> list[measure.Measurement]:
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--search", "seconds", type=float, default=0.0, help="First look for worse inputs, so many seconds.")
+@click.option("--bounds-only", is_flag=True, help="Write the section of certified bounds, and leave the rest.")
 @click.option("--figures-only", is_flag=True, help="Draw the figures, with what is said of them, and leave the tables.")
-def main(seconds: float, figures_only: bool) -> None:
+def main(seconds: float, figures_only: bool, bounds_only: bool) -> None:
     """Write docs/accuracy.md, its figures and benchmarks/worst_cases.json."""
+    page = DOCS / "accuracy.md"
+    if bounds_only:
+        page.write_text(certified.renewed(page.read_text(encoding="utf-8")), encoding="utf-8")
+        return
     console = Console()
     with tempfile.TemporaryDirectory() as name, progress(console) as bar:
         folder = Path(name)
@@ -60,13 +65,12 @@ def main(seconds: float, figures_only: bool) -> None:
         DOCS.mkdir(exist_ok=True)
         drawn = figures.draw(DOCS, bar, console)
         if figures_only:
-            page = DOCS / "accuracy.md"
             page.write_text(report.beside(page.read_text(encoding="utf-8"), drawn), encoding="utf-8")
             return
         if seconds:
             search(folder, seconds, bar)
         found = measurements(folder, bar)
-    (DOCS / "accuracy.md").write_text(report.page(found, drawn), encoding="utf-8")
+    page.write_text(report.page(found, drawn), encoding="utf-8")
     for line in report.verdict(found):
         console.print(line, highlight=False)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from benchmarks.accuracy import certified
 from benchmarks.accuracy.curves import Drawn
 from benchmarks.accuracy.measure import COUNT, DIGITS, FEW, ORDERS, Measurement, types
 from derive.codegen.signatures import POSES, ROTATIONS
@@ -288,6 +289,7 @@ def page(measurements: Sequence[Measurement], figures: Drawn) -> str:
         "## Worst errors in eps, with their regime",
         "",
         *gate_tables(measurements),
+        *certified.section(),
         *out_of_range(measurements),
     ]
     return beside("\n".join([*lines, BESIDE]), figures)

@@ -1,1 +1,1 @@
-"""Theorems of proofs/ checked by Coq, an independent proof assistant that shares nothing with the toolkit's prover."""
+"""Theorems and emitted programs checked by Coq, and rounding errors bounded by Gappa; they share nothing with proof."""

@@ -18,7 +18,7 @@ _THEOREM = re.compile(r"\b(Theorem|Lemma)\s+([\w']+)(.*?)\.\s+Proof\.(.*?)\bQed\
 
 
 class MachineError(Exception):
-    """Error of a check by Coq, with the exit code of the command: 1 if a proof is refused, 3 if Coq cannot run."""
+    """Error of a check by Coq or Gappa, with its exit code: 1 if a proof is refused, 3 if the checker cannot run."""
 
     def __init__(self, message: str, code: int = 1) -> None:
         super().__init__(message)

@@ -7,7 +7,7 @@ opaque stay calls of a function that Coq knows nothing about. Text outside this 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path, PurePath
@@ -160,7 +160,7 @@ class PythonText:
                 case ast.Call(func=ast.Attribute(ast.Name(id="c"), name), args=[_, *given]) if name in scalars:
                     return program.call(scalars, name, [value(each) for each in given])
                 case ast.Call(func=ast.Attribute(value=ast.Name(id="m"), attr="sqrt"), args=[of]):
-                    return f"(sqrt {value(of)})"
+                    return f"(sqrt({value(of)}))"
                 case ast.Call(func=ast.Name(id=name), args=given) if name in self.functions:
                     return self._inline(program, scalars, self.functions[name], [value(each) for each in given])
             raise self._refuse(node or function)
@@ -211,14 +211,17 @@ def _parts(node: ast.expr, value: Any) -> Sequence[str]:
 
 
 class CText:
-    """Functions of a header and the headers that it includes, with a prefix left out; they are never executed."""
+    """Functions of a header and the headers that it includes, with a prefix left out; they are never executed.
 
-    def __init__(self, path: Path, prefix: str) -> None:
+    ``number`` writes a constant as a term.
+    """
+
+    def __init__(self, path: Path, prefix: str, number: Callable[[Fraction | int], str] = number) -> None:
         try:
             tree = parse(f'#include "{path.name}"\n', path.parent, {}).tree
         except (CError, OSError) as error:
             raise ReadError(str(error)) from error
-        self.name, self.prefix = path.name, prefix
+        self.name, self.prefix, self.number = path.name, prefix, number
         self.functions = {n.decl.name.removeprefix(prefix): n for n in tree.ext if isinstance(n, c_ast.FuncDef)}
 
     def program(self, name: str, arguments: Sequence[Any], scalars: Scalars) -> Program:
@@ -231,7 +234,7 @@ class CText:
         program = Program(parameters, _place(function.decl))
         given = (_Cells(list(a)) if isinstance(a, tuple) else a for a in arguments)
         self._run(program, scalars, function, [*given, *made])
-        program.results = tuple(_real(function, cell) for cells in made for cell in cells.cells)
+        program.results = tuple(self._real(function, cell) for cells in made for cell in cells.cells)
         return program
 
     def _run(self, program: Program, scalars: Scalars, function: Any, arguments: Sequence[Any]) -> None:
@@ -253,17 +256,17 @@ class CText:
                 case c_ast.ArrayRef(name=array, subscript=index):
                     return value(array).at(node, value(index))
                 case c_ast.FuncCall(name=c_ast.ID(name="sqrt"), args=c_ast.ExprList(exprs=[of])):
-                    return f"(sqrt {real(of)})"
+                    return f"(sqrt({real(of)}))"
                 case c_ast.BinaryOp(op="+" | "-" | "*" | "/" as symbol):
                     left, right = value(node.left), value(node.right)
                     if isinstance(left, str) or isinstance(right, str):
-                        return f"({_real(node, left)} {symbol} {_real(node, right)})"
+                        return f"({self._real(node, left)} {symbol} {self._real(node, right)})"
                     if symbol == "*":
                         return left * right
             raise _unread(node)
 
         def real(node: Any) -> str:
-            return _real(node, value(node))
+            return self._real(node, value(node))
 
         def call(node: Any) -> None:
             name, given = node.name.name.removeprefix(self.prefix), node.args.exprs
@@ -273,7 +276,10 @@ class CText:
                 for target, term in zip(given[count:], found, strict=True):
                     known[target.expr.name] = term
             elif name in self.functions:
-                self._run(program, scalars, self.functions[name], [value(each) for each in given])
+                cells = {id(each): _Cells([None]) for each in given if getattr(each, "op", "") == "&"}
+                places = [cells[id(each)] if id(each) in cells else value(each) for each in given]
+                self._run(program, scalars, self.functions[name], places)
+                known.update({each.expr.name: cells[id(each)].at(each, 0) for each in given if id(each) in cells})
             else:
                 raise _unread(node)
 
@@ -301,6 +307,12 @@ class CText:
                 case _:
                     raise _unread(statement)
 
+    def _real(self, node: Any, found: Any) -> str:
+        """Return a value as a term of numbers."""
+        if found is None or isinstance(found, _Cells):
+            raise _unread(node)
+        return found if isinstance(found, str) else self.number(found)
+
 
 @dataclass(frozen=True, slots=True)
 class _Cells:
@@ -317,13 +329,6 @@ class _Cells:
         if not 0 <= index < len(self.cells) or self.cells[index] is not None:
             raise ReadError(f"{_place(node)}: cell {index} of {len(self.cells)} is set twice or does not exist")
         self.cells[index] = term
-
-
-def _real(node: Any, found: Any) -> str:
-    """Return a value as a term of numbers."""
-    if found is None or isinstance(found, _Cells):
-        raise _unread(node)
-    return found if isinstance(found, str) else number(found)
 
 
 def _parameters(function: c_ast.FuncDef) -> list[Any]:

@@ -16,7 +16,8 @@ Step = Callable[[str], None]
 
 def watched() -> bool:
     """Tell whether stderr is shown at once: on a terminal, or in a notebook."""
-    return sys.stderr.isatty() or "ipykernel" in sys.modules
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    return sys.stderr.isatty() or hasattr(shell, "kernel")
 
 
 @contextmanager

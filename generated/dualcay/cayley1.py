@@ -5,7 +5,7 @@
 # Cayley map of order 1, v = tan(alpha/2) u
 #   p = 1
 #   q = 1
-# Proved exactly: 24 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 25 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 1: Rodrigues dual vectors ``v = tan(α/2) u`` of rigid displacements.
 
 .. math::

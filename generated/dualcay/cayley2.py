@@ -5,7 +5,7 @@
 # Cayley map of order 2, v = tan(alpha/4) u
 #   p = 1 - x
 #   q = 2
-# Proved exactly: 24 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
+# Proved exactly: 25 identities of this chart and 50 theorems for every n, listed in docs/theorems.md.
 r"""Cayley map of order 2: Rodrigues dual vectors ``v = tan(α/4) u`` of rigid displacements.
 
 .. math::

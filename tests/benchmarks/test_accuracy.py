@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.accuracy import curves, measure, report
+from benchmarks.accuracy import certified, curves, measure, report
 from tests.support import cases, errors, rotations, sampling
 from tests.support.accuracy import Trial
 from tests.support.calculus import EVERY
@@ -142,3 +142,10 @@ def test_page_names_angles_of_a_less_accurate_exponential() -> None:
     said = curves.standing(found)
     assert len(said) == 3
     assert said[2].startswith(f"- log at 2 of {count} angles, from 3.14 to 3.14, most at 3.14: 2.5 eps, jaxlie 0.5")
+
+
+def test_page_has_the_certified_bounds() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "accuracy.md").read_text(encoding="utf-8")
+    assert certified.renewed(page) == page
+    assert certified.renewed(page.replace("| pose[3] |", "| pose[4] |")) == page
+    assert "\n".join(certified.section()) in report.page(measurements(0.9), curves.Drawn([], []))

@@ -22,8 +22,9 @@ COMMANDS = sorted({(name, line) for name, text in TEXTS.items() for line in page
 
 
 def marks(text: str) -> list[pytest.MarkDecorator]:
-    """Return the marker of pages that need PyTorch."""
-    return [pytest.mark.torch] if ">>> import torch" in text else []
+    """Return the markers of a page that needs PyTorch, or that generates kernels."""
+    needed = {">>> import torch": pytest.mark.torch, "derive.generate(": pytest.mark.thorough}
+    return [mark for words, mark in needed.items() if words in text]
 
 
 @pytest.fixture
@@ -67,6 +68,7 @@ def test_programs_print_what_the_page_shows(
     assert subprocess.run(tmp_path / "program", capture_output=True, text=True, check=True).stdout == output
 
 
+@pytest.mark.smoke
 def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:
     assert "Expected" in pages.sessions("```python\n>>> 1 + 1\n3\n```\n", "page")
     assert "has no example" in examples.failures("nothing", "page")

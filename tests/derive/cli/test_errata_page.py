@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from derive.papers import PAPERS, Result, Status, verify
@@ -16,21 +18,22 @@ def results() -> list[Result]:
     return verify("karakilic-2010", ["14", "20", "half-angle", "5"])
 
 
-def test_errata_table_has_printed_formula_left_of_corrected(results: list[Result]) -> None:
+def test_entry_of_an_erratum_has_printed_formula_above_corrected(results: list[Result]) -> None:
     page = FORMATS["markdown"](Report.of(PAPERS, results, (), ".."))
     errata = [result for result in results if result.status is Status.ERRATUM]
     assert errata
     for result in errata:
-        (row,) = (line for line in page.splitlines() if line.startswith("| [") and f"(#{result.anchor})" in line)
+        (entry,) = re.findall(rf'<a id="{result.anchor}"></a>\n(.*?)</details>', page, re.S)
         printed, right = differing_sides(result)
         assert printed != right
-        assert f"| $`{printed}`$ | $`{right}`$ |" in row
+        assert entry.startswith(f"Printed: $`{printed}`$\\\nRight: $`{right}`$\\\n")
+        assert f"](#{result.anchor}), section {result.section} |" in page
 
 
-def test_first_table_counts_statuses_by_paper(results: list[Result]) -> None:
+def test_table_counts_statuses_by_paper(results: list[Result]) -> None:
     report = Report.of(PAPERS, results, (), "..")
     lines = FORMATS["markdown"](report).splitlines()
-    (head,) = (line for line in lines if line.startswith("| paper |"))
+    (head,) = (line for line in lines if line.startswith("| paper |") and line.endswith("| all |"))
     statuses = [Status(word.strip()) for word in head.split("|")[2:-2]]
     for chapter in report.chapters:
         counts = " | ".join(str(chapter.counts[status]) for status in statuses)

@@ -1,0 +1,169 @@
+"""``python -m derive.machine.rounding``: bound the rounding errors of emitted C programs with Gappa.
+
+The exit code is 1 if a bound is refused or a control passes, and 3 if Gappa is missing. Bounds hold if every
+operation is rounded to nearest, without fused multiply-adds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from itertools import product
+from pathlib import Path
+
+import mpmath
+import numpy as np
+
+from ..codegen.build import print_package
+from ..codegen.targets import TARGETS
+from ..maps import Cayley
+from ..output import files
+from .gappa import EPS, claim, outputs, reach, read, require, rounded_up, run, script, value, values
+from .goals import GEOMETRY, V
+from .statements import MachineError
+from .terms import Program, ReadError
+
+FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)
+"""Functions and orders, the slowest first."""
+
+SAMPLES, DIGITS = 10_000, 40
+"""Arguments of a measurement, and digits of the exact values, of which 16 are lost in the difference."""
+
+PROCESSES = 2
+
+
+@dataclass(frozen=True)
+class Bound:
+    """Certified bound and largest measured error of an output in eps; without a bound there is a reason."""
+
+    function: str
+    order: int
+    output: int
+    bound: float | None
+    measured: float
+    reason: str = ""
+
+    @property
+    def name(self) -> str:
+        """Output as the C header names it, such as ``pose[3]``."""
+        return f"{GEOMETRY[self.function].result}[{self.output}]"
+
+    def __str__(self) -> str:
+        start = f"{self.function:12} {self.order:5}  {self.name:12}"
+        return f"{start} {self.reason}" if self.bound is None else f"{start} {self.bound:9.2f} {self.measured:9.2f}"
+
+
+def measured(program: Program, order: int, count: int = SAMPLES) -> dict[int, float]:
+    """Return the largest errors in eps at random arguments with |v| ≤ 1 and the largest dual parts, by output."""
+    random = np.random.default_rng(order)
+    directions = random.normal(size=(2, 3, count))
+    real, dual = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    length = random.random(count) * (1 - 1e-12)  # rounding of v stays below |v| = 1
+    dual *= value(reach(order), {"square": length * length}, np.sqrt) * (1 - 1e-12)
+    inputs = dict(zip(V, (*(real * length), *dual), strict=True))
+    rounded = values(program, inputs, np.sqrt)
+    context = mpmath.MPContext()  # one for each thread
+    context.dps = DIGITS
+    number, root = (np.vectorize(each, otypes=[object]) for each in (context.mpf, context.sqrt))
+    exact = values(program, {name: number(each) for name, each in inputs.items()}, root)
+
+    def error(term: str) -> float:
+        return float(np.max(abs(value(term, exact, root) - number(value(term, rounded, np.sqrt)))) / EPS)
+
+    return {i: error(program.results[i]) for i in outputs(program)}
+
+
+def found(folder: Path, function: str, order: int) -> list[Bound]:
+    """Return the bounds that Gappa finds for a function, rounded up, and the largest measured errors."""
+    program = read(folder, function, order)
+    bounds, reason = run(script(program, order, dict.fromkeys(outputs(program), "in ?")))
+    return [
+        Bound(function, order, i, rounded_up(bounds[i]), error)
+        if i in bounds
+        else Bound(function, order, i, None, error, f"not covered: {reason}")
+        for i, error in measured(program, order).items()
+    ]
+
+
+def certify(folder: Path, bounds: Sequence[Bound]) -> None:
+    """Prove the bounds of one function again as claims; one that is refused raises `MachineError`."""
+    function, order = bounds[0].function, bounds[0].order
+    program, where = read(folder, function, order), f"{function} of order {order}"
+    if outputs(program) != tuple(each.output for each in bounds):
+        raise MachineError(f"{program.place}: {where} has other outputs than those with bounds")
+    for each in bounds:
+        if each.bound is not None and each.measured > each.bound:
+            raise MachineError(f"{each.name} of {where}: measured {each.measured} eps, above the bound {each.bound}")
+    claims = {each.output: claim(each.bound) for each in bounds if each.bound is not None}
+    _, unproved = run(script(program, order, claims))
+    if unproved:
+        raise MachineError(f"{program.place}: Gappa refuses bounds of {where}: {unproved}")
+
+
+def control(folder: Path, bound: Bound) -> None:
+    """Require that Gappa refuses a bound of half the measured error, which is false."""
+    program, small = read(folder, bound.function, bound.order), bound.measured / 2
+    _, unproved = run(script(program, bound.order, {bound.output: claim(small)}))
+    if not unproved:
+        raise MachineError(f"{bound.name} of order {bound.order}: Gappa accepts {small} eps, half the measured error")
+
+
+def every(folder: Path, known: Sequence[Bound] = ()) -> list[Bound]:
+    """Find the bounds of all functions, or take known ones; certify them, and print them with seconds."""
+    begun, table = time.monotonic(), list[Bound]()
+
+    def one(job: tuple[str, int]) -> tuple[list[Bound], float]:
+        start = time.monotonic()
+        bounds = [each for each in known if (each.function, each.order) == job] or found(folder, *job)
+        certify(folder, bounds)
+        return bounds, time.monotonic() - start
+
+    print(f"{'function':12} order  {'output':12} {'bound':>9} {'measured':>9}  in eps = 2^-52")
+    with ThreadPoolExecutor(PROCESSES) as pool:
+        for bounds, seconds in pool.map(one, product(FUNCTIONS, ORDERS)):
+            print("\n".join(map(str, bounds)), f"{seconds:.1f} s", sep="\n", flush=True)
+            table += bounds
+    control(folder, table[-1])
+    print(f"control refused; {time.monotonic() - begun:.0f} s in all")
+    return table
+
+
+def load(path: Path) -> list[Bound]:
+    """Return the bounds of a file."""
+    try:
+        return [Bound(**each) for each in json.loads(path.read_text(encoding="utf-8"))]
+    except (OSError, ValueError, TypeError) as error:
+        raise MachineError(f"{path}: no file of bounds: {error}") from None
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Find and certify bounds of the C headers of a folder, or of those that the generator prints now."""
+    parser = argparse.ArgumentParser(prog="python -m derive.machine.rounding", description="Bound rounding errors.")
+    parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
+    parser.add_argument("-o", "--output", type=Path, help="file of bounds to write")
+    parser.add_argument("--check", type=Path, metavar="FILE", help="certify the bounds of a file instead")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory() as scratch:
+        try:
+            known = load(options.check) if options.check else ()
+            require()
+            if not options.c:
+                files.write(Path(scratch), print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
+            bounds = every(options.c or Path(scratch), known)
+        except (MachineError, ReadError) as error:
+            print(f"error: {error}", file=sys.stderr)
+            return getattr(error, "code", 1)
+    if options.output:
+        lines = ",\n".join(json.dumps(asdict(each)) for each in bounds)
+        options.output.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
