@@ -68,7 +68,7 @@ html_theme_options = {
     "footer_start": ["copyright"],
     "footer_end": [],
 }
-html_sidebars = {"index": []}
+html_sidebars = {page: [] for page in ("index", "symptoms", "sheet")}  # they have no pages below
 html_show_sourcelink = False
 templates_path = ["_templates"]
 
@@ -86,6 +86,9 @@ sphinx_gallery_conf = {
     "plot_gallery": False,
     "download_all_examples": False,
     "show_signature": False,
+    "within_subsection_order": "FileNameSortKey",
+    "remove_config_comments": True,
+    "write_computation_times": False,
 }
 
 

@@ -3,9 +3,10 @@
 
 Run ``python examples/arm.py [--figure FILE]``.
 
-Forward kinematics and Jacobian of a UR5 as a product of exponentials, inverse kinematics by Gauss–Newton along a path
-of poses, and the hand–eye problem A X = X B. The arm's lengths and screws are those of Lynch and Park, Modern Robotics
-(Cambridge University Press, 2017), example 4.5. Exponential coordinates of a joint are its angle times its screw.
+Three tasks for a UR5: forward kinematics and Jacobian as a product of exponentials; inverse kinematics by Gauss–Newton
+along a path of poses; and the hand–eye problem A X = X B. The arm's lengths and screws are those of Lynch and Park,
+Modern Robotics (Cambridge University Press, 2017), example 4.5. Exponential coordinates of a joint are its angle times
+its screw.
 
 .. image:: /figures/arm.png
 """

@@ -4,12 +4,12 @@
 Run ``python examples/heavy_top.py [--figure FILE]``.
 
 The benchmark of Brüls, Cardona and Arnold (Mech. Mach. Theory 48, 2012): a top on a fixed point, sideways, spun at
-150 rad/s. Unknowns are the pose of its centre of mass and the reaction λ at the fixed point, which rotations alone
-would hide. Screws about the fixed point keep it fixed: in v the constraint is linear and holds to rounding.
+150 rad/s. Unknowns are the pose of its centre of mass and the reaction λ at the fixed point. A model by rotations alone
+would not contain λ. The axes of all motions pass through the fixed point: this is linear in v, and holds to rounding.
 
-Each step is seen from the frame of the body at its start; v is the motion since then. Inertia is a wrench z in the
+Each step is described in the frame of the body at its start; v is the motion since then. Inertia is a wrench z in the
 moving frame, weight and reaction are a wrench w in the frame of the step. Their generalized forces balance: T z = Tᵀ w.
-T depends on v: Newton's method needs the derivatives of both sides at fixed wrenches, the cotangent Jacobians.
+T depends on v, so Newton's method needs the derivatives of both sides at fixed wrenches, the cotangent Jacobians.
 
 .. image:: /figures/heavy_top.png
 """

@@ -25,7 +25,7 @@ from scipy.integrate import solve_ivp
 from dualcay import cayley2 as chart
 from dualcay import matrix6, propagate
 
-START = np.array([0.15, 0.8, -0.3, 1.7, -3, 1.2])  # v of the chaser at the start: tan(α/4) u, a turn by 163 degrees
+START = np.array([0.15, 0.8, -0.3, 1.7, -3, 1.2])  # v of the chaser at the start: tan(α/4) u, a turn by 164 degrees
 TURNING = np.array([0.0, 0, 0.02, 0, 0, 0])  # twist of the target in its own frame, rad/s
 STIFFNESS, DAMPING = 4 * 0.01, 0.2  # 1/s², times 4 because v is a quarter of angle and distance; 1/s
 DEVIATION = np.array([0.01, 0.01, 0.01, 0.05, 0.05, 0.05])  # of the pose at the start: rad, m
