@@ -18,7 +18,8 @@ from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..output import files
 from .checker import CLOSED, Coq, compiled, find
-from .goals import GEOMETRY, ORDERS, Goal, goals
+from .definitions import GEOMETRY
+from .goals import ORDERS, Goal, goals
 from .statements import MachineError
 from .terms import ReadError
 

@@ -21,9 +21,10 @@ import sympy
 
 from ..maps import Cayley
 from ..maps.polynomials import x
-from .goals import V
+from .c_text import CText
+from .definitions import V
 from .statements import MachineError
-from .terms import CText, Program, ReadError
+from .terms import Program, ReadError
 
 EPS = Fraction(1, 2**52)
 """Unit of bounds and errors, the distance from 1 to the next double."""

@@ -6,137 +6,20 @@ proved for some orders of the Cayley map. Together they make every function of t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from .terms import CText, Program, PythonText, number, product
+from .c_text import CText
+from .definitions import GEOMETRY, HALF, OPAQUE, SCALARS, Geometry, U, V, X
+from .python_text import PythonText
+from .terms import Program, number, product
 
 ORDERS = (1, 2, 3, 5)
 """Orders of the Cayley map whose scalar programs are proved."""
-
-V, U = ("v1", "v2", "v3", "v1o", "v2o", "v3o"), ("u1", "u2", "u3", "u1o", "u2o", "u3o")
-SQUARES = "(v1 v * v1 v) (v2 v * v2 v) (v3 v * v3 v)"
-X = "(dot (vdual v vo) (vdual v vo))"
-
-
-@dataclass(frozen=True)
-class Scalars:
-    """Scalar program: names of its parameters and results, and its definition for the Cayley map of order n.
-
-    ``given`` are the arguments in terms of v; ``numbers`` are the numbers that ``premises`` define, such as inverses.
-    """
-
-    parameters: tuple[str, ...]
-    results: tuple[str, ...]
-    given: str
-    numbers: str
-    premises: tuple[str, ...]
-    equations: tuple[str, ...]
-    proof: str
-    root: str = ""
-
-
-@dataclass(frozen=True)
-class Geometry:
-    """Geometry program: its scalar program, and its value for any scalars and for the Cayley map of order n.
-
-    ``result`` names the components in messages. ``chart`` holds steps that prove the value of order n.
-    """
-
-    scalars: str
-    result: str
-    value: str
-    at_order: str
-    second: bool = False
-    premises: tuple[str, ...] = ()
-    proof: str = ""
-    by: str = " by assumption"
-    chart: str = "unfold dcay, dcay_inv, cayley_quaternion. now rewrite ?A, ?B, ?C."
-
-
-POWER = ("power * pow (1 + {X}) {n} = 1",)
-INVERSES = ("half * 2 = 1", "q {X} {n} * q_inverse = 1", "of_nat {n} * n_inverse = 1")
-
-SCALARS: Mapping[str, Scalars] = {
-    "quaternion_scalars": Scalars(
-        ("x",), ("s", "w", "sy", "wy"), "(dot v v)", "root",
-        ("root * root * pow (1 + {X}) {n} = 1", "re root * {root} = 1"),
-        ("Dual s (sy * dot v vo) = p {X} {n} * root", "Dual w (wy * dot v vo) = q {X} {n} * root"),
-        "intros H R. rewrite parts_of_dot in *. destruct root as [r r']. "
-        "apply root_parts in H as (N & M & D). subst r'.",
-        "all: cbn; known_root sqrt R.",
-    ),
-    "pose_scalars": Scalars(
-        ("v11", "v22", "v33"), ("f", "g", "h"), SQUARES, "power", POWER,
-        tuple(f"{each} = cayley_{each} {{n}} (re power) v" for each in "fgh"),
-        "intros [N ->]%inverse_parts_left. unfold cayley_f, cayley_g, cayley_h. rewrite parts_of_dot in *.",
-    ),
-    "tangent_scalars": Scalars(
-        ("v11", "v22", "v33"), ("f", "g", "h", "fy", "gy", "hy"), SQUARES, "power", POWER,
-        tuple(f"Dual {each} ({each}y * dot v vo) = cayley_{each} {{n}} power (vdual v vo)" for each in "fgh"),
-        "intros [N ->]%inverse_parts_left. unfold cayley_f, cayley_g, cayley_h. rewrite parts_of_dot in *.",
-    ),
-    "tangent_inv_scalars": Scalars(
-        ("x",), ("fi", "hi", "fiy", "hiy"), "(dot v v)", "half q_inverse n_inverse", INVERSES,
-        ("Dual fi (fiy * dot v vo) = p {X} {n} * q_inverse",
-         "Dual hi (hiy * dot v vo) = d {X} {n} * (q_inverse * n_inverse)"),
-        "intros _ [N ->]%inverse_parts [M ->]%inverse_parts. rewrite parts_of_dot in *.",
-    ),
-}  # fmt: skip
-
-_TANGENT = "tangent (Dual f (fy * dot v vo) : dual K) (Dual g (gy * dot v vo)) (Dual h (hy * dot v vo)) (vdual v vo)"
-_INVERSE = "tangent_inv half (Dual fi (fiy * dot v vo)) (Dual hi (hiy * dot v vo)) (vdual v vo)"
-_DCAY, _DCAY_INV = "dcay {n} power (vdual v vo)", "dcay_inv half {n} q_inverse n_inverse (vdual v vo)"
-_UNIT = "f * f + dot v v * (g * g) = 2 * g"
-_HALF = ("half * 2 = 1",)
-_ROTATION = (
-    "rotation (Dual f (((1 - g * dot v v) * h - f * g) * dot v vo) : dual K) "
-    "(Dual g ((f * h - g * g) * dot v vo)) (vdual v vo)"
-)
-
-
-def _tangents() -> Iterator[tuple[str, Geometry]]:
-    """Yield the tangent operators of both frames, and the maps between rates and twists."""
-    for frame, of in ("", "({})"), ("body_", "(transpose ({}))"):
-        for name, scalars, value, order, halves in (
-            ("tangent", "tangent_scalars", _TANGENT, _DCAY, ()),
-            ("tangent_inv", "tangent_inv_scalars", _INVERSE, _DCAY_INV, _HALF),
-        ):
-            sides = [of.format(value), of.format(order)]
-            first, second = (f"tensor_parts {side}" for side in sides)
-            yield f"{frame}{name}", Geometry(scalars, "tangent", first, second, premises=halves)
-            name, result = ("rate", "v_dot") if halves else ("twist", "omega")
-            first, second = (f"vector_parts (apply {side} (vdual u uo))" for side in sides)
-            yield f"{frame}{name}", Geometry(scalars, result, first, second, second=True, premises=halves)
-
-
-GEOMETRY: Mapping[str, Geometry] = {
-    "quaternion": Geometry(
-        "quaternion_scalars", "q",
-        "quaternion_parts (quaternion (Dual s (sy * dot v vo) : dual K) (Dual w (wy * dot v vo)) (vdual v vo))",
-        "quaternion_parts (cayley_quaternion {n} root (vdual v vo))",
-    ),
-    "tensor": Geometry(
-        "pose_scalars", "tensor", f"tensor_parts ({_ROTATION})", "tensor_parts (cayley_tensor {n} power (vdual v vo))",
-        premises=(_UNIT,), proof="unfold tensor_parts. rewrite (twist K f g h v vo E1).",
-        by=" by (rewrite A, B; destruct power; eapply cayley_unit, real_part_of_power, H1)",
-        chart="destruct power as [power power']. destruct (cayley_slopes K {before} v vo power power' H1) as [F G]. "
-        "unfold cayley_tensor. rewrite F, G. cbn [re] in *. rewrite <- A, <- B, <- C. easy.",
-    ),
-    "pose": Geometry(
-        "pose_scalars", "pose", "pose_parts (rotation f g v) (apply (tangent f g h v) vo)",
-        "pose_parts (cayley_tensor {n} (re power) v) (apply (dcay {n} (re power) v) vo)",
-        chart="unfold dcay, cayley_tensor. now rewrite A, B, C.",
-    ),
-    **dict(_tangents()),
-}  # fmt: skip
-"""Geometry programs that are proved. R = Q + ε skew(ρ) Q of a pose is the tensor, by the theorem `twist`."""
-
-OPAQUE = {name: scalars.results for name, scalars in SCALARS.items()}
 
 HEAD = """From dualcay Require Import Programs{imports}.
 Section Text.
@@ -241,7 +124,7 @@ def _second(goal: Geometry) -> str:
 
 
 def _half(goal: Geometry) -> str:
-    return " half" if goal.premises == _HALF else ""
+    return " half" if goal.premises == HALF else ""
 
 
 def _by(goal: Geometry) -> str:

@@ -24,8 +24,8 @@ from ..codegen.build import print_package
 from ..codegen.targets import TARGETS
 from ..maps import Cayley
 from ..output import files
+from .definitions import GEOMETRY, V
 from .gappa import EPS, claim, outputs, reach, read, require, rounded_up, run, script, value, values
-from .goals import GEOMETRY, V
 from .statements import MachineError
 from .terms import Program, ReadError
 

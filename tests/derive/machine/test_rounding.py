@@ -13,9 +13,10 @@ import sympy
 from derive.codegen.build import print_package
 from derive.codegen.targets import TARGETS
 from derive.machine import gappa
+from derive.machine.c_text import CText
 from derive.machine.rounding import FUNCTIONS, ORDERS, Bound, certify, control, found, load, main, measured
 from derive.machine.statements import MachineError
-from derive.machine.terms import CText, Program, ReadError
+from derive.machine.terms import Program, ReadError
 from derive.maps import Cayley
 from derive.maps.polynomials import x
 from derive.output import files

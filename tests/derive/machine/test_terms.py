@@ -4,8 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from derive.machine.goals import GEOMETRY, OPAQUE, SCALARS, U, V, chart_file, geometry_file
-from derive.machine.terms import CText, Program, PythonText, ReadError, number
+from derive.machine.c_text import CText
+from derive.machine.definitions import GEOMETRY, OPAQUE, SCALARS, U, V
+from derive.machine.goals import chart_file, geometry_file
+from derive.machine.python_text import PythonText
+from derive.machine.terms import Program, ReadError, number
 
 NUMPY = Path(__file__).parents[3] / "generated" / "dualcay"
 
