@@ -11,6 +11,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from rich.progress import Progress, TaskID
 
 import derive
 from derive.output import progress
@@ -64,17 +65,35 @@ LONG: dict[str, Callable[[], object]] = {
 }
 
 
+@pytest.fixture
+def reported(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Return the lines given to bars; a bar itself shows only those at its moments of drawing."""
+    lines: list[str] = []
+    update = Progress.update
+
+    def recorded(bar: Progress, *task: TaskID, description: str, advance: float) -> None:
+        lines.append(description)
+        update(bar, *task, description=description, advance=advance)
+
+    monkeypatch.setattr(Progress, "update", recorded)
+    return lines
+
+
 @pytest.mark.parametrize("line", LONG)
-def test_long_functions_have_a_bar(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_long_functions_have_a_bar(line: str, reported: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = on_terminal(monkeypatch, 0.0)
     LONG[line]()
-    assert line in terminal.getvalue()
+    assert any(line in each for each in reported)
+    assert "━" in terminal.getvalue()
 
 
-def test_generate_has_a_bar(without_validation: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_generate_has_a_bar(
+    without_validation: None, tmp_path: Path, reported: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     terminal = on_terminal(monkeypatch, 0.0)
     derive.generate([4], output=tmp_path)
-    assert "cayley4: printing" in terminal.getvalue()
+    assert "cayley4: printing" in reported
+    assert "━" in terminal.getvalue()
 
 
 def test_own_function_of_progress_replaces_the_bar(monkeypatch: pytest.MonkeyPatch) -> None:
