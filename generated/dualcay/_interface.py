@@ -255,7 +255,7 @@ class PoseKernels(Kernels):
     # --- lines and screws -------------------------------------------------------------------------------------------
 
     def transform_line(self, v: ArrayLike, line: ArrayLike, *, axis: int = -1, out: Array | None = None) -> Array:
-        r"""Return a line, or any motor, moved from the body frame to the space frame: ``R l``, CP23 (66).
+        r"""Return a line, or any dual vector, moved from the body frame to the space frame: ``R l``, CP23 (66).
 
         Parameters
         ----------
@@ -1297,7 +1297,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -1325,7 +1325,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
@@ -1358,7 +1358,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             The rotation angle is at most π; at π either sign of the axis is returned.
 
         Examples
@@ -1651,7 +1651,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -1679,7 +1679,7 @@ class PoseKernels(Kernels):
         v : array, shape (..., 6)
             Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
@@ -1712,7 +1712,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         delta : array, shape (..., 6)
-            Motor [rotation (rad), translation part]: a twist times its time.
+            Step [rotation (rad), translation part]: a twist times its time.
             The rotation angle is at most π; at π either sign of the axis is returned.
 
         Examples
