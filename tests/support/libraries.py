@@ -34,7 +34,7 @@ def _dask() -> Convert:
 def _torch() -> Convert:
     import torch
 
-    return lambda array: torch.asarray(np.ascontiguousarray(array))
+    return lambda array: torch.asarray(np.array(array, order="C"))  # a writable copy, of a number too
 
 
 LIBRARIES: dict[str, Callable[[], Convert]] = {

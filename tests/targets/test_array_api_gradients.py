@@ -38,7 +38,7 @@ def jax_jacobians(function, *values):
 def torch_jacobians(function, *values):
     import torch
 
-    rows = zip(*map(torch.asarray, values), strict=True)
+    rows = zip(*(torch.asarray(np.array(value)) for value in values), strict=True)  # writable copies
     jacobian = torch.autograd.functional.jacobian
     return np.stack([jacobian(lambda v, rest=rest: function(v, *rest), v).numpy() for v, *rest in rows])
 
