@@ -41,6 +41,12 @@ nb_execution_timeout = 120
 nb_merge_streams = True
 os.environ["TTY_INTERACTIVE"] = "0"  # no progress bars in the output of cells
 
+# Kernels of notebooks serve this build alone: their warning that connections are not encrypted is switched off.
+profile = ROOT / "build" / "docs" / "ipython" / "profile_default"
+profile.mkdir(parents=True, exist_ok=True)
+(profile / "ipython_kernel_config.py").write_text('c.IPKernelApp.log_level = "ERROR"\n', encoding="utf-8")
+os.environ["IPYTHONDIR"] = str(profile.parent)
+
 # Formulas: MathJax 4 from its npm package, which the Makefile unpacks; the site loads nothing from elsewhere.
 # A formula is set when it comes into view, and without the trees for speech: the errata have hundreds.
 mathjax_path = "mathjax/tex-chtml.js"
