@@ -51,10 +51,11 @@ class Block(NamedTuple):
 
 
 class Page(NamedTuple):
-    """Blocks of one printed page."""
+    """Blocks of one printed page, with the meaning of its letters."""
 
     heading: str
     blocks: tuple[Block, ...]
+    letters: str
 
 
 MAPS_OF_ORDER: Mapping[str, tuple[Wanted, ...]] = {
@@ -107,7 +108,7 @@ CLOSED: Mapping[int, tuple[Wanted, ...]] = {
 """Closed forms of the inverse map and of composition, by order."""
 
 EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
-    "Scalars": (("any phi: slopes", "s", "w", "f", "g", "h", "fi", "hi"),),
+    "Scalars": (("any phi: slopes", "s", "w", "rho", "f", "g", "h", "fi", "hi"),),
     "Maps": (
         ("any phi: quaternion", "qhat", "R"), ("any phi: orthogonality", 0), ("any phi: inverse", "T", "T^-1", 0),
         ("any phi: axis", 0, 1),
@@ -123,6 +124,19 @@ EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
 }  # fmt: skip
 """Fourth page after the exponential, by headings."""
 
+LETTERS = (
+    "v is a Rodrigues dual vector, x its square, q̂ a unit dual quaternion, R an orthogonal dual tensor, α the dual "
+    "angle, u the axis, ρ the translation, ω the space twist; a tilde marks the skew tensor of a vector, a dot the "
+    "derivative by time.",
+    "a and b are constant dual vectors. J(a) and K(a) are the derivatives by v of the tangent operator and of its "
+    "inverse, applied to a; an index B marks the body frame, an index y twice the derivative by x. δ is a small change "
+    "of v along the motion. In switching, r u becomes r_k u with β = kπ/n, and a dot is the derivative by r.",
+    "x is the square of v. r_k leads from v = r u to branch k, as on page 2.",
+    "φ is any function of α, and x = φ². In switching, ψ belongs to the other chart or branch, whose vector is w; "
+    "k counts whole turns.",
+)
+"""Meaning of letters, by page."""
+
 IS_ANGLE = {phi: Exponential().phi, phi_1: 1, phi_2: 0, rho: 1, prime(rho): 0}
 k = sympy.Symbol("k", integer=True)
 NEXT_ANGLE = {psi: Exponential().phi + 2 * sympy.pi * k, psi_1: 1}
@@ -136,12 +150,13 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
         return tuple(Block(heading, tuple(_lines(wanted, known))) for heading, wanted in table.items())
 
     of_orders = (block for order in ORDERS for block in _of_order(Cayley(order), known))
-    return (
-        Page("Order n: maps and twists", blocks(MAPS_OF_ORDER)),
-        Page("Order n: Jacobians, transition, switching", blocks(MOTION_OF_ORDER)),
-        Page("Orders 1, 2, 3", tuple(of_orders)),
-        Page("Exponential, and every v = φ(α) u", (*_of_exponential(known), *blocks(EVERY_PHI))),
-    )
+    contents = {
+        "Order n: maps and twists": blocks(MAPS_OF_ORDER),
+        "Order n: Jacobians, transition, switching": blocks(MOTION_OF_ORDER),
+        "Orders 1, 2, 3": tuple(of_orders),
+        "Exponential, and every v = φ(α) u": (*_of_exponential(known), *blocks(EVERY_PHI)),
+    }
+    return tuple(Page(*named, letters) for named, letters in zip(contents.items(), LETTERS, strict=True))
 
 
 def proved(proof: Proof) -> Proof:
