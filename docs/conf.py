@@ -80,6 +80,7 @@ templates_path = ["_templates"]
 
 autodoc_typehints = "none"
 autosummary_generate = [f"reference/{page}.md" for page in ("functions", "charts", "tools", "toolkit")]
+autosummary_ignore_module_all = False  # functions of a module are those of its __all__
 default_role = "py:obj"
 toc_object_entries = False
 numpydoc_show_class_members = False

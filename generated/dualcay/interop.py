@@ -15,6 +15,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._kernel import Array
+from ._other_vectors import (
+    components,
+    from_cayley_4x4,
+    from_linear_angular,
+    from_linear_angular_matrix,
+    to_cayley_4x4,
+    to_linear_angular,
+    to_linear_angular_matrix,
+)
 
 __all__ = [
     "from_cayley_4x4", "from_linear_angular", "from_linear_angular_matrix", "from_rigid_transform", "from_ros",
@@ -209,7 +218,7 @@ def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, c
     array([0.  , 0.  , 0.  , 0.25, 0.5 , 0.75])
     """
     _require_poses(module)
-    position, q = _components("xyz", xyz, 3), _components("xyzw", xyzw, 4)
+    position, q = components("xyz", xyz, 3), components("xyzw", xyzw, 4)
     vector, scalar = q[..., :3], q[..., 3:]
     along = (position * vector).sum(axis=-1, keepdims=True)
     dual = np.concatenate([scalar * position + np.cross(position, vector), -along], axis=-1) / 2  # ½ ρ q
@@ -285,165 +294,6 @@ def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool 
     raise TypeError(f"message must be a {expected}, got {message!r}")
 
 
-def to_linear_angular(twist: ArrayLike) -> Array:
-    """Return twists [v, ω] from twists [ω, v]: the order of pinocchio, jaxlie and manif.
-
-    The halves are swapped; frame and reference point stay. GTSAM has the order [ω, v], as here. Vectors of a chart,
-    such as exponential coordinates, are swapped alike. Wrenches [f, m] have the order of pinocchio already.
-
-    Parameters
-    ----------
-    twist : array, shape (..., 6)
-        Twist [ω, v], or another vector with its rotational half first.
-
-    Returns
-    -------
-    array, shape (..., 6)
-        The same with its translational half first.
-
-    Examples
-    --------
-    >>> from dualcay.interop import to_linear_angular
-    >>> to_linear_angular([1, 2, 3, 40, 50, 60])
-    array([40, 50, 60,  1,  2,  3])
-    """
-    return np.roll(_components("twist", twist, 6), 3, axis=-1)
-
-
-def from_linear_angular(twist: ArrayLike) -> Array:
-    """Return twists [ω, v] from twists [v, ω]: the inverse of `to_linear_angular`.
-
-    Parameters
-    ----------
-    twist : array, shape (..., 6)
-        Twist [v, ω].
-
-    Returns
-    -------
-    array, shape (..., 6)
-        Twist [ω, v].
-
-    Examples
-    --------
-    >>> from dualcay.interop import from_linear_angular
-    >>> from_linear_angular([40, 50, 60, 1, 2, 3])
-    array([ 1,  2,  3, 40, 50, 60])
-    """
-    return to_linear_angular(twist)
-
-
-def to_linear_angular_matrix(matrix: ArrayLike) -> Array:
-    """Return 6x6 matrices for twists [v, ω] from those for [ω, v]: rows and columns are swapped by halves.
-
-    Adjoints, Jacobians and covariances are such matrices.
-
-    Parameters
-    ----------
-    matrix : array, shape (..., 6, 6)
-        Matrix that acts on twists [ω, v], or covariance of such.
-
-    Returns
-    -------
-    array, shape (..., 6, 6)
-        The same for twists [v, ω].
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from dualcay import cayley2
-    >>> from dualcay.interop import to_linear_angular, to_linear_angular_matrix
-    >>> adjoint, twist = cayley2.adjoint(cayley2.random(rng=0)), np.arange(6)
-    >>> np.allclose(to_linear_angular(adjoint @ twist), to_linear_angular_matrix(adjoint) @ to_linear_angular(twist))
-    True
-    """
-    array = _components("matrix", matrix, 6, 6)
-    return np.roll(array, (3, 3), axis=(-2, -1))
-
-
-def from_linear_angular_matrix(matrix: ArrayLike) -> Array:
-    """Return 6x6 matrices for twists [ω, v] from those for [v, ω]: the inverse of `to_linear_angular_matrix`.
-
-    Parameters
-    ----------
-    matrix : array, shape (..., 6, 6)
-        Matrix that acts on twists [v, ω], or covariance of such.
-
-    Returns
-    -------
-    array, shape (..., 6, 6)
-        The same for twists [ω, v].
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from dualcay.interop import from_linear_angular_matrix
-    >>> np.diag(from_linear_angular_matrix(np.diag([40, 50, 60, 1, 2, 3])))
-    array([ 1,  2,  3, 40, 50, 60])
-    """
-    return to_linear_angular_matrix(matrix)
-
-
-def to_cayley_4x4(v: ArrayLike, scale: float = 1.0) -> Array:
-    r"""Return the vector whose Cayley map of 4x4 matrices gives the same pose.
-
-    The Cayley map of homogeneous matrices has the same rotation and another translation. For every order n,
-
-    .. math:: T = [(I - A)^{-1} (I + A)]^n, \quad A = \frac{1}{K} \begin{pmatrix} \tilde v & t \\ 0 & 0 \end{pmatrix},
-        \quad t = v^\circ - \frac{v \cdot v^\circ}{K^2 + v \cdot v} v
-
-    is the pose of the Rodrigues dual vector v + ε v° of the chart K tan(α/2n) u.
-
-    Parameters
-    ----------
-    v : array, shape (..., 6)
-        Rodrigues dual vector: real part v, then dual part v°. Any branch.
-    scale : float
-        K of the chart: 1 for ``cayleyN``, 2n for ``scaledN``. The map with A/2, common for n = 1, has K = 2.
-
-    Returns
-    -------
-    array, shape (..., 6)
-        Vector [v, t]. Defined for every v.
-
-    Examples
-    --------
-    >>> from dualcay.interop import to_cayley_4x4
-    >>> to_cayley_4x4([0, 0, 0.5, 1, 2, 2.5])  # translations differ along the axis alone
-    array([0. , 0. , 0.5, 1. , 2. , 2. ])
-    """
-    real, dual = _halves("v", v)
-    factor = (real * dual).sum(axis=-1, keepdims=True) / (scale**2 + (real * real).sum(axis=-1, keepdims=True))
-    return np.concatenate([real, dual - factor * real], axis=-1)
-
-
-def from_cayley_4x4(vector: ArrayLike, scale: float = 1.0) -> Array:
-    r"""Return the Rodrigues dual vector with the pose of a Cayley map of 4x4 matrices: the inverse of `to_cayley_4x4`.
-
-    .. math:: v^\circ = t + \frac{v \cdot t}{K^2} v
-
-    Parameters
-    ----------
-    vector : array, shape (..., 6)
-        Vector [v, t] of the map in `to_cayley_4x4`: rotational half first.
-    scale : float
-        K of the chart: 1 for ``cayleyN``, 2n for ``scaledN``.
-
-    Returns
-    -------
-    array, shape (..., 6)
-        Rodrigues dual vector v, v°. Defined for every vector.
-
-    Examples
-    --------
-    >>> from dualcay.interop import from_cayley_4x4
-    >>> from_cayley_4x4([0, 0, 0.5, 1, 2, 2])
-    array([0. , 0. , 0.5, 1. , 2. , 2.5])
-    """
-    real, translation = _halves("vector", vector)
-    factor = (real * translation).sum(axis=-1, keepdims=True) / scale**2
-    return np.concatenate([real, translation + factor * real], axis=-1)
-
-
 def _scipy(name: str) -> Any:
     """Return a class of SciPy; raise ImportError with the command that installs it."""
     try:
@@ -457,19 +307,6 @@ def _scipy(name: str) -> Any:
 def _require_poses(module: Any) -> None:
     if len(module.identity()) != 6:
         raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
-
-
-def _components(name: str, value: ArrayLike, *part: int) -> Array:
-    """Return an argument as an array, after a check of its component axes."""
-    array = np.asarray(value)
-    if array.shape[-len(part) :] != part:
-        raise ValueError(f"{name} must have shape (..., {', '.join(map(str, part))}), got {array.shape}")
-    return array
-
-
-def _halves(name: str, value: ArrayLike) -> tuple[Array, Array]:
-    array = _components(name, value, 6)
-    return array[..., :3], array[..., 3:]
 
 
 def _field(message: Any, name: str) -> Any:

@@ -15,7 +15,7 @@ from scipy.linalg import expm
 from tests.support import pages
 
 Row = dict[str, tuple[str, Any]]
-"""Of each column: the call as printed, and its result."""
+"""Call as printed, and its result, by column."""
 
 HALVES = np.array([3, 4, 5, 0, 1, 2])
 
@@ -73,7 +73,7 @@ WORDS: dict[str, dict[str, np.ndarray]] = {
         "right, inverse": np.linalg.inv(left(-XI)),
     },
 }
-"""Of each column: the possible words, and what each means, from matrix exponentials and half angles."""
+"""Possible words and their meanings, from matrix exponentials and half angles, by column."""
 
 
 def word(column: str, value: Any) -> str:

@@ -62,11 +62,11 @@ frame.src = "PAGE" + location.hash;
 GOOD = {
     "unrendered": 0, "wrong": [], "raw": [], "elsewhere": [], "overflow": 0, "console": [], "failed": [], "shown": True,
 }  # fmt: skip
-"""What a sound page shows."""
+"""Contents of a sound page."""
 
 
 NOTES = ('"[PST]: Changed to auto mode', '"[PST]: Scrolled sidebar')
-"""What the theme writes to the console of every page."""
+"""Notes of the theme on the console of every page."""
 
 
 class Server(ThreadingHTTPServer):
