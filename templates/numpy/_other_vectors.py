@@ -1,4 +1,3 @@
-{{ header }}
 """Vectors and matrices as other libraries have them: the order of a twist, and the Cayley vector of 4x4 matrices."""
 
 from __future__ import annotations

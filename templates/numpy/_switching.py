@@ -1,4 +1,3 @@
-{{ header }}
 """Branches along a motion: an event that asks for a switch, and branches that make a sequence continuous."""
 
 from __future__ import annotations

@@ -1,4 +1,3 @@
-{{ header }}
 """Motion of a pose under a given twist: the Poisson–Darboux problem, solved for v at given times."""
 
 from __future__ import annotations

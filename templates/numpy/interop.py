@@ -1,4 +1,3 @@
-{{ header }}
 """Exchange with other libraries: SciPy, ROS, the order of a twist, and the Cayley vector of 4x4 matrices.
 
 Names say the target (``to_``) or the source (``from_``). Functions of a chart take its kernel module first.
