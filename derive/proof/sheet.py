@@ -125,9 +125,9 @@ EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
 """Fourth page after the exponential, by headings."""
 
 LETTERS = (
-    "v is a Rodrigues dual vector, x its square, q̂ a unit dual quaternion, R an orthogonal dual tensor, α the dual "
-    "angle, u the axis, ρ the translation, ω the space twist; a tilde marks the skew tensor of a vector, a dot the "
-    "derivative by time.",
+    "v = φ(α) u is the vector of a chart, x its square, q̂ a unit dual quaternion, R an orthogonal dual tensor, α the "
+    "dual angle, u the axis, ρ the translation, ω the space twist; a tilde marks the skew tensor of a vector, a dot "
+    "the derivative by time.",
     "a and b are constant dual vectors. J(a) and K(a) are the derivatives by v of the tangent operator and of its "
     "inverse, applied to a; an index B marks the body frame, an index y twice the derivative by x. δ is a small change "
     "of v along the motion. In switching, r u becomes r_k u with β = kπ/n, and a dot is the derivative by r.",

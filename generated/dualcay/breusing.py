@@ -4,7 +4,7 @@
 #
 # Breusing's chart, v = sin(alpha/4)/sqrt(cos(alpha/4)) u
 # Proved exactly: 14 identities of this chart, listed in docs/theorems.md.
-r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
+r"""Breusing's chart: dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
 

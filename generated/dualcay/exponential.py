@@ -4,7 +4,7 @@
 #
 # Exponential map, v = alpha u
 # Proved exactly: 14 identities of this chart, listed in docs/theorems.md.
-r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
+r"""Exponential map: Euler dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Lambert's equal-area projection, v = sin(alpha/4) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Lambert's equal-area projection: Rodrigues dual vectors ``v = sin(α/4) u`` of rigid displacements.
+r"""Lambert's equal-area projection: dual vectors ``v = sin(α/4) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Orthographic projection, v = sin(alpha/2) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
+r"""Orthographic projection: dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Sine chart of order 3, v = sin(alpha/6) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Sine chart of order 3: Rodrigues dual vectors ``v = sin(α/6) u`` of rigid displacements.
+r"""Sine chart of order 3: dual vectors ``v = sin(α/6) u`` of rigid displacements.
 
 .. math::
 

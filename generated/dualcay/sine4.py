@@ -4,7 +4,7 @@
 #
 # Sine chart of order 4, v = sin(alpha/8) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Sine chart of order 4: Rodrigues dual vectors ``v = sin(α/8) u`` of rigid displacements.
+r"""Sine chart of order 4: dual vectors ``v = sin(α/8) u`` of rigid displacements.
 
 .. math::
 

@@ -47,6 +47,14 @@ def test_missing_module_is_refused_with_its_command(name: str, option: str) -> N
         exec(f"from dualcay import {name}")
 
 
+@pytest.mark.parametrize("name", MODULES)
+def test_rodrigues_vector_is_the_vector_of_a_cayley_module_alone(name: str) -> None:
+    for module, noun in ((f"dualcay.{name}", "Rodrigues dual vectors"), (f"dualcay.rotation.{name}", "Rodrigues vectors")):
+        doc = importlib.import_module(module).__doc__
+        assert doc is not None
+        assert (f"{noun} ``v = " in doc) == name.startswith("cayley")
+
+
 def test_unknown_name_is_refused_with_the_known_modules() -> None:
     for name in ("nonsense", "cayley06", "cayley0", "cayley", "sine", "sine0"):
         with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: breusing, cayley1, "):
