@@ -1318,7 +1318,7 @@ class PoseKernels(Kernels):
     def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``; at δ = 0 I and ``tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``. At δ = 0 they are I and ``tangent_inv(v)``.
 
         Parameters
         ----------
@@ -1672,7 +1672,7 @@ class PoseKernels(Kernels):
     def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = body_retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``; at δ = 0 I and ``body_tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``. At δ = 0 they are I and ``body_tangent_inv(v)``.
 
         Parameters
         ----------

@@ -49,9 +49,8 @@ def test_missing_module_is_refused_with_its_command(name: str, option: str) -> N
 
 @pytest.mark.parametrize("name", MODULES)
 def test_rodrigues_vector_is_the_vector_of_a_cayley_module_alone(name: str) -> None:
-    for module, noun in ((f"dualcay.{name}", "Rodrigues dual vectors"), (f"dualcay.rotation.{name}", "Rodrigues vectors")):
-        doc = importlib.import_module(module).__doc__
-        assert doc is not None
+    for folder, noun in (("dualcay", "Rodrigues dual vectors"), ("dualcay.rotation", "Rodrigues vectors")):
+        doc = str(importlib.import_module(f"{folder}.{name}").__doc__)
         assert (f"{noun} ``v = " in doc) == name.startswith("cayley")
 
 
