@@ -21,7 +21,7 @@ limit_theorems         theorems on the limit of growing order, and its rate
 at_order               formulas and functions of one order as instances of the theorems
 scalars                formulas of a chart, compared with its scalars and its φ
 vector_ring            `Ring`: components of a vector modulo v·v = x
-components             the componentwise road: proofs at one order from the definition
+components             proof by components at one order, from the definition
 texts                  formulas in docstrings and comments, read and compared
 at_point               printed statements about one order, evaluated at a rational point
 proved                 all theorems for all n; `Proved`: a chart with its proofs, made only by `prove`

@@ -97,7 +97,7 @@ class Proved:
     formulas : Chart
         The proved chart.
     proofs : tuple of Proof
-        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. An algebraic
+        A Cayley map has theorems for all n, their instances at its order, and proofs by components. An algebraic
         chart has proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its
         formulas in α are instances of the theorems on every φ.
     """
