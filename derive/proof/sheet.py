@@ -21,7 +21,7 @@ from .identity import Proof
 from .notation import beta, latex, n, prime, r_k, text
 from .page import title
 from .phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
-from .proved import ProofFailed, claims, proofs
+from .proved import claims, proofs, require
 from .statement import Equation
 from .theorem import Theorem, decided
 
@@ -161,8 +161,7 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
 
 def proved(proof: Proof) -> Proof:
     """Return the proof; raise `ProofFailed` if it failed."""
-    if not proof.proved:
-        raise ProofFailed((proof,))
+    require((proof,))
     return proof
 
 

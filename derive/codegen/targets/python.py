@@ -13,6 +13,7 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
+from ...proof import shown
 from ..lowered import Lowered, lower_chart, printed_geometry, shared_with_poses
 from ..lowering.scalars import FORMULAS
 from ..package import Data, Facts, comment, numbers
@@ -219,6 +220,6 @@ def _printed(program: Program, formula: str) -> Printed:
 def formula_of(scalar: str, chart: Chart) -> str:
     """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
     general, of_order, maps = FORMULAS[scalar]
-    texts = [general, of_order] if of_order and chart.cayley else [general]
+    texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
