@@ -19,8 +19,8 @@ from benchmarks.accuracy.__main__ import progress
 from benchmarks.kernels import GATED, fresh, measured
 from benchmarks.peers import Poses
 from derive.codegen import catalogue
-from derive.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from derive.maps.chart import Chart
+from derive.pages.comparison import ANGLES, MEASURED, MEASUREMENTS, TIMED, Compared
 from tests.support import families, oracle
 
 SAMPLES = 6

@@ -26,8 +26,8 @@ from rich.console import Console
 from benchmarks.accuracy import curves, figures
 from benchmarks.accuracy.__main__ import progress
 from derive.codegen import catalogue
-from derive.comparison import Compared
-from derive.maps.any_phi.stretch import stretch
+from derive.pages.comparison import Compared
+from derive.pages.stretch import stretch
 from dualcay import cayley2
 from dualcay.rotation import cayley2 as mrp
 from dualcay.rotation import exponential

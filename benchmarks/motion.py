@@ -23,7 +23,7 @@ from benchmarks.figures import BLUE, GOLD, GREEN, GREY, ORANGE, PINK
 from derive.algebra import Vector
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix
-from derive.maps.motion_equations import MotionEquation, motion_equation
+from derive.motion_equations import MotionEquation, motion_equation
 from tests.support import motions
 
 FILE = figures.FOLDER / "motion_equations.png"

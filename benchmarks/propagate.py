@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks import timing
 from benchmarks.motion import END, FLOATS, straight_line
-from derive.maps.motion_equations import motion_equation
+from derive.motion_equations import motion_equation
 from dualcay import cayley2, propagate
 from tests.support import motions
 

@@ -31,16 +31,16 @@ from .about import __version__
 
 if TYPE_CHECKING:
     from .codegen import generate
-    from .comparison import compare
     from .front import Cayley, Parameterization, family
     from .maps import x
     from .maps.families import alpha
-    from .maps.motion_equations import motion_equation
+    from .motion_equations import motion_equation
+    from .pages.comparison import compare
     from .papers import verify
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
-    "alpha": "maps.families", "x": "maps", "motion_equation": "maps.motion_equations", "generate": "codegen",
-    "compare": "comparison",
+    "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
+    "compare": "pages.comparison",
     "verify": "papers",
 }  # fmt: skip
 __all__ = [
@@ -49,8 +49,8 @@ __all__ = [
 ]  # fmt: skip
 
 _OWN = {
-    "__init__.py", "__main__.py", "about.py", "comparison.py", "front.py", "workers.py",
-    "algebra", "cli", "codegen", "machine", "maps", "output", "papers", "proof",
+    "__init__.py", "__main__.py", "about.py", "front.py", "motion_equations.py", "workers.py",
+    "algebra", "cli", "codegen", "machine", "maps", "output", "pages", "papers", "proof",
 }  # fmt: skip
 """Modules and packages of this folder. An installed folder may also hold files of another distribution."""
 

@@ -12,8 +12,8 @@ from tests.support.imports import ROOT, imported, sources
 pytestmark = pytest.mark.smoke
 
 ROOMS = (
-    "about", "workers", "output", "algebra", "maps", "proof", "papers", "codegen", "machine", "comparison", "front",
-    "cli",
+    "about", "workers", "output", "algebra", "maps", "motion_equations", "proof", "papers", "codegen", "machine",
+    "pages", "front", "cli",
 )  # fmt: skip
 """Packages of derive in import order; each may import itself and earlier ones."""
 
@@ -54,6 +54,12 @@ def test_reversed_room_order_is_reported():
         base = ("derive",) if rooms is ROOMS else ("derive", "codegen")
         last = ("__main__",) if rooms is ROOMS else ()
         assert out_of_order(base, (*reversed(rooms), *last))
+
+
+def test_other_charts_import_one_module_of_any_phi():
+    user = ("derive", "maps", "any_phi")
+    found = {m for name, file in sources("derive", "maps") if name[:1] != user[2:] for m in imported(file)}
+    assert {module for module in found if module[:3] == user} == {(*user, "parameterization")}
 
 
 def test_imports_inside_functions_are_found():

@@ -13,7 +13,6 @@ mixed              sums and products between numbers, vectors, quaternions and t
 element, exact     `Element` and its ring: rational functions over Q, modulo relations
 angles             exact sine and cosine of multiples of given angles
 polynomial_backend polynomials over Q by python-flint or SymPy
-integer_lists      polynomials and elements as lists of integers, for certificates
 arithmetic         operations of formulas other than + − ×, on numbers; traces override the operations
 ================== ====================================================================
 """

@@ -12,8 +12,8 @@ import sympy
 from .. import about
 from ..algebra.latex import latex
 from ..maps import Cayley
+from ..pages.sheet_files import WRITERS
 from . import options
-from .sheet import WRITERS
 
 
 def show(orders: tuple[int, ...], what: tuple[str, ...], form: str, output: Path | None, max_n: int) -> None:

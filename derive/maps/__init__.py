@@ -10,22 +10,23 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .any_phi.grammar import PhiError
+    from .any_phi.parameterization import parameterization
     from .cayley import Cayley
     from .formula import Formula, IsotropicMap, QuaternionMap
-    from .named import family, parameterization
+    from .named import family
+    from .phi_error import PhiError
     from .polynomials import x
 
 __all__ = ["Cayley", "Formula", "IsotropicMap", "PhiError", "QuaternionMap", "family", "parameterization", "x"]
 
 _HOMES = {
-    "PhiError": "any_phi.grammar",
+    "PhiError": "phi_error",
     "Cayley": "cayley",
     "Formula": "formula",
     "IsotropicMap": "formula",
     "QuaternionMap": "formula",
     "family": "named",
-    "parameterization": "named",
+    "parameterization": "any_phi.parameterization",
     "x": "polynomials",
 }
 

@@ -28,7 +28,7 @@ import sympy
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import PLAIN, Arithmetic
 from ..output.typeset import Typeset
-from .any_phi.edges import angle_of
+from .angle_of_length import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import Pair, Triple, x

@@ -19,7 +19,7 @@ import sympy
 from ..algebra import Coefficient, Quaternion, Tensor, Vector, functions, real_part
 from ..algebra.arithmetic import Arithmetic
 from . import stumpff
-from .any_phi.angle_chart import AngleChart
+from .angle_chart import AngleChart
 from .families import alpha
 from .order_charts import Derivatives, double_angle
 from .polynomials import Pair

@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 import sympy
 
 from ..algebra import Coefficient, Vector, functions
-from .any_phi.elementary import evaluate
+from .elementary import evaluate
 from .polynomials import require_order
 
 alpha = sympy.Symbol("alpha")

@@ -21,10 +21,10 @@ import sympy
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
-from .any_phi.real_constants import SMALL
 from .chart import Chart, Scalars
 from .order_charts import Derivatives
 from .polynomials import Pair, Triple, x
+from .real_constants import SMALL
 
 POWERS = {
     "s": 0, "w": 1, "f": 1, "g": 2, "h": 3, "fi": -1, "hi": 1,

@@ -1,22 +1,13 @@
-"""Charts by name, and the chart of a user's φ: a named chart, a multiple of a named chart, or a general chart."""
+"""Charts by name."""
 
 from __future__ import annotations
 
-import keyword
 import re
-import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
-import sympy
-
-from .any_phi.edges import edge_of
-from .any_phi.expressions import multiple_of_known, parity, parsed
-from .any_phi.general import General
-from .any_phi.grammar import PhiError
-from .any_phi.real_constants import is_small
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
@@ -73,22 +64,6 @@ def family(name: str) -> Named:
     return replace(found, name=name, selection=("--family", name))
 
 
-def recognized(phi: sympy.Expr) -> Named | None:
-    """Return the known chart of φ, or the multiple of a known chart, by exact comparison; None for another φ."""
-    if phi == Breusing().phi:
-        return Breusing()
-    form = multiple_of_known(phi)
-    if form is None or not is_small(form[0]):
-        return None
-    factor, function, order = form
-    base: Base = Exponential()
-    if function is not None:
-        base = Cayley(order) if function == sympy.tan else sine(order)
-    if factor == 1:
-        return base
-    return Multiple("", base, factor, title=f"{factor} times the vector of {base.name}")
-
-
 def described(chart: Chart) -> str:
     """Return the name of a known chart, such as ``cayley1`` or ``2 sine1``; an empty text for another φ."""
     match chart:
@@ -99,21 +74,3 @@ def described(chart: Chart) -> str:
         case Cayley() | Sine():
             return f"{type(chart).__name__.lower()}{chart.order}"
     return ""
-
-
-def parameterization(phi: str | sympy.Expr, name: str, order: int | None = None) -> Named | General:
-    """Return the chart of φ, an odd function of α: a known chart where φ describes one, else a general chart.
-
-    `order` is the value of n in a text. A refused φ raises `PhiError` with the reason.
-    """
-    expression = parsed(phi, order) if isinstance(phi, str) else phi
-    if not (name.isidentifier() and name.isascii() and not keyword.iskeyword(name)):
-        raise PhiError(f"the name of a module is an identifier, got {name!r}")
-    if expression != 0 and parity(expression) != -1:  # edge_of refuses φ = 0 for its slope
-        raise PhiError(f"phi = {expression} is not odd by its structure: a sum of odd terms, products odd times even")
-    with_n = f" -n {order}" if order is not None else ""
-    selection = ("--phi", f"{shlex.quote(phi if isinstance(phi, str) else str(phi))} --name {name}{with_n}")
-    if found := recognized(expression):
-        return replace(found, name=name, selection=selection)
-    edge_of(expression)
-    return General(name, expression, selection, f"The chart of phi = {expression}")

@@ -24,7 +24,7 @@ from math import factorial
 
 from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
-from .any_phi.real_constants import SMALL
+from .real_constants import SMALL
 from .scalars import scalar
 
 LIMIT = 6

@@ -7,9 +7,9 @@ from typing import Any
 
 import sympy
 
-from ..algebra.integer_lists import IntegerLists
 from .differential_ring import DifferentialRing
 from .identity import Proof, Residue
+from .integer_lists import IntegerLists
 from .series_certificate import series
 from .statement import Premise
 

@@ -25,8 +25,8 @@ from ..algebra.angles import AngleField
 from ..algebra.arithmetic import PLAIN
 from ..algebra.element import Element
 from ..algebra.polynomial_backend import Polynomial
-from ..maps.any_phi.elementary import evaluate
 from ..maps.chart import Chart
+from ..maps.elementary import evaluate
 from ..maps.families import alpha
 from ..maps.polynomials import x
 from .evaluation import Evaluation

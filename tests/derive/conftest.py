@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen.targets import TARGETS
+from tests.support.altered_maps import mutations, stated  # noqa: F401 (fixtures)
 from tests.support.packages import unvalidated
 
 

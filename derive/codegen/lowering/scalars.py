@@ -10,10 +10,9 @@ from typing import Any
 import sympy
 
 from ...algebra import Quaternion
-from ...maps.any_phi.grammar import PhiError
-from ...maps.any_phi.lowering import SYMBOLIC_ONLY, number
-from ...maps.any_phi.real_constants import plus
 from ...maps.chart import Chart
+from ...maps.phi_error import SYMBOLIC_ONLY, PhiError
+from ...maps.real_constants import number, plus
 from ..programs.program import Constant, Program
 from ..programs.trace import Trace
 from ..programs.value import Number

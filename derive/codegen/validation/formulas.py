@@ -15,8 +15,8 @@ import sympy
 
 from ...algebra import Coefficient, Dual, Isotropic, Quaternion, Tensor, Vector
 from ...maps import Formula, x
-from ...maps.any_phi.elementary import evaluate
 from ...maps.chart import Chart
+from ...maps.elementary import evaluate
 from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of

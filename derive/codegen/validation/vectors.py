@@ -15,9 +15,9 @@ import sympy
 
 from ...algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ...algebra.functions import atan2
-from ...maps.any_phi.edges import angle_of
-from ...maps.any_phi.elementary import evaluate
+from ...maps.angle_of_length import angle_of
 from ...maps.chart import Chart
+from ...maps.elementary import evaluate
 from ...maps.families import alpha, by_square
 from ...maps.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
 

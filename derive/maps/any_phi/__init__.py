@@ -14,17 +14,15 @@ The modules, in the order of their use:
 ====================  ==============================================================================================
 grammar               Check the text against a list of allowed syntax, without evaluation and without SymPy.
 expressions           Build the SymPy expression. Decide whether it is odd, or a multiple of a named chart.
-edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ below it.
+edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ in closed form.
 near_zero             Interpolate a(x) with a bound of the error, proved by interval arithmetic on a circle.
 first_guess           Choose the start of Newton's method, and count the steps that it needs.
-lowering              Write φ and its derivatives as arithmetic of ``+ − × /``, roots, tangents, exponentials.
-real_constants        Write real constants as sums of small integers, which every number type holds.
-angle_chart           Branches and inverse maps of a chart that finds its angle from ``|v|``.
+phi_values            Write φ and its derivatives as arithmetic of ``+ − × /``, roots, tangents, exponentials.
 general               The chart itself: scalars in both ranges.
+parameterization      The chart of a φ: a named chart, a multiple of one, or a general chart.
 ====================  ==============================================================================================
 
-Two modules serve other purposes: ``elementary`` evaluates an expression at numbers of any type, and ``stretch``
-compares charts by the singular values of their tangent operators.
+Other modules of `derive.maps` import `parameterization` alone.
 
 This file imports nothing, so that `grammar` can be used before SymPy is loaded.
 """

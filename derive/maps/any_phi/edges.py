@@ -1,4 +1,4 @@
-r"""Edge of φ, and the inverse φ⁻¹ below the edge: as a number, or in closed form.
+r"""Edge of φ, and the inverse φ⁻¹ below the edge in closed form.
 
 A closed form exists for compositions of invertible functions, and where φ² is a quotient of quadratics in α²:
 
@@ -11,20 +11,18 @@ This α is 0 at r = 0 and loses no digits there.
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any
 
 import mpmath
 import sympy
 
+from ..angle_of_length import real_value
 from ..families import alpha
-from .elementary import evaluate
-from .grammar import PhiError
+from ..phi_error import PhiError
 
-DIGITS = 60
+PHI_DIGITS = 60
 """Working digits of numerical decisions."""
 EDGE_MAX = 4
 """Largest edge in units of π; charts without an edge are cut there."""
@@ -45,7 +43,7 @@ def edge_of(phi: sympy.Expr) -> Edge:
     A φ that does not increase from 0 or is not real raises `PhiError`.
     """
     slope = phi.diff(alpha)
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(PHI_DIGITS):
         step = EDGE_MAX * mpmath.pi / GRID_POINTS
         try:
             before = real_value(slope, mpmath.mpf(0), phi)
@@ -63,16 +61,6 @@ def edge_of(phi: sympy.Expr) -> Edge:
                 return _pole(phi, (k - 1) * step, k * step) if jumped else _fold(phi, slope, (k - 1) * step, k * step)
             before = now
     return Edge(EDGE_MAX * sympy.pi, "cut")
-
-
-def real_value(expression: sympy.Expr, at: Any, phi: sympy.Expr) -> Any:
-    """Return φ, or a derivative of φ, at an angle; `PhiError` if the value is not real."""
-    value = evaluate(expression, alpha, at)
-    if isinstance(value, mpmath.mpc | complex):
-        if value.imag != 0:
-            raise PhiError(f"phi = {phi} is no real number at alpha = {mpmath.nstr(at, 5)}")
-        value = value.real
-    return value if isinstance(value, float | mpmath.mpf) else mpmath.mpf(value)
 
 
 def _fold(phi: sympy.Expr, slope: sympy.Expr, low: Any, high: Any) -> Edge:
@@ -106,50 +94,6 @@ def _named(root: Any) -> sympy.Expr:
         if abs(value - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -40:
             return make(sympy.Rational(near.numerator, near.denominator))
     return sympy.Float(mpmath.nstr(root, 50), 50)
-
-
-def _end(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """Return the edge as a number; without an edge, an angle where φ exceeds the length."""
-    if not edge.is_infinite:
-        return mpmath.mpf(edge.evalf(mpmath.mp.dps + 5))
-    high = mpmath.mpf(1)
-    while real_value(phi, high, phi) <= size:
-        high = 2 * high
-    return high
-
-
-def angle_of(phi: sympy.Expr, edge: sympy.Expr, size: Any) -> Any:
-    """Return φ⁻¹ of a length below φ at the edge, in the working precision; floats give the first guess."""
-    if size == 0:
-        return size
-    slope, high = _slope(phi), _end(phi, edge, size)
-    guess = min(size / real_value(slope, mpmath.mpf(0), phi), high / 2)
-    try:
-        found = _solved(phi, slope, float(size), float(high), float(guess), sys.float_info.epsilon)
-        guess = mpmath.mpf(found) if 0 < found < high else guess
-    except (ArithmeticError, ValueError):  # beyond the range of floats, or where rounding to floats makes φ complex
-        pass
-    return _solved(phi, slope, size, high, guess, mpmath.eps)
-
-
-@lru_cache(maxsize=64)
-def _slope(phi: sympy.Expr) -> sympy.Expr:
-    return phi.diff(alpha)
-
-
-def _solved(phi: sympy.Expr, slope: sympy.Expr, size: Any, high: Any, guess: Any, eps: Any) -> Any:
-    """Solve φ = size by Newton's method between bounds, on φ or on 1/φ; bisect where both steps leave the bounds."""
-    low = 0 * high
-    for _ in range(8 * mpmath.mp.prec):
-        reached, rise = real_value(phi, guess, phi), real_value(slope, guess, phi)
-        low, high = (guess, high) if reached < size else (low, guess)
-        steps = (size - reached) / rise, (1 - reached / size) * reached / rise
-        inside = (at for at in (guess + step for step in steps) if low <= at <= high)
-        better = next(inside, (low + high) / 2)
-        guess, step = better, abs(better - guess)
-        if step <= 8 * eps * better:
-            break
-    return guess
 
 
 def closed_inverse(phi: sympy.Expr) -> sympy.Expr | None:

@@ -21,8 +21,8 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.polyerrors import CoercionFailed
 
 from ..families import alpha
+from ..phi_error import PhiError
 from . import grammar
-from .grammar import PhiError
 
 ODD = (sympy.sin, sympy.tan, sympy.asin, sympy.atan, sympy.sinh, sympy.tanh)
 EVEN = (sympy.cos, sympy.cosh)

@@ -13,12 +13,13 @@ import sympy
 
 from ...algebra import Coefficient
 from ...algebra.arithmetic import PLAIN, Arithmetic
+from ..angle_of_length import angle_of, real_value
 from ..families import alpha
-from .edges import DIGITS, Edge, angle_of, closed_inverse, real_value
-from .grammar import PhiError
-from .lowering import Lowering
+from ..phi_error import PhiError
+from ..real_constants import Polynomial, plus, polynomial, times
+from .edges import PHI_DIGITS, Edge, closed_inverse
 from .near_zero import chebyshev_points, interpolated
-from .real_constants import Polynomial, plus, polynomial, times
+from .phi_values import PhiValues
 
 GUESS_DEGREE = 12
 """Degree of a fitted polynomial."""
@@ -71,7 +72,7 @@ class Closed(Guess):
         """Return the guess; a length beyond the edge is replaced by 0, since the inverse may be undefined there."""
         if mpmath.isfinite(self.size):
             r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
-        return Lowering(r, m).at(self.inverse)
+        return PhiValues(r, m).at(self.inverse)
 
 
 @dataclass(frozen=True)
@@ -141,7 +142,7 @@ class Guarded(Guess):
         for step in range(self.count):
             outside = m.either(m.less(better, low), m.less(high, better))
             angle = m.name(f"guarded{step}", m.where(outside, m.div(low + high, 2), better))
-            at = Lowering(m.corrected(angle), m)
+            at = PhiValues(m.corrected(angle), m)
             miss = m.name(f"miss{step}", at.derivative(self.phi, 0) - r)
             above = m.name(f"above{step}", m.less(0, miss))
             low = m.name(f"low{step}", m.where(above, low, angle))
@@ -152,8 +153,8 @@ class Guarded(Guess):
 
 def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
     """Return the first guess for x beyond a limit; `PhiError` if no guess leads to the root at every angle."""
-    with mpmath.workdps(DIGITS):
-        end, start = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
+    with mpmath.workdps(PHI_DIGITS):
+        end, start = mpmath.mpf(edge.angle.evalf(PHI_DIGITS)), mpmath.mpf(limit.numerator) / limit.denominator
         first = angle_of(phi, edge.angle, mpmath.sqrt(start)) * mpmath.mpf("0.98")
         for found in _guesses(phi, edge, first, end):
             try:

@@ -19,16 +19,16 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, double_angle
 from ..polynomials import Pair
+from ..real_constants import plus
 from ..scalars import DependentScalars, scalar
-from .angle_chart import AngleChart
-from .edges import DIGITS, Edge, edge_of
+from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
-from .lowering import Lowering, require_known
 from .near_zero import Ratio, ratio
-from .real_constants import plus
+from .phi_values import PhiValues, require_known
 
 
 class GeneralScalars(DependentScalars):
@@ -114,7 +114,7 @@ class GeneralScalars(DependentScalars):
         sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
         return cosine, sine / self._length
 
-    _slopes = cached_property(lambda at: Lowering(at.far_angle, at.m))
+    _slopes = cached_property(lambda at: PhiValues(at.far_angle, at.m))
 
     def _derivative(self, count: int) -> Coefficient:
         return self._slopes.derivative(self.chart.phi, count)
@@ -196,8 +196,8 @@ class General(AngleChart):
     def overflow(self, largest: float) -> tuple[str, float]:
         if self._edge.kind == "pole":
             return "x overflows", float(largest**0.5)
-        with mpmath.workdps(DIGITS):
-            size = float(self.phi.subs(alpha, self.edge).evalf(DIGITS))
+        with mpmath.workdps(PHI_DIGITS):
+            size = float(self.phi.subs(alpha, self.edge).evalf(PHI_DIGITS))
         return f"v ends, at Re|v| = {size:.6g}", size
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
@@ -215,15 +215,15 @@ class General(AngleChart):
         """Return α by Newton's method from the first guess."""
         angle = m.name("guess", self.far.lowered(x, r, m))
         for step in range(self.far.steps):
-            at = Lowering(m.corrected(angle), m)
+            at = PhiValues(m.corrected(angle), m)
             angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
         return angle
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
         """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
-        with mpmath.workdps(DIGITS):
-            square = mpmath.mpf(self.edge.evalf(DIGITS)) ** 2
+        with mpmath.workdps(PHI_DIGITS):
+            square = mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2
         left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
         one = m.name(f"inside{mark}", m.div(left, left))
-        at = Lowering(angle, m)
+        at = PhiValues(angle, m)
         return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

@@ -10,6 +10,8 @@ import ast
 import re
 import warnings
 
+from ..phi_error import PhiError
+
 FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt")
 NAMES = ("alpha", "n", "pi")
 OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Pow)
@@ -22,10 +24,6 @@ DIGITS_MAX = 30
 DECIMAL_EXPONENT_MAX = 20
 
 NUMBER = re.compile(r"(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?|\.(\d+)(?:[eE]([+-]?\d+))?")
-
-
-class PhiError(ValueError):
-    """Error for a refused φ, with the reason."""
 
 
 def syntax_tree(text: str) -> ast.expr:

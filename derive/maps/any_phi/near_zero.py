@@ -21,11 +21,12 @@ from typing import Any
 import mpmath
 import sympy
 
+from ..angle_of_length import angle_of
+from ..elementary import evaluate
 from ..families import alpha
-from .edges import DIGITS, Edge, angle_of
-from .elementary import evaluate
-from .grammar import PhiError
-from .real_constants import Polynomial, polynomial
+from ..phi_error import PhiError
+from ..real_constants import Polynomial, polynomial
+from .edges import PHI_DIGITS, Edge
 
 NEAR_ANGLE = mpmath.mpf("1.3")
 """Largest angle for the interpolation of a(x); a fifth of the edge, if less."""
@@ -64,8 +65,9 @@ def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
 
 
 def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
-    with mpmath.workdps(DIGITS):
-        end, slope = mpmath.mpf(edge.angle.evalf(DIGITS)), mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
+    with mpmath.workdps(PHI_DIGITS):
+        end = mpmath.mpf(edge.angle.evalf(PHI_DIGITS))
+        slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
         limit = _rounded_down(phi, mpmath.mpf(evaluate(phi, alpha, min(near, end / 5))) ** 2)
         X = mpmath.mpf(limit.numerator) / limit.denominator
         bound, within = _circle(phi, X)
@@ -138,7 +140,7 @@ def smallest(phi: sympy.Expr, radius: Any) -> Any:
 
     The result is None if ``Re φ/(φ′(0) α) > 0`` is not proved there.
     """
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(PHI_DIGITS):
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
     least = mpmath.inf
     try:
@@ -205,8 +207,8 @@ def _on_intervals(e: sympy.Expr) -> Callable[[Any], Any]:
 
 
 def _constant(e: sympy.Expr) -> Any:
-    with mpmath.workdps(DIGITS):
-        value = mpmath.mpf(e.evalf(DIGITS))
+    with mpmath.workdps(PHI_DIGITS):
+        value = mpmath.mpf(e.evalf(PHI_DIGITS))
     off = abs(value) * mpmath.mpf(2) ** -45
     return mpmath.iv.mpf([value - off, value + off])
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.cli import compare
 from derive.codegen import catalogue
-from derive.comparison import MEASURED, MEASUREMENTS, TIMED, Compared
+from derive.pages import comparison_forms
+from derive.pages.comparison import MEASURED, MEASUREMENTS, TIMED, Compared
 from tests.support.command import ROOT, dualcay
 
 
@@ -46,7 +46,7 @@ def test_chart_without_kernels_is_compared_without_operations(monkeypatch):
     inside = 1 + math.pi**2 / 100
     slope = 5 + 1 / math.tan(inside) - math.pi**2 / 50 / math.sin(inside) ** 2
     assert found.along == pytest.approx(1 / slope, rel=1e-12)
-    assert compare.FORMS["text"]([row]).count(" - │") == len(row.operations)
+    assert comparison_forms.FORMS["text"]([row]).count(" - │") == len(row.operations)
 
 
 def test_a_plot_is_written(tmp_path: Path):
@@ -89,4 +89,4 @@ def test_no_measurements_outside_a_checkout(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(about, "checkout", lambda: None)
     row = Compared(*catalogue.charts((2,)))
     assert row.measured is None
-    assert compare.measured([row], "errors")[1] == compare.measured([row], "nanoseconds")[1] == []
+    assert comparison_forms.measured([row], "errors")[1] == comparison_forms.measured([row], "nanoseconds")[1] == []

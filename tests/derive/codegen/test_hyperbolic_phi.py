@@ -18,8 +18,8 @@ from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
-from derive.maps.any_phi.elementary import evaluate
-from derive.maps.any_phi.lowering import Lowering
+from derive.maps.any_phi.phi_values import PhiValues
+from derive.maps.elementary import evaluate
 from derive.maps.families import alpha
 from derive.output import files
 from derive.proof import prove
@@ -109,7 +109,7 @@ ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 def test_functions_keep_all_digits(function: sympy.Expr, arguments: tuple[float, ...], units: int):
     """Allow ``units`` eps on floats of both signs, some near 0."""
     for a in arguments:
-        got = Lowering(a, PLAIN).at(function)
+        got = PhiValues(a, PLAIN).at(function)
         with mpmath.workdps(DIGITS):
             exact = evaluate(function, alpha, mpmath.mpf(a))
             assert abs(got - exact) <= units * np.finfo(float).eps * abs(exact), (a, got, exact)

@@ -15,7 +15,7 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
 from derive.codegen.validation.loading import loaded, module_of
 from derive.maps import parameterization
-from derive.maps.any_phi.real_constants import BITS, LEVELS, polynomial
+from derive.maps.real_constants import BITS, LEVELS, polynomial
 from derive.output import files
 from derive.proof import prove
 

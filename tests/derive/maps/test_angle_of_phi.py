@@ -10,8 +10,9 @@ import sympy
 
 from derive.algebra.arithmetic import PLAIN
 from derive.maps import PhiError, parameterization
+from derive.maps.angle_of_length import angle_of
 from derive.maps.any_phi import first_guess
-from derive.maps.any_phi.edges import DIGITS, angle_of, edge_of
+from derive.maps.any_phi.edges import PHI_DIGITS, edge_of
 from derive.maps.any_phi.first_guess import Fitted, Guarded, Guess
 from derive.maps.any_phi.general import General
 from derive.maps.families import alpha
@@ -61,7 +62,7 @@ def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None
         return angle_of(chart.phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x)
 
     limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
-    with mpmath.workdps(2 * DIGITS):
+    with mpmath.workdps(2 * PHI_DIGITS):
         for share in ("0.05", "0.5", "0.97"):
             x = limit * mpmath.mpf(share)
             exact = mpmath.taylor(ratio, x, len(chart.near.polynomials) - 1)
@@ -125,8 +126,8 @@ def test_known_angle_near_a_fold_keeps_all_digits() -> None:
     """Allow 4 eps for h_i from a known angle, 1e-6 before the fold; from x alone, its error exceeds 1e-9."""
     chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
     angle = float(40**0.5) - 1e-6
-    at = {alpha: sympy.Float(angle, DIGITS)}
-    size, fi, _, hi = (c.subs(at).evalf(DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
+    at = {alpha: sympy.Float(angle, PHI_DIGITS)}
+    size, fi, _, hi = (c.subs(at).evalf(PHI_DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
     x, exact = float(size**2), float(2 * hi)
     known = chart.at_angle(x, float(2 * fi), angle, PLAIN)
     assert known.hi == pytest.approx(exact, rel=1e-15)

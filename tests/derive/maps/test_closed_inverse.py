@@ -7,7 +7,8 @@ import pytest
 import sympy
 
 from derive.maps import parameterization
-from derive.maps.any_phi.edges import DIGITS, closed_inverse, real_value
+from derive.maps.angle_of_length import real_value
+from derive.maps.any_phi.edges import PHI_DIGITS, closed_inverse
 from derive.maps.families import alpha
 
 INVERSES = {
@@ -32,13 +33,13 @@ def test_inverse_returns_the_angle_up_to_the_edge(phi: str) -> None:
     chart = parameterization(phi, "of_user")
     inverse = closed_inverse(chart.phi)
     assert INVERSES[phi] in (None, str(inverse))
-    with mpmath.workdps(DIGITS):
-        end = min(mpmath.mpf(chart.edge.evalf(DIGITS)), 4 * mpmath.pi)
+    with mpmath.workdps(PHI_DIGITS):
+        end = min(mpmath.mpf(chart.edge.evalf(PHI_DIGITS)), 4 * mpmath.pi)
         for share in ("1e-9", "0.1", "0.5", "0.9", "0.999"):
             angle = end * mpmath.mpf(share)
             size = real_value(chart.phi, angle, chart.phi)
-            found = inverse.subs(alpha, sympy.Float(size, DIGITS)).evalf(DIGITS)
-            assert abs(mpmath.mpf(found) / angle - 1) < mpmath.mpf(10) ** (6 - DIGITS), share
+            found = inverse.subs(alpha, sympy.Float(size, PHI_DIGITS)).evalf(PHI_DIGITS)
+            assert abs(mpmath.mpf(found) / angle - 1) < mpmath.mpf(10) ** (6 - PHI_DIGITS), share
 
 
 @pytest.mark.parametrize(

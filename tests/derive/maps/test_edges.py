@@ -8,8 +8,9 @@ import mpmath
 import pytest
 import sympy
 
-from derive.maps.any_phi import edges
-from derive.maps.any_phi.edges import DIGITS, Edge, angle_of, edge_of
+from derive.maps import angle_of_length
+from derive.maps.angle_of_length import angle_of
+from derive.maps.any_phi.edges import PHI_DIGITS, Edge, edge_of
 from derive.maps.families import alpha
 
 EDGES = [
@@ -37,16 +38,16 @@ LENGTHS = [
 def test_angles_take_few_steps_in_many_digits(phi, edge, lengths, monkeypatch: pytest.MonkeyPatch):
     """Allow 6 evaluations in many digits after a start in floats, and 6 more near a pole, where the start may fail."""
     taken = set()
-    evaluated = edges.real_value
+    evaluated = angle_of_length.real_value
 
     def watched(expression: sympy.Expr, at: Any, of: sympy.Expr) -> Any:
         taken.update([at] if expression == phi and isinstance(at, mpmath.mpf) else [])
         return evaluated(expression, at, of)
 
-    monkeypatch.setattr(edges, "real_value", watched)
+    monkeypatch.setattr(angle_of_length, "real_value", watched)
     for length in lengths:
         taken.clear()
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(PHI_DIGITS):
             angle_of(phi, edge, mpmath.mpf(length))
         assert len(taken) <= 6 + (mpmath.mpf(length) > 10**9) * 6, length
 
@@ -56,17 +57,17 @@ def test_an_edge_without_a_name_is_a_decimal():
     found = edge_of(phi)
     assert found.kind == "fold"
     assert isinstance(found.angle, sympy.Float)
-    with mpmath.workdps(DIGITS):  # cos(α/2)/2 + 1/50 = 0
+    with mpmath.workdps(PHI_DIGITS):  # cos(α/2)/2 + 1/50 = 0
         assert abs(mpmath.mpf(found.angle) - 2 * mpmath.acos(-mpmath.mpf(1) / 25)) < mpmath.mpf(10) ** -45
 
 
 @pytest.mark.parametrize(("phi", "edge"), [*EDGES, (sympy.sinh(alpha), Edge(sympy.oo, ""))])
 def test_angles_are_found_up_to_the_edge(phi: sympy.Expr, edge: Edge):
-    with mpmath.workdps(DIGITS):
-        end = 5 if edge.angle.is_infinite else mpmath.mpf(edge.angle.evalf(DIGITS + 5))
+    with mpmath.workdps(PHI_DIGITS):
+        end = 5 if edge.angle.is_infinite else mpmath.mpf(edge.angle.evalf(PHI_DIGITS + 5))
         for share in ("1e-20", "0.3", "0.999"):
             angle = mpmath.mpf(share) * end
             # at 0.999 times the fold angle, an error of eps in |v| changes α by about 1e6 eps
-            found = angle_of(phi, edge.angle, phi.evalf(DIGITS, subs={alpha: angle}))
+            found = angle_of(phi, edge.angle, phi.evalf(PHI_DIGITS, subs={alpha: angle}))
             assert abs(found / angle - 1) < mpmath.mpf(10) ** -40
         assert angle_of(phi, edge.angle, mpmath.mpf(0)) == 0

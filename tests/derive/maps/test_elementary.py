@@ -13,7 +13,7 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, functions
-from derive.maps.any_phi.elementary import FUNCTIONS, evaluate
+from derive.maps.elementary import FUNCTIONS, evaluate
 
 pytestmark = pytest.mark.smoke
 

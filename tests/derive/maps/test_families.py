@@ -8,7 +8,7 @@ import sympy
 
 from derive.algebra import Dual, Quaternion, Vector, functions
 from derive.maps import closed_forms, family
-from derive.maps.any_phi.elementary import evaluate
+from derive.maps.elementary import evaluate
 from derive.maps.families import alpha, breusing, isochoric, rodrigues
 from derive.maps.pose import Screw
 

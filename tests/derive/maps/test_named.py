@@ -11,9 +11,10 @@ from derive.algebra.arithmetic import PLAIN
 from derive.codegen.lowering.scalars import scalar_programs
 from derive.maps import Cayley, families, family, parameterization
 from derive.maps.any_phi.expressions import parsed
+from derive.maps.any_phi.parameterization import recognized
 from derive.maps.families import alpha
 from derive.maps.multiple import POWERS
-from derive.maps.named import SYMBOLIC, described, recognized
+from derive.maps.named import SYMBOLIC, described
 from derive.proof import prove
 
 

@@ -10,8 +10,8 @@ from typing import Any, TypeAlias
 import mpmath
 import sympy
 
-from ...algebra import Coefficient, functions, real_part
-from ..pose import is_zero
+from ..algebra import Coefficient, functions, real_part
+from .pose import is_zero
 
 FUNCTIONS = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
 """Functions that a library may provide in addition to sqrt."""

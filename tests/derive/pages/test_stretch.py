@@ -9,8 +9,8 @@ import pytest
 import sympy
 
 from derive.maps import Cayley, family, parameterization
-from derive.maps.any_phi.stretch import best, bound, stretch
 from derive.maps.families import alpha
+from derive.pages.stretch import best, bound, stretch
 from dualcay import cayley2, exponential, lambert
 
 CHARTS = [(Cayley(2), cayley2), (family("exponential"), exponential), (family("lambert"), lambert)]

@@ -19,8 +19,8 @@ import sympy
 from numpy.polynomial.polynomial import polyval
 from numpy.typing import NDArray
 
-from ..families import alpha
-from .elementary import evaluate
+from ..maps.elementary import evaluate
+from ..maps.families import alpha
 
 POINTS = 400
 """Number of angles in the search for an extremum."""

@@ -11,9 +11,9 @@ from itertools import product
 from math import lcm, prod
 from typing import Any
 
-from .element import Element
-from .exact import RationalFunctions
-from .polynomial_backend import Polynomial
+from ..algebra.element import Element
+from ..algebra.exact import RationalFunctions
+from ..algebra.polynomial_backend import Polynomial
 
 Terms = list[list[Any]]
 PLACES = (*map(Fraction, (1, 2, 0, -1)), Fraction(3, 5), Fraction(4, 5))

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from .certificate import certificate
+from ..proof.certificate import certificate
+from ..proof.identity import ALL_ORDERS, Proof
 from .coq import in_coq
 from .coverage import COVERAGE
-from .identity import ALL_ORDERS, Proof
 
 HEAD = """# Theorems
 

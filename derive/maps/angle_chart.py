@@ -12,15 +12,14 @@ from typing import Any
 import mpmath
 import sympy
 
-from ...algebra import Coefficient, Quaternion
-from ...algebra.arithmetic import Arithmetic
-from .. import order_charts
-from ..families import alpha
-from ..order_charts import Derivatives, half_cosine, half_sine
-from ..polynomials import Pair
-from ..scalars import QuaternionChart
-from .lowering import number
-from .real_constants import times
+from ..algebra import Coefficient, Quaternion
+from ..algebra.arithmetic import Arithmetic
+from . import order_charts
+from .families import alpha
+from .order_charts import Derivatives, half_cosine, half_sine
+from .polynomials import Pair
+from .real_constants import number, times
+from .scalars import QuaternionChart
 
 TURNS_MAX = 2
 """Number of whole turns that are listed for a chart without an edge."""

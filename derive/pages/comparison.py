@@ -11,15 +11,15 @@ from typing import Any
 
 import sympy
 
-from . import about
-from .codegen import catalogue
-from .codegen.lowered import lower_chart
-from .maps import PhiError
-from .maps.any_phi.stretch import Stretch, stretch
-from .maps.chart import Chart
-from .maps.families import alpha
-from .output.listing import Listing
-from .output.progress import Step, bar
+from .. import about
+from ..codegen import catalogue
+from ..codegen.lowered import lower_chart
+from ..maps import PhiError
+from ..maps.chart import Chart
+from ..maps.families import alpha
+from ..output.listing import Listing
+from ..output.progress import Step, bar
+from .stretch import Stretch, stretch
 
 ANGLES = {"π/2": math.pi / 2, "π": math.pi, "3π/2": 3 * math.pi / 2}
 """Angles at which singular values and errors are shown."""

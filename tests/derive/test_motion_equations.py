@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 import derive
 from derive.algebra.arithmetic import Arithmetic
-from derive.maps.motion_equations import KINDS, MotionEquation, motion_equation
+from derive.motion_equations import KINDS, MotionEquation, motion_equation
 from derive.papers.condurache_popa_2023 import PAPER, symbols
 from derive.papers.language import values
 from derive.papers.language.evaluation import Env

@@ -26,14 +26,14 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra import Coefficient, Dual, Isotropic, Quaternion, Structure, Tensor, Vector
-from ..algebra.arithmetic import PLAIN, Arithmetic
-from ..output.typeset import Typeset
-from .cayley import Cayley
-from .chart import Chart
-from .exponential import Exponential
-from .first_principles import tensor_by_sandwich
-from .pose import Pose, Screw, natural_invariants, pose_from_tensor, quaternion_from_screw, tensor_from_pose
+from .algebra import Coefficient, Dual, Isotropic, Quaternion, Structure, Tensor, Vector
+from .algebra.arithmetic import PLAIN, Arithmetic
+from .maps.cayley import Cayley
+from .maps.chart import Chart
+from .maps.exponential import Exponential
+from .maps.first_principles import tensor_by_sandwich
+from .maps.pose import Pose, Screw, natural_invariants, pose_from_tensor, quaternion_from_screw, tensor_from_pose
+from .output.typeset import Typeset
 
 STATES: dict[type[Structure], int] = {Tensor: 18, Quaternion: 8, Vector: 6}
 """Number of real components of each kind of dual quantity."""

@@ -12,9 +12,10 @@ import pytest
 import sympy
 
 from derive.maps import Cayley
-from derive.proof import ProofFailed, sheet
+from derive.pages import sheet
+from derive.pages.theorems import title
+from derive.proof import ProofFailed
 from derive.proof.identity import Proof
-from derive.proof.page import title
 from derive.proof.proved import claims
 from derive.proof.theorem import decided
 

@@ -12,13 +12,28 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
+import sympy
 
-from ...algebra import Coefficient
-from ...algebra.arithmetic import Arithmetic
+from ..algebra import Coefficient
+from ..algebra.arithmetic import Arithmetic
 
 BITS, LEVELS = 22, 3
 SMALL = 2**24
 """Largest integer that every number type holds exactly."""
+
+
+CONSTANT_DIGITS = 60
+"""Decimal digits of a real constant before it is split."""
+
+
+def number(expression: sympy.Expr) -> Any:
+    """Return a constant as a fraction of small integers, or else as an mpmath number."""
+    if expression.is_Rational:
+        fraction = Fraction(int(expression.p), int(expression.q))
+        if is_small(fraction):
+            return fraction
+    with mpmath.workdps(CONSTANT_DIGITS):
+        return mpmath.mpf(expression.evalf(CONSTANT_DIGITS))
 
 
 def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:

@@ -7,7 +7,6 @@ Arc functions come from a series that takes complex numbers. No operation loses 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from math import comb
 from typing import Any
 
@@ -18,10 +17,10 @@ from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from ..families import alpha
 from ..order_charts import double_angle
+from ..phi_error import SYMBOLIC_ONLY, PhiError
 from ..polynomials import Pair
-from .edges import DIGITS
-from .grammar import PhiError
-from .real_constants import is_small, plus, times
+from ..real_constants import is_small, number, plus, times
+from .edges import PHI_DIGITS
 
 SQUARE = sympy.Symbol("square", positive=True)
 LEVELS = 5
@@ -29,19 +28,6 @@ LEVELS = 5
 
 ARC_SERIES = tuple(45045 // odd for odd in range(1, 15, 2))
 """Coefficients of the arc tangent series, without signs, scaled to integers."""
-
-SYMBOLIC_ONLY = "its chart is symbolic only; derive.Parameterization has its formulas, dualcay compare its figures"
-"""Advice for a chart without kernels."""
-
-
-def number(expression: sympy.Expr) -> Any:
-    """Return a constant as a fraction of small integers, or else as an mpmath number."""
-    if expression.is_Rational:
-        fraction = Fraction(int(expression.p), int(expression.q))
-        if is_small(fraction):
-            return fraction
-    with mpmath.workdps(DIGITS):
-        return mpmath.mpf(expression.evalf(DIGITS))
 
 
 def require_known(phi: sympy.Expr) -> None:
@@ -51,7 +37,7 @@ def require_known(phi: sympy.Expr) -> None:
         raise PhiError(f"kernels compute no {', '.join(other)}, as in phi = {phi}: {SYMBOLIC_ONLY}")
 
 
-class Lowering:
+class PhiValues:
     """Values of expressions at one angle; each part is computed once."""
 
     def __init__(self, angle: Coefficient, m: Arithmetic) -> None:
@@ -143,7 +129,7 @@ class Lowering:
         short = m.less(a * a, 1)
         arc = self._short_arc(m.where(short, a, 1) / m.where(short, 1, a))
         side = m.where(m.less(a, 0), -1, 1)
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(PHI_DIGITS):
             right_angle = mpmath.pi / 2
         return m.where(short, arc, side * plus(-(side * arc), right_angle, m, "", LEVELS))
 
@@ -208,7 +194,7 @@ class Lowering:
         return m.where(small, -1, 1) * m.log1p(m.where(small, -beside, beside) / m.where(small, a, 1))
 
 
-FUNCTIONS: Mapping[Any, Callable[[Lowering, sympy.Expr], Coefficient]] = {
+FUNCTIONS: Mapping[Any, Callable[[PhiValues, sympy.Expr], Coefficient]] = {
     sympy.sin: lambda at, e: at._circular(e)[0],
     sympy.cos: lambda at, e: at._circular(e)[1],
     sympy.tan: lambda at, e: at.m.tan(at.at(e)),
@@ -217,9 +203,9 @@ FUNCTIONS: Mapping[Any, Callable[[Lowering, sympy.Expr], Coefficient]] = {
     sympy.atan: lambda at, e: at._atan(at.at(e)),
     sympy.sinh: lambda at, e: at._hyperbolic(e)[0],
     sympy.cosh: lambda at, e: at._hyperbolic(e)[1],
-    sympy.tanh: Lowering._tanh,
-    sympy.exp: Lowering._exp,
-    sympy.log: Lowering._log,
+    sympy.tanh: PhiValues._tanh,
+    sympy.exp: PhiValues._exp,
+    sympy.log: PhiValues._log,
 }
 """Functions that kernels compute, with the lowering of each."""
 

@@ -17,13 +17,13 @@ from ..maps import Cayley
 from ..maps.exponential import Exponential
 from ..maps.formula import Formula
 from ..maps.polynomials import x
-from .identity import Proof
-from .notation import beta, latex, n, prime, r_k, text
-from .page import title
-from .phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
-from .proved import claims, proofs, require
-from .statement import Equation
-from .theorem import Theorem, decided
+from ..proof.identity import Proof
+from ..proof.notation import beta, latex, n, prime, r_k, text
+from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
+from ..proof.proved import claims, proofs, require
+from ..proof.statement import Equation
+from ..proof.theorem import Theorem, decided
+from .theorems import title
 
 ORDERS = (1, 2, 3)
 """Orders whose explicit formulas the sheet shows."""

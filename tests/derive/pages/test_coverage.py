@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from derive.codegen.signatures import PUBLIC
+from derive.pages.coverage import COVERAGE
 from derive.proof import notation as m
 from derive.proof import theorems
-from derive.proof.coverage import COVERAGE
 
 ALIASES = {alias: name for name, row in PUBLIC.items() for alias in row.aliases}
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from .. import about
 from ..output import files
 from ..output.templates import render
-from ..proof.sheet import sheet
+from .sheet import sheet
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--no-pdf-header-footer")
