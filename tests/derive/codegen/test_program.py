@@ -11,8 +11,7 @@ from derive.codegen.lowered import lower_chart, printed_geometry
 from derive.codegen.programs.trace import Trace, UnnamedValueError
 from derive.codegen.signatures import ROTATIONS
 from derive.codegen.targets import infix
-from derive.maps import Cayley
-from derive.maps.named import family, parameterization
+from derive.maps import Cayley, family, parameterization
 
 pytestmark = pytest.mark.smoke
 

@@ -12,8 +12,7 @@ from derive.codegen.build import print_module
 from derive.codegen.lowering.scalars import FORMULAS
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import formula_of
-from derive.maps import Cayley, cayley, chart
-from derive.maps.named import family, parameterization
+from derive.maps import Cayley, cayley, chart, family, parameterization
 from derive.output.progress import no_op
 from derive.proof import ProofFailed, prove, shown
 from derive.proof.texts import MARKED, compared, shown_with
