@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from derive.algebra.element import Element
-from derive.proof.certificate import Certificate, part
-from derive.proof.identity import Residue, Sides
-
+from ..algebra.element import Element
+from ..proof.certificate import Certificate, part
+from ..proof.identity import Residue, Sides
 from .decide import ORDERS, Pairs, prove
 from .language import notation
 from .language.terms import Apply, Term, text

@@ -10,8 +10,7 @@ from itertools import product
 from math import lcm
 from typing import Any
 
-from derive.algebra.element import NotExactError
-
+from ..algebra.element import NotExactError
 from .equation import Equation, Reading, UndecidedError, faithful
 from .explore import Outcome, counterexample, explore
 from .language.evaluation import Env

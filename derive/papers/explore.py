@@ -12,9 +12,8 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Structure
-from derive.maps.pose import Pose
-
+from ..algebra import Dual, Structure
+from ..maps.pose import Pose
 from .equation import Equation
 from .language import notation
 from .language.evaluation import Env

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector
-from derive.algebra.element import Element
-
+from ...algebra import Quaternion, Tensor, Vector
+from ...algebra.element import Element
 from ..language import values
 from ..language.evaluation import Env
 from ..language.notation import define

@@ -10,9 +10,8 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.maps import pose, rodrigues
-
+from ...algebra import Dual, Tensor, Vector, dual_part, real_part
+from ...maps import pose, rodrigues
 from ..language import values
 from ..language.definitions import component_of, screw_tensor
 from ..language.evaluation import Definition, Env, let

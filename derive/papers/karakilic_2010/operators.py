@@ -7,10 +7,9 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.algebra.element import NotExactError
-from derive.algebra.mixed import MeaninglessError
-
+from ...algebra import Dual, Tensor, Vector, dual_part, real_part
+from ...algebra.element import NotExactError
+from ...algebra.mixed import MeaninglessError
 from ..language.evaluation import Env
 from ..language.notation import cos, define, norm, sin, tan
 from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Operator, Term, Trait

@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import Pose
-
+from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...maps import first_principles
+from ...maps.pose import Pose
 from ..numbers.fields import innermost
 from . import values
 from .evaluation import Env

@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra import Dual, Structure, real_part
-
+from ...algebra import Dual, Structure, real_part
 from ..numbers.fields import Field
 from .terms import Number, Symbol, Term
 

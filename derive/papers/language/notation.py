@@ -13,10 +13,9 @@ from typing import Any
 
 from sympy import LeviCivita
 
-from derive.algebra import Quaternion, Structure, Tensor, Vector
-from derive.algebra.element import NotExactError
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
-
+from ...algebra import Quaternion, Structure, Tensor, Vector
+from ...algebra.element import NotExactError
+from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ..numbers.fields import UndefinedError, innermost
 from . import values
 from .evaluation import Env

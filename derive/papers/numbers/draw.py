@@ -10,8 +10,7 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Vector
-
+from ...algebra import Dual, Quaternion, Vector
 from .fields import Decimal60
 
 

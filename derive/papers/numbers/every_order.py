@@ -16,9 +16,8 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure
-from derive.algebra.element import Element, NotExactError
-
+from ...algebra import Dual, Quaternion, Structure
+from ...algebra.element import Element, NotExactError
 from .fields import Exact, one_over
 
 

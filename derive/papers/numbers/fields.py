@@ -14,10 +14,10 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
-from derive.algebra.angles import AngleField
-from derive.algebra.element import Element, NotExactError
-from derive.maps.polynomials import pair
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
+from ...algebra.angles import AngleField
+from ...algebra.element import Element, NotExactError
+from ...maps.polynomials import pair
 
 DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above rounding errors, far below relevant differences

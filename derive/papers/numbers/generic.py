@@ -14,9 +14,8 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Vector
-from derive.algebra.element import NotExactError
-
+from ...algebra import Dual, Quaternion, Vector
+from ...algebra.element import NotExactError
 from .draw import sphere
 from .every_order import EveryOrder
 from .fields import Exact

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from derive.output.templates import holes, render
-
+from ...output.templates import holes, render
 from ..language.notation import define
 from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status

@@ -6,14 +6,13 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
-from derive.maps import first_principles
-from derive.maps.families import Family, rodrigues
-from derive.papers.numbers.every_order import EveryOrder
-from derive.proof.proved import citing
-
+from ....algebra import Quaternion, Tensor, Vector, dual_part, real_part
+from ....maps import first_principles
+from ....maps.families import Family, rodrigues
+from ....proof.proved import citing
 from ...language import values
 from ...language.evaluation import Env
+from ...numbers.every_order import EveryOrder
 from ...numbers.fields import UndefinedError, innermost
 from .motions import half_angle
 from .orders import cayley

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
-from derive.maps import first_principles
-
+from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....maps import first_principles
 from ...language import values
 from ...language.evaluation import Env
 from ...language.values import dualise

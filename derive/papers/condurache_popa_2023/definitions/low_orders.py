@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
-from derive.maps.exponential import tensor_exponential
-
+from ....algebra import Dual, Quaternion, Tensor, Vector, real_part
+from ....maps.exponential import tensor_exponential
 from ...language import values
 from ...language.definitions import screw_tensor
 from ...language.evaluation import Env

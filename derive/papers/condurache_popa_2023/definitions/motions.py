@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
-from derive.maps import first_principles
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.maps.pose import Pose, line_through, pose_from_tensor
-
+from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....maps import first_principles
+from ....maps.exponential import quaternion_exponential, tensor_exponential
+from ....maps.pose import Pose, line_through, pose_from_tensor
 from ...language import values
 from ...language.definitions import plain, screw_quaternion, screw_tensor
 from ...language.evaluation import Env

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector
-from derive.maps import first_principles
-
+from ....algebra import Quaternion, Tensor, Vector
+from ....maps import first_principles
 from ...language import values
 from ...language.definitions import screw_quaternion
 from ...language.evaluation import Env

@@ -29,9 +29,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
-from derive.algebra.element import Element
-from derive.algebra.exact import RationalFunctions
-
+from ....algebra.element import Element
+from ....algebra.exact import RationalFunctions
 from ...language.evaluation import Env
 
 Step = Callable[..., tuple[Element, Element]]

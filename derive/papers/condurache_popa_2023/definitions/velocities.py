@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import line_through, pose_from_tensor
-
+from ....algebra import Dual, Tensor, Vector
+from ....maps import first_principles
+from ....maps.pose import line_through, pose_from_tensor
 from ...language import values
 from ...language.evaluation import Env
 from ...numbers.fields import innermost

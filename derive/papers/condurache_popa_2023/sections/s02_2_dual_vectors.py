@@ -1,7 +1,6 @@
 """Section 2.2, dual vectors: lines 56-68."""
 
-from derive.algebra import Tensor, Vector
-
+from ....algebra import Tensor, Vector
 from ..definitions import dual_algebra
 from ..symbols import unit as unit_vector
 from . import *

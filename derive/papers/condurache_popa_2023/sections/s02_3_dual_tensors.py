@@ -1,7 +1,6 @@
 """Section 2.3, dual tensors: lines 72-86."""
 
-from derive.algebra import Tensor
-
+from ....algebra import Tensor
 from ..definitions import dual_algebra
 from . import *
 from .s02_2_dual_vectors import BASIS, basis, lam, mu

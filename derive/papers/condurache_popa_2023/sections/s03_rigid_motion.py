@@ -2,10 +2,9 @@
 
 import mpmath
 
-from derive.algebra import Vector, real_part
-from derive.maps.first_principles import tensor_by_sandwich as rotation
-from derive.maps.pose import Pose, foot, pose_from_tensor
-
+from ....algebra import Vector, real_part
+from ....maps.first_principles import tensor_by_sandwich as rotation
+from ....maps.pose import Pose, foot, pose_from_tensor
 from ..definitions import motions
 from . import *
 

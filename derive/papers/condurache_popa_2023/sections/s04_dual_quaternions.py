@@ -1,9 +1,8 @@
 """Section 4, dual quaternions: lines 120-145."""
 
-from derive.algebra import Quaternion
-from derive.maps.first_principles import tensor_by_sandwich
-from derive.maps.pose import pose_from_tensor
-
+from ....algebra import Quaternion
+from ....maps.first_principles import tensor_by_sandwich
+from ....maps.pose import pose_from_tensor
 from ..definitions import motions
 from . import *
 from .s02_2_dual_vectors import lam, mu

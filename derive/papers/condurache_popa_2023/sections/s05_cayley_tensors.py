@@ -2,9 +2,8 @@
 
 from typing import Any
 
-from derive.algebra import real_part
-from derive.maps.pose import pose_from_tensor
-
+from ....algebra import real_part
+from ....maps.pose import pose_from_tensor
 from ..definitions import dual_algebra, low_orders, motions, orders
 from . import *
 from .s03_rigid_motion import shift_only, turn_only

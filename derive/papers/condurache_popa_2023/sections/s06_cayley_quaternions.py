@@ -4,8 +4,7 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import real_part
-
+from ....algebra import real_part
 from ..definitions import motions
 from ..definitions.low_orders import composed, preimage, quaternion_map
 from ..definitions.orders import at_order, cayley

@@ -3,10 +3,9 @@
 from functools import partial
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import line_through
-
+from ....algebra import Dual, Tensor, Vector
+from ....maps import first_principles
+from ....maps.pose import line_through
 from ..definitions import velocities
 from . import *
 

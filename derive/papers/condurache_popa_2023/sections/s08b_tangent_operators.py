@@ -1,9 +1,8 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
-from derive.algebra import real_part
-from derive.maps import first_principles
-from derive.maps.exponential import tensor_exponential
-
+from ....algebra import real_part
+from ....maps import first_principles
+from ....maps.exponential import tensor_exponential
 from ...numbers.fields import innermost
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved

@@ -1,8 +1,7 @@
 """Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
 
-from derive.algebra import Vector
-from derive.maps import pose as poses
-
+from ....algebra import Vector
+from ....maps import pose as poses
 from .. import definitions
 from . import *
 

@@ -1,8 +1,7 @@
 """Section 2, Cayley's formula: lines 53-105."""
 
-from derive.algebra import Tensor
-from derive.maps import rodrigues
-
+from ....algebra import Tensor
+from ....maps import rodrigues
 from ...numbers.quantities import QUANTITIES
 from .. import definitions
 from . import *

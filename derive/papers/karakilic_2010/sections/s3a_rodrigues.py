@@ -1,7 +1,6 @@
 """Section 3, the Rodrigues equations in dual form, (1)-(7): lines 109-161."""
 
-from derive.maps import rodrigues
-
+from ....maps import rodrigues
 from .. import definitions
 from . import *
 
