@@ -138,7 +138,7 @@ def test_zero_divisors_have_no_negative_power(base, exponent) -> None:
     ("call", "what"),
     [(lambda f: f.sin(1), "the function sin"), (lambda f: f.cos(1), "the function cos"),
      (lambda f: f.exp(1), "the function exp"), (lambda f: f.log(1), "the function log"),
-     (lambda f: f.atan(1), "arc tangent"), (lambda f: f.atan2(1, 1), "arc tangent"),
+     (lambda f: f.atan(1), "the function atan2"), (lambda f: f.atan2(1, 1), "the function atan2"),
      (lambda f: f.sqrt(1), "the function sqrt"), (lambda f: f.pi, "π"),
      (lambda f: f.power(2, Fraction(1, 3)), "the function log"), (lambda f: f.power(2, "n"), "2 to the power 'n'")],
 )  # fmt: skip
