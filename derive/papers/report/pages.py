@@ -6,8 +6,8 @@ import json
 import re
 
 from ...output.templates import holes, render
-from ..language.notation import define
-from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
+from ..language.operator_table import define
+from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
 from .content import MEANING, Report, command, example, extent, label, place, readings, why
 from .plain import escape

@@ -8,13 +8,12 @@ import sys
 import pytest
 
 from derive.papers import PAPERS, Reading, Status, UndecidedError, equation
+from derive.papers.condurache_popa_2023.cp23_notation import LOST, alpha, positive, u, v
 from derive.papers.condurache_popa_2023.definitions import cayley_maps
-from derive.papers.condurache_popa_2023.operators import positive
-from derive.papers.condurache_popa_2023.symbols import LOST, alpha, u, v
 from derive.papers.decide import decide
-from derive.papers.equation import Equation, faithful
-from derive.papers.language.definitions import defined, unequal
-from derive.papers.language.notation import (
+from derive.papers.equation import Entry, faithful
+from derive.papers.language.common_definitions import defined, unequal
+from derive.papers.language.operator_table import (
     Re,
     both,
     cos,
@@ -33,7 +32,7 @@ from derive.papers.language.notation import (
     tan,
     zero,
 )  # fmt: skip
-from derive.papers.language.terms import Symbol, latex
+from derive.papers.language.printed import Symbol, latex
 from derive.papers.result import Result
 
 a, b = Symbol("a", "dual number"), Symbol("b", "dual number")
@@ -53,7 +52,7 @@ def test_identity_holds_exactly() -> None:
 
 
 def test_status_cannot_be_given() -> None:
-    assert "status" not in {field.name for field in dataclasses.fields(Equation)}
+    assert "status" not in {field.name for field in dataclasses.fields(Entry)}
     with pytest.raises(TypeError):
         equation("1", "title", 1, square_of_sum, status="holds")
     with pytest.raises(dataclasses.FrozenInstanceError):

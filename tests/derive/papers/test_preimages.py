@@ -11,8 +11,8 @@ import sympy
 
 from derive.algebra.element import Element
 from derive.papers import PAPERS, UndecidedError
+from derive.papers.condurache_popa_2023.cp23_notation import LOST
 from derive.papers.condurache_popa_2023.definitions import preimages
-from derive.papers.condurache_popa_2023.symbols import LOST
 from derive.papers.decide import decide
 
 ENTRIES = {entry.number: entry for entry in PAPERS[0].entries()}

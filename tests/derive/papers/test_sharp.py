@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from derive.papers.condurache_popa_2023.symbols import alpha, u, v
-from derive.papers.language.notation import (
+from derive.papers.condurache_popa_2023.cp23_notation import alpha, u, v
+from derive.papers.language.operator_table import (
     Re,
     both,
     cases,
@@ -23,8 +23,8 @@ from derive.papers.language.notation import (
     tan,
     words,
 )  # fmt: skip
-from derive.papers.language.notation import identity as I
-from derive.papers.language.terms import Symbol
+from derive.papers.language.operator_table import identity as I
+from derive.papers.language.printed import Symbol
 from derive.papers.sharp import is_sharp
 
 a, b, c = (Symbol(name, "dual number") for name in "abc")

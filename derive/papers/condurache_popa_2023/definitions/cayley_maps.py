@@ -11,7 +11,7 @@ from ....maps import first_principles
 from ....maps.families import Family, rodrigues
 from ....proof.proved import citing
 from ...language import values
-from ...language.evaluation import Env
+from ...language.environment import Env
 from ...numbers.every_order import EveryOrder
 from ...numbers.fields import UndefinedError, innermost
 from .motions import half_angle

@@ -8,7 +8,7 @@ from typing import Any
 from ....algebra import Quaternion, Tensor, Vector, real_part
 from ....maps import first_principles
 from ...language import values
-from ...language.evaluation import Env
+from ...language.environment import Env
 from ...language.values import dualise
 
 Frame = Callable[[int], Vector]

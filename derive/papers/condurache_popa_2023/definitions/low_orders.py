@@ -7,8 +7,8 @@ from typing import Any
 from ....algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ....maps.exponential import tensor_exponential
 from ...language import values
-from ...language.definitions import screw_tensor
-from ...language.evaluation import Env
+from ...language.common_definitions import screw_tensor
+from ...language.environment import Env
 from . import dual_algebra, motions, orders
 
 

@@ -9,8 +9,8 @@ from ....maps import first_principles
 from ....maps.exponential import quaternion_exponential, tensor_exponential
 from ....maps.pose import Pose, line_through, pose_from_tensor
 from ...language import values
-from ...language.definitions import plain, screw_quaternion, screw_tensor
-from ...language.evaluation import Env
+from ...language.common_definitions import plain, screw_quaternion, screw_tensor
+from ...language.environment import Env
 from ...language.values import dualise
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)

@@ -8,8 +8,8 @@ from typing import Any
 from ....algebra import Quaternion, Tensor, Vector
 from ....maps import first_principles
 from ...language import values
-from ...language.definitions import screw_quaternion
-from ...language.evaluation import Env
+from ...language.common_definitions import screw_quaternion
+from ...language.environment import Env
 from ...numbers.fields import UndefinedError
 
 Function = Callable[[Any], Any]

@@ -12,7 +12,7 @@ from ....algebra import Dual, Tensor, Vector
 from ....maps import first_principles
 from ....maps.pose import line_through, pose_from_tensor
 from ...language import values
-from ...language.evaluation import Env
+from ...language.environment import Env
 from ...numbers.fields import innermost
 from .motions import AXES
 

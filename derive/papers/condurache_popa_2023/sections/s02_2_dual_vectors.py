@@ -1,8 +1,8 @@
 """Section 2.2, dual vectors: lines 56-68."""
 
 from ....algebra import Tensor, Vector
+from ..cp23_notation import unit as unit_vector
 from ..definitions import dual_algebra
-from ..symbols import unit as unit_vector
 from . import *
 
 a, a0 = real_vector("a"), Symbol("a0 real", "real vector", r"\mathbf{a}^0", "a0")

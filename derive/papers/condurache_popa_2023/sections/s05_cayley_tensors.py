@@ -130,7 +130,7 @@ def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"|v| real, v dual": {v: values.dualise(re, re.cross(across))}}
 
 
-def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Equation, ...]:
+def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Entry, ...]:
     """Return the entries about Cayley transforms of an order that are rotations, translations, or neither.
 
     `slope` is s in ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u = s (v · v⁰) v``, v real.

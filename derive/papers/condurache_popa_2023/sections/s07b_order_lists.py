@@ -28,22 +28,22 @@ class Order:
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 
-    def polynomials(self, number: str, title: str, line: int, extract: str) -> Equation:
+    def polynomials(self, number: str, title: str, line: int, extract: str) -> Entry:
         """Return the entry about p_n and q_n."""
         statement = both(equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X))
         return equation(number, title, line, statement, extract=extract, where=self.where)
 
-    def quaternion(self, number: str, line: int, extract: str, fixed_by: str = "") -> Equation:
+    def quaternion(self, number: str, line: int, extract: str, fixed_by: str = "") -> Entry:
         """Return the entry about the unit dual quaternion."""
         return equation(number, f"unit dual quaternion, n = {self.n}", line, equal(pm(q_hat), self.q_hat_of_v),
                         extract=extract, where=self.where, fixed_by=fixed_by)
 
-    def tensor(self, number: str, line: int, extract: str) -> Equation:
+    def tensor(self, number: str, line: int, extract: str) -> Entry:
         """Return the entry about the orthogonal dual tensor."""
         return equation(number, f"orthogonal dual tensor, n = {self.n}", line, equal(R, self.R_of_v), extract=extract,
                         where=self.where)
 
-    def vector(self, slug: str, line: int) -> Equation:
+    def vector(self, slug: str, line: int) -> Entry:
         """Return the entry about the Rodrigues dual vector on the principal branch."""
         angle = alpha / (2 * self.n)
         return equation(f"{slug}-{self.n}-vector", f"vector, n = {self.n}", line, equal(v, tan(angle) * u),

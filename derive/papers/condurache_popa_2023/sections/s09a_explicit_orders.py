@@ -9,7 +9,7 @@ from .s07b_order_lists import Order, o1, o2, o3, o4, o5, p4, p5, q4, q5, x2
 ROOT = "(102) and (116), where the exponents of the even orders 2 and 4 show that the exponent is n/2"
 
 
-def vectors(order: Order, number: int, line: int) -> Equation:
+def vectors(order: Order, number: int, line: int) -> Entry:
     """Return the entry about the Rodrigues dual vectors of all branches."""
     n, angle = order.n, (alpha + 2 * k * pi) / (2 * order.n)
     statement = remark(equal(v, tan(angle) * u), words(rf"k = \overline{{0,{n - 1}}}", f"k=0,{n - 1}"))

@@ -3,7 +3,7 @@
 from ....algebra import Tensor
 from ....maps import rodrigues
 from ...numbers.quantities import QUANTITIES
-from .. import definitions
+from .. import k10_definitions as k10
 from . import *
 
 I = identity
@@ -94,7 +94,7 @@ ORTHOGONAL = (
              equal(A * transpose(A), transpose(A) * A, I),
              extract=shown(r"\hat{A}\hat{A}^{T} = \hat{A}^{T}\hat{A} = I"), where=ANY_B),
     equation("every-orthogonal", "a B̂ for a given orthogonal Â", 109, reaches(cay, A),
-             where=(let(cay, definitions.cayley_map),), condition=no_half_turn, also=reflections,
+             where=(let(cay, k10.cayley_map),), condition=no_half_turn, also=reflections,
              remark="Where Â = (I + B̂)(I − B̂)⁻¹ the inverse of Â + I is (I − B̂)/2. So half turns and "
              "reflections have no B̂."),
 )
@@ -102,12 +102,12 @@ ORTHOGONAL = (
 b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
 b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
 numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
-PARTS = (let(b_re, real_of, b), let(b_du, dual_of, b), *definitions.components(b, numbers[False], numbers[True]))
+PARTS = (let(b_re, real_of, b), let(b_du, dual_of, b), *k10.components(b, numbers[False], numbers[True]))
 VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
              extract=shown(r"\hat{B} = \begin{bmatrix} 0 & -\hat{b}_3 & \hat{b}_2 \\ \hat{b}_3 & 0 & -\hat{b}_1 \\ "
                            r"-\hat{b}_2 & \hat{b}_1 & 0 \end{bmatrix}"), components=True,
-                           where=(let(B, definitions.cross_matrix, b),)),
+                           where=(let(B, k10.cross_matrix, b),)),
     equation("vector", "components of b̂", 103,
              equal(b, parts(b_re, b_du), column(*(numbers[False][n] + e * numbers[True][n] for n in range(3))),
                    column(b1, b2, b3)),

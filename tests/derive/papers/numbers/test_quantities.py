@@ -7,7 +7,7 @@ import pytest
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.algebra.element import NotExactError
-from derive.papers.language.terms import Symbol
+from derive.papers.language.printed import Symbol
 from derive.papers.numbers.draw import Draw
 from derive.papers.numbers.fields import DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic

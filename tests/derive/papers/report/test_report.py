@@ -13,7 +13,7 @@ import pytest
 from rich.cells import cell_len
 
 from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.language.terms import Symbol
+from derive.papers.language.printed import Symbol
 from derive.papers.report import FORMATS, Report
 from derive.papers.report.pages import mathml
 from derive.papers.report.plain import escape, plain

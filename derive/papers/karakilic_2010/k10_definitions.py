@@ -1,6 +1,6 @@
 """Definitions of the paper's symbols, against which its printed formulas are checked.
 
-Each function takes the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
+Each function takes the arguments of `derive.papers.language.environment.Definition`: the environment, then values.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import mpmath
 from ...algebra import Dual, Tensor, Vector, dual_part, real_part
 from ...maps import pose, rodrigues
 from ..language import values
-from ..language.definitions import component_of, screw_tensor
-from ..language.evaluation import Definition, Env, let
-from ..language.terms import Symbol
+from ..language.common_definitions import component_of, screw_tensor
+from ..language.environment import Definition, Env, let
+from ..language.printed import Symbol
 from ..numbers.draw import Draw
 from ..numbers.fields import Decimal60
 

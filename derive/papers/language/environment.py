@@ -9,7 +9,7 @@ from typing import Any
 
 from ...algebra import Dual, Structure, real_part
 from ..numbers.fields import Field
-from .terms import Number, Symbol, Term
+from .printed import Number, Symbol, Term
 
 Function = Callable[..., Any]
 

@@ -13,9 +13,9 @@ from ...maps import first_principles
 from ...maps.pose import Pose
 from ..numbers.fields import innermost
 from . import values
-from .evaluation import Env
-from .notation import define
-from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
+from .environment import Env
+from .operator_table import define
+from .printed import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def plain(f: Callable[..., Any]) -> Callable[..., Any]:
