@@ -6,7 +6,6 @@ from typing import Any
 
 from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.element import Element
-from ..language import values
 from ..language.environment import Env
 from ..language.operator_table import define, dyad, identity, norm, skew
 from ..language.printed import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
@@ -86,7 +85,7 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
     places = (Env(env.field, {**free, index: n}, env.definitions, env.dual, env.moving) for n in FAR_ORDERS)
     first, second = (place.value(body) for place in places)
-    if not values.equal(env.field, first, second):
+    if not env.equal(first, second):
         raise UndefinedError(f"still changing at order {FAR_ORDERS[-1]}")
     return second
 
@@ -94,7 +93,7 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
 limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: values.equal(env.field, a, b))
+               lambda env, a, b: env.equal(a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
                         lambda env, f, target: f.reaches(env.field, target))
 

@@ -73,22 +73,19 @@ def axis_of(env: Env, Q: Tensor) -> Vector:
     return Vector(*Q.transpose.rows[2])
 
 
-def across(env: Env, size: Any, Q: Tensor) -> Vector:
+def across(env: Env, size: Any, Q: Tensor) -> Any:
     """Return a vector along the first axis of a frame, orthogonal to the third."""
-    side: Vector = Vector(*Q.transpose.rows[0]) * size
-    return side
+    return Vector(*Q.transpose.rows[0]) * size
 
 
-def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
+def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Any:
     """Return a vector with components along the first and third axes: any vector in a suitable frame."""
-    point: Vector = across(env, size, Q) + axis_of(env, Q) * height
-    return point
+    return across(env, size, Q) + axis_of(env, Q) * height
 
 
-def projected(env: Env, x: Vector, axis: Vector) -> Vector:
+def projected(env: Env, x: Vector, axis: Vector) -> Any:
     """Return the part of a vector orthogonal to an axis."""
-    rest: Vector = x - axis * x.dot(axis)
-    return rest
+    return x - axis * x.dot(axis)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------

@@ -23,6 +23,11 @@ def plain(f: Callable[..., Any]) -> Callable[..., Any]:
     return lambda env, *arguments: f(*arguments)
 
 
+def condition(test: Callable[..., bool]) -> Callable[..., values.Solution]:
+    """Return the definition by a condition: the symbol is any value with ``test(env, value, *arguments)``."""
+    return lambda env, *arguments: values.Solution(lambda value: test(env, value, *arguments))
+
+
 same = plain(lambda a: a)
 real_of, dual_of = plain(values.re), plain(values.du)
 scalar_part, vector_part = plain(lambda q: q.scalar), plain(lambda q: q.vector)
@@ -87,12 +92,12 @@ def _orthogonal(env: Env, a: Any) -> bool:
     """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
-    return values.equal(env.field, a @ a.transpose, Tensor.identity()) and values.equal(env.field, a.det(), 1)
+    return env.equal(a @ a.transpose, Tensor.identity()) and env.equal(a.det(), 1)
 
 
 orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), _orthogonal)
 unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,),
-                         lambda env, a: isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1))
+                         lambda env, a: isinstance(a, Quaternion) and env.equal(a.norm2(), 1))
 pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "({0},{1},0,1)", ATOM, (LIST, LIST),
               lambda env, rotation, displacement: Pose(rotation, displacement))
 
@@ -102,12 +107,12 @@ def fixes_a_point(env: Env, motion: Pose) -> bool:
     Q, rho = motion.rotation, motion.displacement
     projector = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())  # 2 (1 − cos α) u ⊗ u
     along = rho if fixes_directions(env, motion) else projector @ rho
-    return values.equal(env.field, along, 0 * rho)
+    return env.equal(along, 0 * rho)
 
 
 def fixes_directions(env: Env, motion: Pose) -> bool:
     """Return whether a displacement is a pure translation, the identity included."""
-    return values.equal(env.field, motion.rotation, Tensor.identity())
+    return env.equal(motion.rotation, Tensor.identity())
 
 
 def is_general(env: Env, motion: Pose) -> bool:

@@ -94,7 +94,7 @@ def _chain(env: Env, *sides: Any) -> bool:
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
-                 lambda env, a: not values.equal(env.field, env.now(a), 0), traits=Trait.DELICATE)
+                 lambda env, a: not env.equal(env.now(a), 0), traits=Trait.DELICATE)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
                  traits=Trait.DELICATE)
 implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),

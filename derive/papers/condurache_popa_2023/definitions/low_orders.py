@@ -7,7 +7,7 @@ from typing import Any
 from ....algebra import Dual, Quaternion, Tensor, Vector, real_part
 from ....maps.exponential import tensor_exponential
 from ...language import values
-from ...language.common_definitions import screw_tensor
+from ...language.common_definitions import condition, screw_tensor
 from ...language.environment import Env
 from . import dual_algebra, motions, orders
 
@@ -17,14 +17,13 @@ def cayley_map(env: Env) -> values.Map:
     return values.Map(lambda v: orders.rotation(env, 1, v), lambda R: [rodrigues(env, *motions.invariants(env, R))])
 
 
-def rodrigues(env: Env, alpha: Any, u: Vector) -> Vector:
+def rodrigues(env: Env, alpha: Any, u: Vector) -> Any:
     """Return ``tan(α/2) u``; raise `values.MissedError` if the tangent is infinite."""
     half = values.divide(alpha, 2)
     cosine = env.field.cos(half)
     if env.field.same(real_part(cosine), 0):
         raise values.MissedError("the tangent is infinite")
-    vector: Vector = env.field.sin(half) / cosine * u
-    return vector
+    return env.field.sin(half) / cosine * u
 
 
 def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
@@ -38,17 +37,16 @@ def exponential_slope(env: Env, alpha: Any, u: Vector) -> Tensor:
     return slope
 
 
-def logarithm(env: Env, R: Tensor) -> Vector:
+def logarithm(env: Env, R: Tensor) -> Any:
     """Return the Euler vector of a tensor: its angle times its axis."""
     angle, axis = motions.invariants(env, R)
-    vector: Vector = angle * axis
-    return vector
+    return angle * axis
 
 
-def angle_of_cayley(env: Env, v: Vector) -> values.Solution:
-    """Return the condition on α: v represents the rotation by α about its axis at order 1."""
-    R, axis = orders.rotation(env, 1, v), dual_algebra.one_axis(env, v)
-    return values.Solution(lambda alpha: values.equal(env.field, screw_tensor(env, alpha, axis), R))
+@condition
+def angle_of_cayley(env: Env, alpha: Any, v: Vector) -> bool:
+    """Return whether v represents the rotation by α about its axis at order 1."""
+    return env.equal(screw_tensor(env, alpha, dual_algebra.one_axis(env, v)), orders.rotation(env, 1, v))
 
 
 def quaternion_map(env: Env, order: int) -> values.Map:
@@ -61,20 +59,15 @@ def quaternion_map(env: Env, order: int) -> values.Map:
     return values.Map(lambda v: orders.cayley(env, order, v), preimages)
 
 
-def preimage(env: Env, order: int, q: Quaternion) -> values.Solution:
-    """Return the condition on v: its Cayley transform is q. Order 1 is tested without a root, by ``q₀ (1 + v) = q``."""
-
-    def has_image(value: Any) -> bool:
-        v = value.vector if isinstance(value, Quaternion) else value
-        if isinstance(value, Quaternion) and not values.equal(env.field, value, v):
-            return False
-        image = orders.cayley(env, 2, v) if order == 2 else q.scalar * Quaternion(1, v)
-        return values.equal(env.field, image, q)
-
-    return values.Solution(has_image)
+@condition
+def preimage(env: Env, value: Any, order: int, q: Quaternion) -> bool:
+    """Return whether the Cayley transform of v is q. Order 1 is tested without a root, by ``q₀ (1 + v) = q``."""
+    v = value.vector if isinstance(value, Quaternion) else value
+    image = orders.cayley(env, 2, v) if order == 2 else q.scalar * Quaternion(1, v)
+    return env.equal(value, v) and env.equal(image, q)
 
 
-def composed(env: Env, order: int, second: Vector, first: Vector) -> Quaternion:
+def composed(env: Env, order: int, second: Vector, first: Vector) -> Any:
     """Return the quaternion product of two displacements, later one first; at order 1 its norm is not 1."""
     if order == 1:
         return Quaternion(1, second) * Quaternion(1, first)

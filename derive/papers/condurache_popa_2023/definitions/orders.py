@@ -8,14 +8,12 @@ from typing import Any
 from ....algebra import Quaternion, Tensor, Vector
 from ....maps import first_principles
 from ...language import values
-from ...language.common_definitions import screw_quaternion
+from ...language.common_definitions import condition, screw_quaternion
 from ...language.environment import Env
 from ...numbers.fields import UndefinedError
 
-Function = Callable[[Any], Any]
 
-
-def polynomial(which: int, step: int = 0) -> Callable[[Env, Any], Function]:
+def polynomial(which: int, step: int = 0) -> Callable[[Env, Any], Callable[[Any], Any]]:
     """Return the definition of p (0) or q (1) of order n + step, as a function of X = |v| or of v."""
     return lambda env, n: lambda a: env.field.pair(n + step, _square(a))[which]
 
@@ -23,10 +21,9 @@ def polynomial(which: int, step: int = 0) -> Callable[[Env, Any], Function]:
 p, q, next_p, next_q = polynomial(0), polynomial(1), polynomial(0, 1), polynomial(1, 1)
 
 
-def cayley(env: Env, n: Any, v: Vector) -> Quaternion:
+def cayley(env: Env, n: Any, v: Vector) -> Any:
     """Return ``(1 + v)^(n/2) (1 − v)^(−n/2)``: the n-th power of 1 + v divided by its norm."""
-    unit: Quaternion = env.field.power(Quaternion(1, v), n) / env.field.power(1 + v.dot(v), values.divide(n, 2))
-    return unit
+    return env.field.power(Quaternion(1, v), n) / env.field.power(1 + v.dot(v), values.divide(n, 2))
 
 
 def rotation(env: Env, n: Any, v: Vector) -> Tensor:
@@ -44,17 +41,17 @@ def preimage(env: Env, n: Any, alpha: Any, u: Vector) -> values.Solution:
     return solution(env, n, screw_quaternion(env, alpha, u))
 
 
-def solution(env: Env, n: Any, target: Quaternion, a: Any = 1) -> values.Solution:
-    """Return the condition on v: the Cayley map of order n takes v/a to the target or its negative."""
-    either_sign = values.Either(target, -target)
-    return values.Solution(lambda v: values.equal(env.field, either_sign, cayley(env, n, as_vector(env, v) / a)))
+@condition
+def solution(env: Env, v: Any, n: Any, target: Quaternion, a: Any = 1) -> bool:
+    """Return whether the Cayley map of order n takes v/a to the target or its negative."""
+    return env.equal(values.Either(target, -target), cayley(env, n, as_vector(env, v) / a))
 
 
 def as_vector(env: Env, a: Vector | Quaternion) -> Vector:
     """Return a vector or the vector part of a quaternion; raise if its scalar part is not 0."""
     if isinstance(a, Vector):
         return a
-    if not values.equal(env.field, a.scalar, 0):
+    if not env.equal(a.scalar, 0):
         raise UndefinedError("no vector: the scalar part is not 0")
     return a.vector
 

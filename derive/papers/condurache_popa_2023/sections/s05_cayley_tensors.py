@@ -82,9 +82,6 @@ ALGEBRA = (
                     let(below, lambda env, alpha: not env.field.ordered
                         or abs(real_part(alpha)) < env.field.pi, alpha)), claimed=below,
              stated=(157, "if α < π")),
-)
-
-CAYLEY = (
     equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
              extract="c a y v ~ _ = I + v ~ _ I v ~ _ 1", where=CAY, remark="cay is the rotation of (1 + v)/|1 + v|."),
     equation("cayley-well-defined", "its values are orthogonal", 162,
@@ -165,4 +162,4 @@ RODRIGUES = (
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
 )
 
-ENTRIES = (*ALGEBRA, *CAYLEY, *RODRIGUES)
+ENTRIES = (*ALGEBRA, *RODRIGUES)

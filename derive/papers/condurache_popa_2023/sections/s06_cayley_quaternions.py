@@ -44,7 +44,7 @@ def to_a_half_turn(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"a half turn as the result": {b1: first, b2: second}}
 
 
-WHOLE = (
+ENTRIES = (
     equation("34", "Cayley transform of dual vectors", 188, equal(cay(v), (1 + v) * (1 - v) ** (-1)),
              extract="c a y v _ = 1 + v _ 1 v _ 1", where=CAY,
              remark="cay is the unit quaternion that turns by four times the arc tangent of |v|."),
@@ -93,9 +93,6 @@ WHOLE = (
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
              where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
-)
-
-HALVES = (
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
              extract="c a y 1 2 v _ = 1 + v _ 1 2 1 v _ 1 2", where=HALF,
              because=equal(cay_half(v) ** 2, (1 + v) * (1 - v) ** (-1)),
@@ -129,5 +126,3 @@ HALVES = (
              where=(let(q, at_order(1, composed), b2, b1), let(b, at_order(1, preimage), q)),
              condition=nonzero(Re(1 - dot(b1, b2))), also=to_a_half_turn),
 )
-
-ENTRIES = (*WHOLE, *HALVES)

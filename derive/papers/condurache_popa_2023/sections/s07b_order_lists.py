@@ -89,9 +89,6 @@ SHADOWS = (
     equation("tensor-shadows", "so do the tensors", 276,
              equal(R, rotation_by(norm(v_k), power_k, skew(v_k))),
              where=ON_BRANCH, condition=finite(turned)),
-)
-
-TENSORS = (
     o1.tensor("tensor-1", 281, "R _ = I _ + 2 1 + v _ 2 v ~ _ + v ~ _ 2"),
     o2.tensor("tensor-2", 282, "R _ = I _ + 4 1 + v _ 2 2 1 v _ 2 v ~ _ + 2 v ~ _ 2"),
     o3.tensor("tensor-3", 283, "R _ = I _ + 2 3 v _ 2 1 + v _ 2 3 1 3 v _ 2 v ~ _ + 3 v _ 2 v ~ _ 2"),
@@ -101,4 +98,4 @@ TENSORS = (
     *(order.vector("tensor", 280 + order.n) for order in ORDERS),
 )
 
-ENTRIES = (*QUATERNIONS, *SHADOWS, *TENSORS)
+ENTRIES = (*QUATERNIONS, *SHADOWS)

@@ -63,8 +63,7 @@ VELOCITY = (
     equation("67", "velocity of a line", 349, equal(rate(line), Phi * line), extract="l ˙ _ = Φ _ l _",
              where=(*MOTION, let(Phi, skew_of, omega)), moving=True),
     equation("68", "velocity dual tensor", 351, equal(Phi, rate(R) * transpose(R)), extract="Φ _ = R ˙ _ R _ T",
-             where=(*MOTION, let(Phi, lambda env, R: values.Solution(
-                 lambda T: velocities.moves_lines(env, R, lambda line: T @ line)), R)), moving=True),
+             where=(*MOTION, let(Phi, velocities.velocity_tensor, R)), moving=True),
     equation("velocity-tensor-sum", "derivative of R Rᵀ = I", 352,
              equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor),
              extract="R ˙ _ R _ T + R _ R ˙ _ T = 0 _", where=MOTION, moving=True),
@@ -73,15 +72,11 @@ VELOCITY = (
              fixed_by="the same line: Ṙ Rᵀ + R Ṙᵀ = 0, to which it is said to be equivalent"),
     equation("dual-angular-velocity", "dual angular velocity", 353, equal(omega, vect(rate(R) * transpose(R))),
              extract="ω _ = v e c t R ˙ _ R _ T",
-             where=(let(R, screw_tensor, alpha, u), let(omega, lambda env, R: values.Solution(
-                 lambda w: velocities.moves_lines(env, R, lambda line: w.cross(line))), R)), moving=True),
+             where=(let(R, screw_tensor, alpha, u), let(omega, velocities.angular_velocity, R)), moving=True),
     equation("69", "dual and real parts of the spatial twist", 354, equal(omega, w_real + epsilon * v_real),
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
              equal(v_real, rate(rho) - cross(w_real, rho)), extract="v = ρ ˙ ω × ρ", where=PARTS, moving=True),
-)
-
-TENSOR = (
     equation("70", "Poisson-Darboux problem, spatial twist", 359, equal(rate(R), skew(omega) * R),
              extract="R ˙ _ = ω ~ _ R _", where=MOTION, moving=True),
     equation("theorem-19-unique", "the solution is unique", 358,
@@ -142,4 +137,4 @@ QUATERNION = (
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
 )
 
-ENTRIES = (*VELOCITY, *TENSOR, *QUATERNION)
+ENTRIES = (*VELOCITY, *QUATERNION)

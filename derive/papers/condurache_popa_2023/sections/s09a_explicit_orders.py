@@ -28,9 +28,6 @@ FIRST = (
              extract="d c a y 1 = 2 1 + v _ 2 I _ + v ~ _", where=o1.where),
     equation("98", "kinematic tensor, n = 1", 424, equal(o1.dcay_inv, half * I - half * V + half * VV),
              extract="d c a y 1 1 = 1 2 I _ 1 2 v ~ _ + 1 2 v _ v _", where=o1.where),
-)
-
-SECOND = (
     vectors(o2, 99, 426),
     equation("100", "p₂", 427, equal(o2.p(X), o2.p_of_X), extract="p 2 X = 1 X 2", where=o2.where),
     equation("101", "q₂", 428, equal(o2.q(X), o2.q_of_X), extract="q 2 X = 2", where=o2.where),
@@ -43,9 +40,6 @@ SECOND = (
              extract="d c a y 2 1 = 1 v _ 2 2 I _ 1 2 v ~ _ + 1 2 v _ v _", where=o2.where,
              corrected=equal(o2.dcay_inv, (1 - x) / 4 * I - half * V + half * VV),
              remark="Contradicts (89) at n = 2, where p₂/2q₂ is (1 − |v|²)/4."),
-)
-
-THIRD = (
     vectors(o3, 106, 434),
     equation("107", "p₃", 435, equal(o3.p(X), o3.p_of_X), extract="p 3 X = 1 3 X 2", where=o3.where),
     equation("108", "q₃", 436, equal(o3.q(X), o3.q_of_X), extract="q 3 X = 3 X 2", where=o3.where),
@@ -63,9 +57,6 @@ THIRD = (
              corrected=equal(o3.dcay_inv,
                              (1 - 3 * x) / (2 * (3 - x)) * I - half * V + (11 - x) / (6 * (3 - x)) * VV),
              remark="Contradicts (89) at n = 3, where p₃/2q₃ is the factor of I."),
-)
-
-FOURTH = (
     vectors(o4, 113, 442),
     equation("114", "p₄", 443, equal(o4.p(X), o4.p_of_X), extract="p 4 X = 1 6 X 2 + X 4", where=o4.where),
     equation("115", "q₄", 444, equal(o4.q(X), o4.q_of_X), extract="q 4 X = 4 4 X 2", where=o4.where),
@@ -109,4 +100,4 @@ FIFTH = (
              remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅."),
 )
 
-ENTRIES = (*FIRST, *SECOND, *THIRD, *FOURTH, *FIFTH)
+ENTRIES = (*FIRST, *FIFTH)

@@ -67,9 +67,6 @@ SKEW = (
              where=FROM_A, condition=no_half_turn),
     equation("not-singular", "I − B̂ is not singular", 76, nonzero(Re(det(I - B))),
              where=(let(B, skew_of, b),), because=equal(det(I - B), 1 + norm(b)**2)),
-)
-
-FORMULA = (
     equation("b-matrix", "B̂ from Â", 78, equal(B_bare, (A - I) * (A + I) ** (-1)),
              extract=shown(r"B = (\hat{A} - I)(\hat{A} + I)^{-1}"), where=INVARIANT, condition=no_half_turn),
     equation("b-times", "B̂(Â + I)", 79, equal(B * (A + I), group(A - I)),
@@ -117,4 +114,4 @@ VECTOR = (
              extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."), where=(let(B, skew_of, b),)),
 )
 
-ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)
+ENTRIES = (*MOTION, *SKEW, *ORTHOGONAL, *VECTOR)
