@@ -74,8 +74,6 @@ def _function(name: str, function: OperatorRow, exponent: int = 1) -> OperatorRo
 Sin, Cos = _function("Sin", sin), _function("Cos", cos)
 Tan = _function("Tan", tan)
 Tan2, Tan3 = _function("Tan", tan, 2), _function("Tan", tan, 3)
-natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a),
-                 traits=Trait.TRANSCENDENTAL)
 length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), norm.value, traits=norm.traits)
 square_root = define("K10 power 1/2", r"\left({0}\right)^{{\frac{{1}}{{2}}}}", "({0})12", POWER, (LIST,),
                      lambda env, a: env.field.sqrt(a))
@@ -96,6 +94,8 @@ matrix = define(
 
 
 def _at(structure: Any, *indices: int) -> Any:
+    if callable(structure):
+        return structure(*indices)
     if not all(index in (1, 2, 3) for index in indices):
         raise MeaninglessError(f"no component {indices}")
     if isinstance(structure, Tensor):
@@ -106,7 +106,6 @@ def _at(structure: Any, *indices: int) -> Any:
 
 entry = define("K10 entry", "{0}_{{{1}{2}}}", "{0}{1}{2}", ATOM, (ATOM,), lambda env, T, i, j: _at(T, i, j))
 component = define("K10 component", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, v, i: _at(v, i))
-coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, f, k: f(k))
 
 
 def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> bool:

@@ -4,7 +4,7 @@ from typing import Any
 
 from ....algebra import real_part
 from ....maps.pose import pose_from_tensor
-from ..definitions import dual_algebra, low_orders, motions, orders
+from ..definitions import dual_algebra, motions, orders
 from . import *
 from .s03_rigid_motion import shift_only, turn_only
 
@@ -34,8 +34,8 @@ commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LI
 
 EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, lambda env: values.Map(lambda a: motions.exponential(env, a),
-                                           lambda R: [low_orders.logarithm(env, R)])),)
-CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, low_orders.cayley_map))
+                                           lambda R: [orders.logarithm(env, R)])),)
+CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, orders.cayley_map))
 TYPES = (let(rotates, lambda env, R: fixes_a_point(env, pose_from_tensor(R)), R),
          let(translates, lambda env, R: fixes_directions(env, pose_from_tensor(R)), R),
          let(general, lambda env, R: is_general(env, pose_from_tensor(R)), R))
@@ -51,7 +51,7 @@ ALGEBRA = (
     equation("25", "exponential of a skew-symmetric tensor", 152,
              equal(exp(skew(a)), power_of_e(skew(a)), summation(k, 0, infinity, skew(a) ** k / factorial(k))),
              extract="e x p α ~ _ = e α ~ _ = k = 0 α ~ _ k k !",
-             where=(*EULER, let(slope, low_orders.exponential_slope, alpha, u),
+             where=(*EULER, let(slope, orders.exponential_slope, alpha, u),
                     let(start, lambda env, u: motions.exponential(env, 0 * u), u)),
              because=both(equal(slope, skew(u) * exp(alpha * skew(u))), equal(start, I)),
              remark="exp is the closed form; it solves the differential equation of the series, from the same start."),
@@ -78,7 +78,7 @@ ALGEBRA = (
              where=(let(alpha, same, turn_only), *EULER, *EULER_KINDS),
              claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a)))), stated=(157, "α 0 and α · α 0 = 0")),
     equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
-             where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
+             where=(*EULER, let(R, motions.exponential, a), let(recovered, orders.logarithm, R),
                     let(below, lambda env, alpha: not env.field.ordered
                         or abs(real_part(alpha)) < env.field.pi, alpha)), claimed=below,
              stated=(157, "if α < π")),
@@ -117,7 +117,7 @@ ALGEBRA = (
              equal(cay(V), I + sin(angle) * skew(axis) + (1 - cos(angle)) * skew(axis) ** 2),
              extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
     equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
-             where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
+             where=(*CAY, let(angle, orders.angle_of_cayley, v))),
 )
 
 
@@ -152,7 +152,7 @@ RODRIGUES = (
     *corollary(1, 180, 1, "Cayley transform", Number(8) / size**2),
     equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
              extract="c a y b ~ _ = R _",
-             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
+             where=(*CAY, let(b, orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
              claimed=unequal(Re(alpha), k * pi, k), stated=(181, "R e α _ k π")),
     equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
              iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),

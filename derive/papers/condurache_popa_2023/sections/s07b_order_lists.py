@@ -33,15 +33,18 @@ class Order:
         statement = both(equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X))
         return equation(number, title, line, statement, extract=extract, where=self.where)
 
-    def quaternion(self, number: str, line: int, extract: str, fixed_by: str = "") -> Entry:
+    def entry(self, number: str, title: str, line: int, left: Term, right: Any, extract: str, **rest: Any) -> Entry:
+        """Return the entry about a formula at this order."""
+        return equation(number, f"{title}, n = {self.n}", line, equal(left, right), extract=extract, where=self.where,
+                        **rest)
+
+    def quaternion(self, number: str, line: int, extract: str, **rest: Any) -> Entry:
         """Return the entry about the unit dual quaternion."""
-        return equation(number, f"unit dual quaternion, n = {self.n}", line, equal(pm(q_hat), self.q_hat_of_v),
-                        extract=extract, where=self.where, fixed_by=fixed_by)
+        return self.entry(number, "unit dual quaternion", line, pm(q_hat), self.q_hat_of_v, extract, **rest)
 
     def tensor(self, number: str, line: int, extract: str) -> Entry:
         """Return the entry about the orthogonal dual tensor."""
-        return equation(number, f"orthogonal dual tensor, n = {self.n}", line, equal(R, self.R_of_v), extract=extract,
-                        where=self.where)
+        return self.entry(number, "orthogonal dual tensor", line, R, self.R_of_v, extract)
 
     def vector(self, slug: str, line: int) -> Entry:
         """Return the entry about the Rodrigues dual vector on the principal branch."""
