@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from derive.papers import PAPERS
@@ -76,3 +78,8 @@ def test_sections_are_named_in_printed_order(paper) -> None:
 def test_imports_against_the_order_are_refused(importer, name) -> None:
     assert not allowed(importer, name)
     assert allowed(name, importer) or room(importer) in PACKAGES
+
+
+def test_imports_inside_the_toolkit_are_relative() -> None:
+    files = [file for _, file in sources("derive")]
+    assert [str(file) for file in files if re.search(r"^(from|import) derive\b", file.read_text("utf-8"), re.M)] == []

@@ -21,11 +21,6 @@ QUATERNIONS = [(Fraction(3, 5), Fraction(4, 5)), (Fraction(-12, 13), Fraction(5,
 """Scalar part, and coefficient of the vector part, of a quaternion."""
 
 
-@pytest.mark.smoke
-def test_every_identity_holds() -> None:
-    assert preimages.counted_by_roots(None)
-
-
 @pytest.mark.parametrize(
     "step",
     [lambda F, G, t: (F + 2 * t * G, G - t * F), lambda F, G, t: (F + t * G, G + t * F),

@@ -133,9 +133,3 @@ def test_latex_sheet_compiles(report, tmp_path: Path) -> None:
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-2000:]
     assert "Missing character" not in (tmp_path / "errata.log").read_text(encoding="utf-8", errors="replace")
-
-
-def test_plain_formulas() -> None:
-    assert plain(r"\frac{a + b}{2}\, \hat{x}_{12}^{2}") == "(a + b)/2 x̂₁₂²"
-    assert plain(r"\sqrt{1 - \left|\underline{\mathbf{v}}\right|^{2}} \neq 0") == "√(1 - |v|²) ≠ 0"
-    assert plain(r"{\hat{q}^0}^{*} \otimes \operatorname{Tan}^2 \alpha") == "q̂⁰* ⊗ Tan² α"
