@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from ...algebra import Quaternion, Tensor, Vector
@@ -15,34 +16,21 @@ LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
 """Characters lost or scattered by the extraction. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
 
 
-def real(name: str) -> Symbol:
-    """Return the symbol of a real number."""
-    return Symbol(name, "real", name, name)
+def _letters(quantity: str, shape: str, ending: str = "", mark: str = "") -> Callable[..., Symbol]:
+    """Return the function that makes symbols of a quantity: letters set by a LaTeX template, names with an ending."""
+
+    def symbol(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
+        return Symbol(f"{name}{ending}", quantity, shape.format(latex or name), text or f"{name}{mark}")
+
+    return symbol
 
 
-def dual(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return the symbol of a dual number, underlined."""
-    return Symbol(f"{name}_", "dual number", rf"\underline{{{latex or name}}}", text or name)
-
-
-def real_vector(name: str, text: str | None = None) -> Symbol:
-    """Return the symbol of a real vector."""
-    return Symbol(f"{name} real", "real vector", rf"\mathbf{{{name}}}", text or name)
-
-
-def vector(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return the symbol of a dual vector, underlined."""
-    return Symbol(name, "dual vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
-
-
-def unit(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return the symbol of a unit dual vector."""
-    return Symbol(name, "unit vector", rf"\underline{{\mathbf{{{latex or name}}}}}", text or name)
-
-
-def quaternion(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
-    """Return the symbol of a unit dual quaternion."""
-    return Symbol(name, "unit quaternion", rf"\underline{{\hat{{\mathbf{{{latex or name}}}}}}}", text or f"{name}^")
+real = _letters("real", "{}")
+real_vector = _letters("real vector", r"\mathbf{{{}}}", " real")
+dual = _letters("dual number", r"\underline{{{}}}", "_")
+vector = _letters("dual vector", r"\underline{{\mathbf{{{}}}}}")
+unit = _letters("unit vector", r"\underline{{\mathbf{{{}}}}}")
+quaternion = _letters("unit quaternion", r"\underline{{\hat{{\mathbf{{{}}}}}}}", mark="^")
 
 
 def tensor(name: str, quantity: str = "tensor") -> Symbol:

@@ -11,6 +11,7 @@ from ...language import values
 from ...language.common_definitions import condition
 from ...language.environment import Env
 from ...language.values import dualise
+from ...numbers.fields import innermost
 
 Frame = Callable[[int], Vector]
 """Vectors of a basis by number, 1 to 3."""
@@ -48,7 +49,7 @@ def axes(env: Env, u: Vector, a: Vector) -> bool:
 
 def one_axis(env: Env, a: Vector) -> Any:
     """Return a unit vector along a."""
-    if real_part(a.dot(a)) != 0:
+    if not env.field.vanishes(innermost(a.dot(a))):
         return a / env.field.magnitude(a)
     length = env.field.magnitude(a.du)
     axis = a.du / length if length != 0 else Vector(1, 0, 0)

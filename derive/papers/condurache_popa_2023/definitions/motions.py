@@ -9,9 +9,10 @@ from ....maps import first_principles
 from ....maps.exponential import quaternion_exponential, tensor_exponential
 from ....maps.pose import Pose, line_through, pose_from_tensor
 from ...language import values
-from ...language.common_definitions import condition, plain, screw_quaternion, screw_tensor
+from ...language.common_definitions import condition, nilpotent, plain, screw_quaternion, screw_tensor
 from ...language.environment import Env
 from ...language.values import dualise
+from .dual_algebra import one_axis
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)
 
@@ -35,10 +36,8 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
         length = field.magnitude(w)
         return field.atan2(length, cosine), w / length
     if real_part(cosine) > 0:  # a translation
-        rho = pose_from_tensor(R).displacement
-        length = field.magnitude(rho)
-        direction = AXES[0] if length == 0 else rho / length
-        return dualise(0 * length, length), dualise(direction, 0 * direction)
+        along = nilpotent(env, pose_from_tensor(R).displacement)
+        return field.magnitude(along), one_axis(env, along)
     outer = (R + R.transpose) / 2 - Tensor.identity() * cosine
     column = outer @ max(AXES, key=lambda e: real_part(e.dot(outer @ e)))
     axis = column / field.magnitude(column)
@@ -88,13 +87,7 @@ def lift(env: Env, value: Any, alpha: Any, u: Vector) -> bool:
 
 def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
     """Return the half angle in [0, π] and the axis of a unit quaternion."""
-    field, w = env.field, q.vector
-    if env.dual and values.equal(field, w.re, 0 * w.re):
-        length = field.magnitude(w.du)
-        axis = w.du / length if not field.same(length, 0) else AXES[0]
-        return field.atan2(dualise(0 * length, length), q.scalar), dualise(axis, 0 * axis)
-    length = field.magnitude(w)
-    return field.atan2(length, q.scalar), w / length
+    return env.field.atan2(env.field.magnitude(q.vector), q.scalar), one_axis(env, q.vector)
 
 
 def quaternion_exponential_map(env: Env) -> values.Map:
