@@ -10,7 +10,7 @@ from typing import Any
 
 from ...algebra import Dual, Quaternion, Tensor, Vector
 from ...maps import first_principles
-from ...maps.pose import Pose
+from ...maps.pose import Pose, pose_from_tensor
 from ..numbers.fields import innermost
 from . import values
 from .environment import Env
@@ -102,19 +102,20 @@ pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "
               lambda env, rotation, displacement: Pose(rotation, displacement))
 
 
-def fixes_a_point(env: Env, motion: Pose) -> bool:
+def fixes_a_point(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is a pure rotation: ρ is orthogonal to the axis, the kernel of ``Q − I``."""
+    motion = pose_from_tensor(R)
     Q, rho = motion.rotation, motion.displacement
     projector = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())  # 2 (1 − cos α) u ⊗ u
-    along = rho if fixes_directions(env, motion) else projector @ rho
+    along = rho if fixes_directions(env, R) else projector @ rho
     return env.equal(along, 0 * rho)
 
 
-def fixes_directions(env: Env, motion: Pose) -> bool:
+def fixes_directions(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is a pure translation, the identity included."""
-    return env.equal(motion.rotation, Tensor.identity())
+    return env.equal(pose_from_tensor(R).rotation, Tensor.identity())
 
 
-def is_general(env: Env, motion: Pose) -> bool:
+def is_general(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is neither a pure rotation nor a pure translation."""
-    return not fixes_a_point(env, motion) and not fixes_directions(env, motion)
+    return not fixes_a_point(env, R) and not fixes_directions(env, R)

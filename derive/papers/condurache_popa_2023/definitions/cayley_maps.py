@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from ....algebra import Quaternion, Tensor, Vector, dual_part, real_part
+from ....algebra import Quaternion, Tensor, Vector, real_part
 from ....maps import first_principles
 from ....maps.families import Family, rodrigues
 from ....proof.proved import citing
@@ -57,7 +57,7 @@ def counted_cayley_function(env: Env, n: Any) -> values.Map:
     f = cayley_function(env, n)
 
     def preimages(q: Quaternion) -> list[Vector]:
-        if n > 1 and translation(env, q):
+        if n > 1 and env.equal(q.vector.re, 0 * q.vector.re):
             raise UndefinedError("infinitely many preimages")
         return f.preimages(q)
 
@@ -161,17 +161,6 @@ def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
         return P, Q
 
     return lambda env, n: lambda length: at(env, n, length)[which]
-
-
-def translation(env: Env, q: Quaternion) -> bool:
-    """Return whether a displacement is a pure translation, the identity included."""
-    return env.equal(q.vector.re, 0 * q.vector.re)
-
-
-def rotation(env: Env, q: Quaternion) -> bool:
-    """Return whether a displacement is a pure rotation or the identity: ``cos α/2`` and ``|sin α/2|`` are real."""
-    parts = (q.scalar, env.field.magnitude(q.vector))
-    return all(env.equal(dual_part(part), 0) for part in parts)
 
 
 def _pole(a: Any) -> Any:

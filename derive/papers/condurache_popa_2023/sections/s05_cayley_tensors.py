@@ -3,7 +3,6 @@
 from typing import Any
 
 from ....algebra import real_part
-from ....maps.pose import pose_from_tensor
 from ..definitions import dual_algebra, motions, orders
 from . import *
 from .s03_rigid_motion import shift_only, turn_only
@@ -36,9 +35,7 @@ EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, lambda env: values.Map(lambda a: motions.exponential(env, a),
                                            lambda R: [orders.logarithm(env, R)])),)
 CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, orders.cayley_map))
-TYPES = (let(rotates, lambda env, R: fixes_a_point(env, pose_from_tensor(R)), R),
-         let(translates, lambda env, R: fixes_directions(env, pose_from_tensor(R)), R),
-         let(general, lambda env, R: is_general(env, pose_from_tensor(R)), R))
+TYPES = (let(rotates, fixes_a_point, R), let(translates, fixes_directions, R), let(general, is_general, R))
 EULER_KINDS = (let(R, motions.exponential, a), *TYPES)
 AXIS = (let(angle, lambda env, v: 2 * env.field.atan(env.field.magnitude(v)), v), let(axis, dual_algebra.one_axis, v))
 
