@@ -38,7 +38,7 @@ ENTRIES = (
              extract="c a y m n 2 v _ = ± a v _ + v _ n a v _ 2 + v _ 2 n", where=MODIFIED),
     equation("60", "inverse of the modified transform", 298,
              remark(equal(v_of_q(q_hat), a(v) * tan(turned) * u), words(r"k = 0, 1, \dots, n-1", "k=0,1,n-1")),
-             extract="v _ q _ ^ = a v _ t a n α _ + 2 k π 2 n u _ , k = 0,1 , n 1",
+             extract="v _ q _ ^ = a v _ t a n α _ + 2 k π 2 n u _ , k = 0,1 , , n 1",
              where=(let(q_hat, screw_quaternion, alpha, u), let(a, cayley_maps.constant, a_value),
                     let(v, orders.solution, n, q_hat, a_value),
                     let(v_of_q, cayley_maps.function_of(orders.solution), n, q_hat, a_value)),
