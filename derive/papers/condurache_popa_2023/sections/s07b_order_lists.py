@@ -66,7 +66,11 @@ o5 = Order(5, 1 - 10 * X**2 + 5 * X**4, 5 - 10 * X**2 + X**4, 1 / root((1 + x)**
            I + 2 * q5 / (1 + x)**5 * (p5 * V + q5 * V**2))
 ORDERS = (o1, o2, o3, o4, o5)
 
-QUATERNIONS = (
+v_k = vector("v_k", "v", "v")
+power_k = (1 + norm(v_k)**2)**n
+ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
+
+ENTRIES = (
     o1.polynomials("list-1-polynomials", "p and q, n = 1", 271, "p 1 X = 1 ; q 1 X = 1"),
     o1.quaternion("list-1-quaternion", 271, "± q ^ _ = 1 1 + v _ 2 1 + v _"),
     o2.polynomials("list-2-polynomials", "p and q, n = 2", 272, "p 2 X = 1 X 2 ; q 2 ( X ) = 2"),
@@ -80,12 +84,6 @@ QUATERNIONS = (
     o5.quaternion("list-5-quaternion", 275,
                   "± q ^ _ = 1 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 + 5 10 v _ 2 + v _ 4 v _"),
     *(order.vector("list", 270 + order.n) for order in ORDERS),
-)
-
-v_k = vector("v_k", "v", "v")
-power_k = (1 + norm(v_k)**2)**n
-ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
-SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
              equal(pm(q_hat), 1 / root(power_k) * (p(norm(v_k)) + q(norm(v_k)) * v_k)), where=ON_BRANCH,
              condition=finite(turned)),
@@ -100,5 +98,3 @@ SHADOWS = (
                                "+ v _ 4 v ~ _ 2"),
     *(order.vector("tensor", 280 + order.n) for order in ORDERS),
 )
-
-ENTRIES = (*QUATERNIONS, *SHADOWS)

@@ -55,7 +55,9 @@ def not_orthogonal(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"R not orthogonal": {R: start, omega: w.map(lambda c: moving(c, 0 * c))}}
 
 
-VELOCITY = (
+Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
+
+ENTRIES = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
              where=(let(line_t, velocities.moved_line, R_t, point, along),
                     let(line_0, plain(line_through), point, along)),
@@ -107,10 +109,6 @@ VELOCITY = (
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),
              extract="R ˙ _ = R _ ω ~ _ B", where=MOTION, moving=True),
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
-)
-
-Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
-QUATERNION = (
     equation("75", "quaternion equation, spatial twist", 376, equal(rate(q_hat), half * omega * q_hat),
              extract="q ^ ˙ _ = 1 2 ω _ q ^ _", where=MOTION, moving=True),
     equation("76", "quaternion equation, body twist", 378, equal(rate(q_hat), half * q_hat * omega_B),
@@ -136,5 +134,3 @@ QUATERNION = (
              equal(omega_B, rate(alpha) * u + sin(alpha) * rate(u) - (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
 )
-
-ENTRIES = (*VELOCITY, *QUATERNION)
