@@ -28,22 +28,18 @@ def _letters(quantity: str, shape: str, ending: str = "", mark: str = "") -> Cal
 real = _letters("real", "{}")
 real_vector = _letters("real vector", r"\mathbf{{{}}}", " real")
 dual = _letters("dual number", r"\underline{{{}}}", "_")
-vector = _letters("dual vector", r"\underline{{\mathbf{{{}}}}}")
-unit = _letters("unit vector", r"\underline{{\mathbf{{{}}}}}")
+vector, unit, tensor, orthogonal_tensor = (
+    _letters(quantity, r"\underline{{\mathbf{{{}}}}}")
+    for quantity in ("dual vector", "unit vector", "tensor", "orthogonal tensor")
+)
 quaternion = _letters("unit quaternion", r"\underline{{\hat{{\mathbf{{{}}}}}}}", mark="^")
-
-
-def tensor(name: str, quantity: str = "tensor") -> Symbol:
-    """Return the symbol of a dual tensor."""
-    return Symbol(name, quantity, rf"\underline{{\mathbf{{{name}}}}}", name)
-
 
 n = Symbol("n", "order", "n", "n")
 alpha = Symbol("alpha", "angle", r"\underline{\alpha}", "α")
 u = unit("u")
 v = vector("v")
 I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
-R, Q = tensor("R", "orthogonal tensor"), Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+R, Q = orthogonal_tensor("R"), Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
 rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
 q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
 
