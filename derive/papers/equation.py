@@ -89,7 +89,7 @@ class Entry(Typeset):
         return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
 
     def __repr__(self) -> str:
-        return f"<Entry ({self.number}): {self.title}>"
+        return f"<Equation ({self.number}): {self.title}>"
 
     def _typeset(self) -> str:
         return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"

@@ -94,8 +94,6 @@ matrix = define(
 
 
 def _at(structure: Any, *indices: int) -> Any:
-    if callable(structure):
-        return structure(*indices)
     if not all(index in (1, 2, 3) for index in indices):
         raise MeaninglessError(f"no component {indices}")
     if isinstance(structure, Tensor):
@@ -105,6 +103,7 @@ def _at(structure: Any, *indices: int) -> Any:
 
 
 entry = define("K10 entry", "{0}_{{{1}{2}}}", "{0}{1}{2}", ATOM, (ATOM,), lambda env, T, i, j: _at(T, i, j))
+coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, f, k: f(k))
 component = define("K10 component", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, v, i: _at(v, i))
 
 

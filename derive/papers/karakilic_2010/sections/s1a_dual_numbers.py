@@ -70,9 +70,9 @@ power = x - x_0
 
 FUNCTIONS = (
     equation("extension", "analytic functions of dual numbers", 32,
-             equal(f(x + e * x_), summation(k, 0, top, component(a_k, k) * (x + e * x_ - x_0) ** k),
-                   summation(k, 0, top, component(a_k, k) * power**k)
-                   + e * summation(k, 0, top, k * component(a_k, k) * power ** (k - 1) * x_),
+             equal(f(x + e * x_), summation(k, 0, top, coefficient(a_k, k) * (x + e * x_ - x_0) ** k),
+                   summation(k, 0, top, coefficient(a_k, k) * power**k)
+                   + e * summation(k, 0, top, k * coefficient(a_k, k) * power ** (k - 1) * x_),
                    f(x) + e * x_ * f_prime(x)),
              extract=shown(r"f(x + ex^*) = \sum_{k=0}^{\infty} a_k (x + ex^* - x_0)^k"
                            r"= \sum_{k=0}^{\infty} a_k (x - x_0)^k + e \sum_{k=0}^{\infty} k a_k (x - x_0)^{k-1} x^*"
