@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ..papers import Result
-from ..papers.certificate import certificate as of_equation
+from ..papers.entry_certificate import certificate as of_equation
 from ..proof import Proof
 from ..proof.certificate import Certificate
 from ..proof.certificate import certificate as of_proof

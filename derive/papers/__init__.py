@@ -10,11 +10,17 @@ karakilic_2010         entries of K10
 sharp                  sharpness of a condition, tested by the denominators
 explore                truth of a statement at seeded points, special points and poles
 decide                 status of an entry
-certificate            certificate of an entry: both sides of its equations as integer lists
+entry_certificate      certificate of an entry: both sides of its equations as integer lists
 report                 results as text, JSON, Markdown, HTML and LaTeX
 =====================  ========================================================================
 
-Each module imports only from modules above it in the table.
+Each module imports only from modules above it in the table. The package of a paper has its own table:
+
+===========  ================================================================================
+notation     symbols used throughout the paper, characters lost by its text extraction, and operators of this paper only
+definitions  definitions of symbols, against which printed formulas are checked
+sections     entries in printed order; a section may use symbols of earlier sections
+===========  ================================================================================
 """
 
 from __future__ import annotations
@@ -26,7 +32,7 @@ from ..output.listing import Listing
 from ..output.progress import bar, no_op
 from . import condurache_popa_2023, karakilic_2010
 from .decide import ORDERS, decide
-from .equation import Equation, Paper, Reading, UndecidedError, equation
+from .equation import Entry, Paper, Reading, UndecidedError, equation
 from .result import Result, Status, Verdict
 
 PAPERS: tuple[Paper, ...] = (condurache_popa_2023.PAPER, karakilic_2010.PAPER)
@@ -88,6 +94,6 @@ def verify(
 
 
 __all__ = [
-    "ORDERS", "PAPERS", "Equation", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
+    "ORDERS", "PAPERS", "Entry", "Paper", "Reading", "Result", "Status", "UndecidedError", "Verdict", "equation",
     "verify",
 ]  # fmt: skip

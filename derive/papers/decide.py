@@ -10,13 +10,12 @@ from itertools import product
 from math import lcm
 from typing import Any
 
-from derive.algebra.element import NotExactError
-
-from .equation import Equation, Reading, UndecidedError, faithful
-from .explore import Outcome, counterexample, explore
-from .language.evaluation import Env
-from .language.notation import over
-from .language.terms import Number, Term, Trait, takes_apart, walk, with_trait
+from ..algebra.element import NotExactError
+from .equation import Entry, Reading, UndecidedError, faithful
+from .explore import Trial, counterexample, explore
+from .language.environment import Env
+from .language.operator_table import over
+from .language.printed import Number, Term, Trait, takes_apart, walk, with_trait
 from .numbers.generic import Generic
 from .numbers.quantities import BRANCH, ORDER, SIGN
 from .result import Result, Status, Verdict
@@ -29,7 +28,7 @@ SHORT_DECIMALS = 1
 """Decimals of the numbers in a counterexample, if the statement also fails at numbers this short."""
 
 
-def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDERS) -> Result:
+def decide(paper: str, entry: Entry, lost: str, orders: Sequence[int] = ORDERS) -> Result:
     """Return the result of an entry; ``paper`` is the paper's slug, ``lost`` the characters that its extraction lost.
 
     Raises
@@ -60,7 +59,7 @@ def decide(paper: str, entry: Equation, lost: str, orders: Sequence[int] = ORDER
     return result(Status.ERRATUM, f"{first.method}; correction {correction.method}")
 
 
-def _check(entry: Equation, lost: str) -> None:
+def _check(entry: Entry, lost: str) -> None:
     """Raise if an entry lacks a part that another part needs, or does not agree with the extracted text."""
     unfaithful = not all(faithful(reading.statement, entry.extract, lost) for reading in entry.readings)
     mistakes = {
@@ -76,7 +75,7 @@ def _check(entry: Equation, lost: str) -> None:
             raise UndecidedError(f"({entry.number}): {mistake}")
 
 
-def _support(entry: Equation, identity: Term) -> None:
+def _support(entry: Entry, identity: Term) -> None:
     """Raise unless the supporting identity is proved; points where it is undefined are ignored."""
     moving = entry.moving or bool(with_trait(Trait.RATE, identity))
     entry = replace(entry, condition=None, claimed=None, also=None, moving=moving)
@@ -86,17 +85,17 @@ def _support(entry: Equation, identity: Term) -> None:
         raise UndecidedError(f"({entry.number}): the supporting identity is not proved: {reason}")
 
 
-def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
+def judge(entry: Entry, reading: Reading, orders: Sequence[int]) -> Verdict:
     """Return the verdict on one reading: evaluate it at points to refute it, then prove it exactly."""
     verdict = partial(Verdict, reading.statement, reading.note)
-    outcomes = list(explore(entry, reading.statement, orders))
-    inside = [outcome for outcome in outcomes if outcome.inside]
-    failed = next((outcome for outcome in inside if outcome.truth is not True), None)
+    trials = list(explore(entry, reading.statement, orders))
+    inside = [trial for trial in trials if trial.inside]
+    failed = next((trial for trial in inside if trial.truth is not True), None)
     if failed is not None:
         short = explore(entry, reading.statement, orders, SHORT_DECIMALS)
-        shown = next((outcome for outcome in short if outcome.inside and outcome.truth is False), failed)
+        shown = next((trial for trial in short if trial.inside and trial.truth is False), failed)
         return verdict(False, f"refuted at {failed.place}", counterexample(shown, entry, reading.statement))
-    outside = [outcome for outcome in outcomes if not outcome.inside]
+    outside = [trial for trial in trials if not trial.inside]
     if not inside or (entry.condition is not None and not outside):
         raise UndecidedError(f"({entry.number}): no point on {'both sides' if inside else 'the inside'} of its domain")
     beyond = _beyond(entry, reading.statement, outside)
@@ -104,21 +103,21 @@ def judge(entry: Equation, reading: Reading, orders: Sequence[int]) -> Verdict:
     return verdict(True, f"{method}; also true at {beyond.point}" if beyond else method)
 
 
-def _beyond(entry: Equation, statement: Term, outside: Sequence[Outcome]) -> Outcome | None:
-    """Return the first outcome outside the condition at which the statement is true, if any.
+def _beyond(entry: Entry, statement: Term, outside: Sequence[Trial]) -> Trial | None:
+    """Return the first trial outside the condition at which the statement is true, if any.
 
     Raise if the condition is too strict: the statement is true outside it with fewer than two special symbols. Also
     raise if the statement has a value outside a condition that its denominators show to be sharp.
     """
-    for outcome in outside:
-        if outcome.truth is True and not outcome.pair:
-            raise UndecidedError(f"({entry.number}): true outside its condition, at {outcome.place}")
-        if outcome.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
-            raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {outcome.place}")
-    return next((outcome for outcome in outside if outcome.truth is True), None)
+    for trial in outside:
+        if trial.truth is True and not trial.pair:
+            raise UndecidedError(f"({entry.number}): true outside its condition, at {trial.place}")
+        if trial.truth is not None and entry.condition is not None and is_sharp(entry.condition, statement):
+            raise UndecidedError(f"({entry.number}): its form says no value, but there is one, at {trial.place}")
+    return next((trial for trial in outside if trial.truth is True), None)
 
 
-def _method(entry: Equation, statement: Term, exact: str | None, points: int) -> str:
+def _method(entry: Entry, statement: Term, exact: str | None, points: int) -> str:
     """Return the method in words. A delicate statement proved at generic values may fail at special ones."""
     evidence = f"60-digit evaluation at {points} seeded points"
     supported = ", with a supporting identity proved exactly" if entry.because not in (None, statement) else ""
@@ -131,7 +130,7 @@ def _method(entry: Equation, statement: Term, exact: str | None, points: int) ->
     return f"{exact}{supported}"
 
 
-def prove(entry: Equation, statement: Term, orders: Sequence[int], found: list[Pairs] | None = None) -> str | None:
+def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pairs] | None = None) -> str | None:
     """Prove a statement exactly; return the method, or None if no exact field suits its operations and domain.
 
     If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice of
@@ -170,7 +169,7 @@ def _steps(statement: Term) -> int:
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
 
 
-def _checked(entry: Equation, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:
+def _checked(entry: Entry, statement: Term, point: Generic, found: list[Pairs] | None = None) -> bool:
     """Return whether the generic values lie in the domain; if they do, raise unless the statement is true there."""
     point.field.functions.lowest_terms = found is None
     pairs: Pairs | None = None if found is None else []

@@ -1,6 +1,6 @@
 """Entry for an equation or claim of a paper, and the rules for deciding it.
 
-An `Equation` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
+An `Entry` is an entry: the printed formula and the definitions of its symbols. `decide` evaluates it and returns a
 `Result` with the computed status:
 
 * readings are listed by hand, the most charitable first. Apart from lost characters, each equals the extracted text;
@@ -23,8 +23,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
-from .language.evaluation import Definition
-from .language.terms import Symbol, Term, latex, symbols, text
+from .language.environment import Definition
+from .language.printed import Symbol, Term, latex, symbols, text
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
@@ -48,7 +48,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Equation(Typeset):
+class Entry(Typeset):
     """Entry for a printed equation or claim; create one with `equation`."""
 
     number: str  # the paper's number, or a slug
@@ -95,10 +95,10 @@ class Equation(Typeset):
         return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"
 
 
-def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Equation:
+def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:
     """Return an entry; `printed` is a statement or a tuple of readings."""
     readings = printed if isinstance(printed, tuple) else (Reading(printed),)
-    return Equation(number, title, line, rest.pop("extract", ""), readings, **rest)
+    return Entry(number, title, line, rest.pop("extract", ""), readings, **rest)
 
 
 def faithful(reading: Term, extract: str, lost: str) -> bool:
@@ -119,13 +119,15 @@ class Paper:
     short: str
     citation: str
     lost: str  # characters lost by the extraction of its text
-    package: str  # name of its package, which contains ``inventory`` and ``sections``
+    package: str  # name of its package, which contains ``sections``
     sections: tuple[str, ...]  # modules in ``sections``, in the paper's order; each defines ``ENTRIES``
+    claims: Mapping[int, str]  # further lines of the text, with the entries that decide them
+    reasons: Mapping[str, str]  # lines that claim nothing, by reason
     doi: str = ""
 
-    def entries(self) -> tuple[Equation, ...]:
+    def entries(self) -> tuple[Entry, ...]:
         """Return all entries in the paper's order, each with the path of its module."""
-        found: list[Equation] = []
+        found: list[Entry] = []
         for section in self.sections:
             name = f"{self.package}.sections.{section}"
             source = f"{name.replace('.', '/')}.py"
@@ -134,10 +136,9 @@ class Paper:
 
     def inventory(self) -> dict[int, tuple[str, ...] | str]:
         """Return the inventory: each line with its deciding entries, or with the reason why it claims nothing."""
-        module = importlib.import_module(f"{self.package}.inventory")
         lines: dict[int, tuple[str, ...] | str] = {}
         for entry in self.entries():
             lines[entry.line] = (*lines.get(entry.line, ()), entry.number)
-        for line, numbers in module.CLAIMS.items():
+        for line, numbers in self.claims.items():
             lines[line] = (*lines.get(line, ()), *numbers.split())
-        return lines | {int(line): reason for reason, at in module.REASONS.items() for line in at.split()}
+        return lines | {int(line): reason for reason, at in self.reasons.items() for line in at.split()}

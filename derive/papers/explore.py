@@ -12,13 +12,12 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Structure
-from derive.maps.pose import Pose
-
-from .equation import Equation
-from .language import notation
-from .language.evaluation import Env
-from .language.terms import Symbol, Term, Trait, latex, symbols, text, walk
+from ..algebra import Dual, Structure
+from ..maps.pose import Pose
+from .equation import Entry
+from .language import operator_table
+from .language.environment import Env
+from .language.printed import Symbol, Term, Trait, latex, symbols, text, walk
 from .language.values import Either, coefficients, equal
 from .numbers.draw import Draw
 from .numbers.fields import DIGITS, Decimal60, innermost
@@ -34,12 +33,12 @@ SCALED = ("dual vector", "dual number", "argument")
 """Quantities of the symbols that are scaled to reach a pole."""
 
 Values = dict[Symbol, Any]
-Point = tuple[str, Values, bool]
+SeededPoint = tuple[str, Values, bool]
 """Label of a point, values of all free symbols there, and whether two symbols have special values."""
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Trial:
     """Truth of a statement at one point; None where it is undefined.
 
     `inside` tells whether the point satisfies the entry's condition, `pair` whether two symbols have special values.
@@ -57,17 +56,17 @@ class Outcome:
         return f"{self.point}: {'no value' if self.truth is None else str(self.truth).lower()}"
 
 
-def explore(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Outcome]:
+def explore(entry: Entry, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Trial]:
     """Yield the truth of a statement at each point inside the entry's claimed domain."""
     with mpmath.workdps(DIGITS):
         for label, values, pair in points(entry, statement, orders, digits):
             env = Env(Decimal60(), values, entry.definitions, moving=entry.moving)
             if entry.claimed is None or _truth(env, entry.claimed):
                 inside = entry.condition is None or bool(_truth(env, entry.condition))
-                yield Outcome(label, inside, _truth(env, statement), env, pair)
+                yield Trial(label, inside, _truth(env, statement), env, pair)
 
 
-def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Point]:
+def points(entry: Entry, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[SeededPoint]:
     """Yield seeded points for all orders and branches."""
     free = entry.free(statement)
     order = [symbol for symbol in free if symbol.quantity is ORDER]
@@ -80,7 +79,7 @@ def points(entry: Equation, statement: Term, orders: Sequence[int], digits: int 
                 yield f"n = {n}, {label}" if order else label, {**fixed, **values}, pair
 
 
-def _points(entry: Equation, statement: Term, fixed: Values, draw: Draw, real: Draw) -> Iterator[Point]:
+def _points(entry: Entry, statement: Term, fixed: Values, draw: Draw, real: Draw) -> Iterator[SeededPoint]:
     """Yield points at one order and branch: generic, one special symbol, the entry's, real, poles, two special."""
     free = [symbol for symbol in entry.free(statement) if symbol.quantity not in (ORDER, BRANCH)]
     special = [(symbol, label, make) for symbol in free for label, make in symbol.quantity.special.items()]
@@ -153,19 +152,19 @@ def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
     return None
 
 
-def counterexample(outcome: Outcome, entry: Equation, statement: Term) -> Counterexample:
+def counterexample(trial: Trial, entry: Entry, statement: Term) -> Counterexample:
     """Return the values of a statement's free symbols at a point, and the sides that differ there."""
     with mpmath.workdps(DIGITS):
-        numbers = {latex(symbol): shown(outcome.env.value(symbol)) for symbol in entry.free(statement)}
+        numbers = {latex(symbol): shown(trial.env.value(symbol)) for symbol in entry.free(statement)}
         letters = {name: parts for name, parts in numbers.items() if parts}
-        return Counterexample(outcome.point, letters, _sides(outcome.env, statement))
+        return Counterexample(trial.point, letters, _sides(trial.env, statement))
 
 
 def _sides(env: Env, statement: Term) -> tuple[list[str], ...]:
     """Return the first two neighbouring sides of an equation that are unequal."""
     if Trait.JOINS in statement.operator.traits:
         return next((found for part in statement.arguments if (found := _sides(env, part))), ())
-    if statement.operator is notation.equal:
+    if statement.operator is operator_table.equal:
         for pair in pairwise(statement.arguments):
             try:
                 a, b = (env.now(env.value(side)) for side in pair)

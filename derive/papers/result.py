@@ -9,8 +9,8 @@ from enum import StrEnum
 from typing import Any
 
 from ..output.typeset import Typeset
-from .equation import Equation
-from .language.terms import Term, latex
+from .equation import Entry
+from .language.printed import Term, latex
 
 
 class Status(StrEnum):
@@ -55,10 +55,10 @@ class Verdict(Typeset):
 
 @dataclass(frozen=True)
 class Result(Typeset):
-    """Equation with its computed status."""
+    """Entry with its computed status."""
 
     paper: str  # slug
-    equation: Equation
+    equation: Entry
     status: Status
     method: str  # method of decision in words
     verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first

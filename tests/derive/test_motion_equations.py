@@ -15,9 +15,9 @@ from scipy.integrate import solve_ivp
 import derive
 from derive.algebra.arithmetic import Arithmetic
 from derive.motion_equations import KINDS, MotionEquation, motion_equation
-from derive.papers.condurache_popa_2023 import PAPER, symbols
+from derive.papers.condurache_popa_2023 import PAPER, cp23_notation
 from derive.papers.language import values
-from derive.papers.language.evaluation import Env
+from derive.papers.language.environment import Env
 from derive.papers.numbers.generic import Generic
 from tests.support import motions
 from tests.support.libraries import LIBRARIES, QUICKLY
@@ -53,9 +53,9 @@ def equals_printed(number: str, order: int | None, equation: MotionEquation) -> 
     (state,) = rate.arguments
     twist = next(symbol for symbol in entry.definitions if symbol.name == TWIST[KINDS[number][0]])
     # tan(α/4) needs sine and cosine of eighths of an angle
-    free = [symbol for symbol in entry.free(printed) if symbol is not symbols.n]
+    free = [symbol for symbol in entry.free(printed) if symbol is not cp23_notation.n]
     at = Generic([*free, twist], dual=True, moving=False, steps=8)
-    env = Env(at.field, {**at.values, symbols.n: order}, entry.definitions)
+    env = Env(at.field, {**at.values, cp23_notation.n: order}, entry.definitions)
     found = equation.rate(env.value(state), at.values[twist], ExactArithmetic(at.field))
     return values.equal(at.field, env.value(printed), found)
 

@@ -8,10 +8,10 @@ from functools import partial
 
 from derive.papers import PAPERS, Result
 from derive.papers.decide import ORDERS, decide
-from derive.papers.equation import Equation
+from derive.papers.equation import Entry
 from derive.papers.explore import explore
-from derive.papers.language.notation import negated
-from derive.papers.language.terms import RELATION, Apply, Number, Symbol, Term
+from derive.papers.language.operator_table import negated
+from derive.papers.language.printed import RELATION, Apply, Number, Symbol, Term
 from derive.papers.numbers.quantities import PROPOSITION
 
 from .mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict
@@ -49,7 +49,7 @@ def true_statements(result: Result) -> tuple[Term, ...]:
     return true or (() if result.equation.corrected is None else (result.equation.corrected,))
 
 
-def trials(entry: Equation, statement: Term) -> Iterator[tuple[str, Callable[[], Verdict]]]:
+def trials(entry: Entry, statement: Term) -> Iterator[tuple[str, Callable[[], Verdict]]]:
     """Yield every change of a statement or its domain, with a function that evaluates the mutant."""
     for change, mutant in changed(statement):
         yield change, partial(evaluated, partial(is_true, entry, mutant))
@@ -65,12 +65,12 @@ def evaluated(survives: Callable[[], bool]) -> Verdict:
         return Verdict(EQUIVALENT)
 
 
-def is_true(entry: Equation, statement: Term) -> bool:
+def is_true(entry: Entry, statement: Term) -> bool:
     """Return whether a statement is true at every point that satisfies the entry's condition."""
     return all(outcome.truth is True for outcome in explore(entry, statement, ORDERS) if outcome.inside)
 
 
-def is_true_exactly_inside(entry: Equation, statement: Term) -> bool:
+def is_true_exactly_inside(entry: Entry, statement: Term) -> bool:
     """Return whether a statement is true inside the condition and, unless two symbols are special, false outside."""
     inside = outside = 0
     for outcome in explore(entry, statement, ORDERS):
@@ -82,7 +82,7 @@ def is_true_exactly_inside(entry: Equation, statement: Term) -> bool:
     return bool(inside and (outside or entry.condition is None))
 
 
-def domains(entry: Equation) -> Iterator[tuple[str, Equation]]:
+def domains(entry: Entry) -> Iterator[tuple[str, Entry]]:
     """Yield copies of the entry whose condition or claimed domain is changed or dropped."""
     for name, title in (("condition", "condition"), ("claimed", "claimed domain")):
         domain = getattr(entry, name)

@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure, Vector, mixed
-from derive.algebra.mixed import quaternion as quaternion
-from derive.maps.pose import Pose
-
+from ...algebra import Dual, Quaternion, Structure, Vector, mixed
+from ...algebra.mixed import quaternion as quaternion
+from ...maps.pose import Pose
 from ..numbers.fields import Field
 
 

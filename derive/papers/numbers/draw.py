@@ -10,15 +10,14 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Vector
-
+from ...algebra import Dual, Quaternion, Vector
 from .fields import Decimal60
 
 
 class Draw:
     """Source of 60-digit numbers with `digits` random decimals, all determined by the seed.
 
-    Coefficients carry time derivatives if `moving`, as in `derive.papers.language.evaluation.Env`.
+    Coefficients carry time derivatives if `moving`, as in `derive.papers.language.environment.Env`.
     """
 
     def __init__(self, seed: str, moving: bool = False, digits: int = 30) -> None:

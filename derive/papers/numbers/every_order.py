@@ -16,9 +16,8 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Structure
-from derive.algebra.element import Element, NotExactError
-
+from ...algebra import Dual, Quaternion, Structure
+from ...algebra.element import Element, NotExactError
 from .fields import Exact, one_over
 
 
@@ -52,7 +51,7 @@ class EveryOrder(Exact):
         if isinstance(base, Quaternion):
             return self._quaternion(base, exponent)
         if isinstance(base, Structure):
-            raise NotExactError("powers with exponent n of vectors and tensors")
+            raise NotExactError("a vector or tensor has no power with exponent n")
         if isinstance(base, Dual):
             return base.apply(lambda a: self.power(a, exponent), lambda a: exponent * self.power(a, exponent) / a)
         a, b = self._linear(exponent)
@@ -61,7 +60,7 @@ class EveryOrder(Exact):
                 if base == number**i * self.secant**j:
                     of_number = power ** self._integer(4 * a * i) * number ** self._integer(b * i)
                     return of_number * self.r ** self._integer(2 * j * a) * self.secant ** self._integer(j * b)
-        raise NotExactError("powers with exponent n of numbers other than 1 + v²")
+        raise NotExactError("only 1 + v² and its multiples have powers with exponent n")
 
     def _quaternion(self, base: Quaternion, exponent: Element) -> Quaternion:
         """Return a power of ``c (1 + X u)``, or a root if the exponent is a multiple of 1/n."""
@@ -83,7 +82,7 @@ class EveryOrder(Exact):
         """Return the power ``multiple/n`` of a unit quaternion cos ψ + u sin ψ."""
         turn = self._integer(multiple.combination((self.functions.constant(1),))[0]) * self.theta
         if base.scalar != self._cos(self.psi) or base.norm2() != 1:
-            raise NotExactError("roots of quaternions other than cos α/2 + u sin α/2")
+            raise NotExactError("only cos α/2 + u sin α/2 has n-th roots")
         return Quaternion(self._cos(turn), base.vector / self._sin(self.psi) * self._sin(turn))
 
     def turn(self, exponent: Element, X: Any) -> tuple[Any, Any]:
@@ -94,7 +93,7 @@ class EveryOrder(Exact):
             return Dual(cosine, -exponent * sine * slope), Dual(sine, exponent * cosine * slope)
         a, b = self._linear(exponent)
         if X != self.X:
-            raise NotExactError("more than one vector")
+            raise NotExactError("powers with exponent n are known for one vector only")
         return self._cos(a * self.psi + b * self.theta), self._sin(a * self.psi + b * self.theta)
 
     def _cos(self, a: Any) -> Any:
@@ -119,5 +118,5 @@ class EveryOrder(Exact):
     @staticmethod
     def _integer(a: Fraction) -> int:
         if a.denominator != 1:
-            raise NotExactError(f"the exponent {a}")
+            raise NotExactError(f"the exponent {a} is not an integer")
         return int(a)

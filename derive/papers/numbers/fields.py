@@ -14,10 +14,11 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Structure, Tensor, Vector, ZeroDivisorError, real_part
-from derive.algebra.angles import AngleField
-from derive.algebra.element import Element, NotExactError
-from derive.maps.polynomials import pair
+from ...algebra import Dual, Quaternion, Structure, Tensor, Vector, real_part
+from ...algebra.angles import AngleField
+from ...algebra.element import Element, NotExactError
+from ...algebra.functions import Elementary
+from ...maps.polynomials import pair
 
 DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above rounding errors, far below relevant differences
@@ -28,56 +29,27 @@ class UndefinedError(ArithmeticError):
     """Error for a formula without a value at this point."""
 
 
-def _lifted(name: str, derivative: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    """Return a method for plain and dual numbers, by ``f(a + ε a°) = f(a) + ε a° f'(a)`` from the field's ``_name``."""
-
-    def method(field: Field, a: Any) -> Any:
-        if isinstance(a, Dual):
-            return a.apply(lambda re: method(field, re), lambda re: derivative(field, re))
-        if not hasattr(field, f"_{name}"):
-            raise NotExactError(f"the function {name}")
-        return getattr(field, f"_{name}")(a)
-
-    return method
-
-
-class Field:
+class Field(Elementary):
     """Numbers with elementary functions; a function that is missing in a subclass raises `NotExactError`.
 
     Subclasses define ``_sin``, ``_cos``, ``_exp``, ``_log``, ``_sqrt`` and ``_atan2`` on plain numbers.
-
     """
 
     ordered = False  # whether every number has a sign, so that numbers can be compared
     pair = staticmethod(pair)  # polynomials ``p_n`` and ``q_n`` at x
 
-    sin = _lifted("sin", lambda field, a: field.cos(a))
-    cos = _lifted("cos", lambda field, a: -field.sin(a))
-    exp = _lifted("exp", lambda field, a: field.exp(a))
-    log = _lifted("log", lambda field, a: 1 / a)
-    _nonzero_sqrt = _lifted("sqrt", lambda field, a: 1 / (2 * field.sqrt(a)))
+    def real(self, name: str, *values: Any) -> Callable[..., Any]:
+        if not hasattr(self, f"_{name}"):
+            raise NotExactError(f"the function {name}")
+        return getattr(self, f"_{name}")  # type: ignore[no-any-return]
 
     def sqrt(self, a: Any) -> Any:
         """Return the square root; raise for a zero divisor other than 0."""
-        if isinstance(a, Dual) and a == 0:
-            return a
-        if isinstance(a, Dual) and innermost(a) == 0:
-            raise ZeroDivisorError(f"{a!r} is a zero divisor and has no square root")
-        return self._nonzero_sqrt(a)
+        return a if isinstance(a, Dual) and a == 0 else super().sqrt(a)
 
     def atan(self, a: Any) -> Any:
         """Return the principal arc tangent."""
         return self.atan2(a, 1)
-
-    def atan2(self, y: Any, x: Any) -> Any:
-        """Return the angle of the point (x, y), between −π and π."""
-        if not (isinstance(x, Dual) or isinstance(y, Dual)):
-            return self._atan2(y, x)
-        (a, da), (b, db) = ((c.re, c.du) if isinstance(c, Dual) else (c, 0) for c in (x, y))
-        return Dual(self.atan2(b, a), (a * db - b * da) / (a * a + b * b))
-
-    def _atan2(self, y: Any, x: Any) -> Any:
-        raise NotExactError("arc tangent")
 
     def magnitude(self, v: Vector) -> Any:
         """Return the magnitude of a vector; ``ε |a°|`` for a dual vector ``ε a°``."""

@@ -14,9 +14,8 @@ from collections.abc import Iterable
 from itertools import product
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Vector
-from derive.algebra.element import NotExactError
-
+from ...algebra import Dual, Quaternion, Vector
+from ...algebra.element import NotExactError
 from .draw import sphere
 from .every_order import EveryOrder
 from .fields import Exact
@@ -28,7 +27,7 @@ STEPS = 4  # sine and cosine of multiples of α/4 are exact
 class Generic:
     """Generic values of some free symbols.
 
-    Coefficients are dual if `dual` and carry rates if `moving`, as in `derive.papers.language.evaluation.Env`.
+    Coefficients are dual if `dual` and carry rates if `moving`, as in `derive.papers.language.environment.Env`.
     Multiples of ``angle/steps`` have exact sine and cosine. A frame is chosen along the vectors if `framed`. With the
     symbol `order`, the values hold for every n; then the other symbols contain at most one vector and one angle.
     """

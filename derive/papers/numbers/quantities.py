@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import mpmath
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector
-from derive.maps.first_principles import tensor_by_sandwich as rotation
-
+from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...maps.first_principles import tensor_by_sandwich as rotation
 from .draw import Draw, Smooth, polynomial
 from .fields import Field
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from derive.proof import Proof
-
+from ...proof import Proof
 from ..equation import Paper
 from ..result import Counterexample, Result, Status
 from .plain import plain

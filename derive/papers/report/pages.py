@@ -5,10 +5,9 @@ from __future__ import annotations
 import json
 import re
 
-from derive.output.templates import holes, render
-
-from ..language.notation import define
-from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
+from ...output.templates import holes, render
+from ..language.operator_table import define
+from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
 from .content import MEANING, Report, command, example, extent, label, place, readings, why
 from .plain import escape

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from derive.output.tables import WIDTH, Column, Grid
-
+from ...output.tables import WIDTH, Column, Grid
 from ..result import Result, Status
 from .content import MEANING, Chapter, Report, command, domain, example, label, readings
 from .plain import plain

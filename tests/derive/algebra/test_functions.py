@@ -58,6 +58,13 @@ def test_dual_parts_near_0_agree_with_central_differences(f) -> None:
     assert f(1e-300) == 1e-300
 
 
+@pytest.mark.parametrize("f", [sin, tan, atan, sqrt, lambda a: atan2(a, 1 + a)])
+def test_nested_dual_numbers_have_second_derivatives(f) -> None:
+    x, at = sympy.Symbol("x"), sympy.Rational(3, 5)
+    value = f(Dual(Dual(at, sympy.Integer(1)), Dual(sympy.Integer(1), sympy.Integer(0))))
+    assert abs(sympy.N(value.du.du - f(x).diff(x, 2).subs(x, at), 30)) < 1e-25
+
+
 def test_symbols_stay_symbols() -> None:
     x = sympy.Symbol("x")
     assert cos(Dual(x, 2)) == Dual(sympy.cos(x), -2 * sympy.sin(x))

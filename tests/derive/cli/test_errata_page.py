@@ -7,7 +7,7 @@ import re
 import pytest
 
 from derive.papers import PAPERS, Result, Status, verify
-from derive.papers.language.terms import Symbol
+from derive.papers.language.printed import Symbol
 from derive.papers.report import FORMATS, Report
 from derive.papers.report.pages import differing_sides
 from derive.papers.result import Verdict

@@ -69,7 +69,7 @@ class Limb:
         return Limb(-self.value)
 
 
-def test_mantissas_may_be_integers_of_another_library() -> None:
+def test_decimals_accept_foreign_integers() -> None:
     for sign, wanted in ((0, Fraction(3, 4)), (1, Fraction(-3, 4))):
         assert exactly(Decimal(mpmath.mp.make_mpf((sign, Limb(3), -2, 2)))) == wanted
 

@@ -57,10 +57,6 @@ def test_page_counts_all_statuses() -> None:
     assert "| K10 | 3 | 1 | 57 | 27 | 88 |" in page
 
 
-def test_numbers_of_these_sections_are_complete(numbers) -> None:
-    assert {int(number) for number in numbers if number.isdecimal()} == {*range(1, 46), *range(92, 132)}
-
-
 def test_all_but_a_few_are_decided_exactly(results) -> None:
     assert {number for number, result in results.items() if "evidence" in result.method} == EVIDENCE
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from derive.papers import Status
-from derive.papers.karakilic_2010 import PAPER, symbols
-from derive.papers.language.terms import Apply, Symbol, walk
+from derive.papers.karakilic_2010 import PAPER, k10_notation
+from derive.papers.language.printed import Apply, Symbol, walk
 from derive.papers.numbers.quantities import QUANTITIES
 
 AMBIGUOUS = {"conclusion-22"}
@@ -27,11 +27,6 @@ HOLDS = {
 def results(karakilic: Path) -> dict[str, dict[str, Any]]:
     found = json.loads((karakilic / "errata.json").read_text(encoding="utf-8"))
     return {entry["equation"]: entry for entry in found["equations"]}
-
-
-def test_every_numbered_equation_has_an_entry(results) -> None:
-    assert {str(number) for number in range(1, 23)} <= set(results)
-    assert len(results) == len(PAPER.entries())
 
 
 def test_statuses(results) -> None:
@@ -75,5 +70,5 @@ def _names(statement) -> set[str]:
 
 
 def test_characters_shown_by_the_extraction() -> None:
-    assert symbols.shown(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
-    assert symbols.shown(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"
+    assert k10_notation.shown(r"\left\| \hat{b} \right\| = \frac{\hat{X}' - \hat{x}'}{2}") == "b̂={X̂'-x̂'}{2}"
+    assert k10_notation.shown(r"\stackrel{\mathbf{r}}{b} \cdot \mathbf{r}^{*}") == "b·r^{*}"

@@ -6,9 +6,9 @@ import pytest
 
 from derive.papers import PAPERS
 from derive.papers.decide import decide
-from derive.papers.equation import Equation, equation
-from derive.papers.language.notation import Re, cross, equal, iff, implies, nonzero, zero
-from derive.papers.language.terms import Number, Symbol, Term, text
+from derive.papers.equation import Entry, equation
+from derive.papers.language.operator_table import Re, cross, equal, iff, implies, nonzero, zero
+from derive.papers.language.printed import Number, Symbol, Term, text
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED
 from tests.mutants.statements import changed, domains, evaluated, is_true, trials, true_statements
 
@@ -19,11 +19,11 @@ EVERY = 97
 """Stride of the sample: every 97th mutant of the papers is evaluated here; `make mutants` draws from all mutants."""
 
 
-def entry(statement: Term = SQUARE, **rest: object) -> Equation:
+def entry(statement: Term = SQUARE, **rest: object) -> Entry:
     return equation("1", "title", 1, statement, said="in words", **rest)
 
 
-def fates(tried: Equation, statement: Term) -> list[str]:
+def fates(tried: Entry, statement: Term) -> list[str]:
     return [trial().kind for _, trial in trials(tried, statement)]
 
 

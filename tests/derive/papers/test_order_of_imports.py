@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from derive.papers import PAPERS
@@ -9,15 +11,15 @@ from tests.support.imports import ROOT, imported, sources
 
 BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
-DECIDING = ("sharp", "explore", "decide", "certificate")
+DECIDING = ("sharp", "explore", "decide", "entry_certificate")
 ENTRIES = ("equation", "result")
 ROOMS = (
     "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
 )  # fmt: skip
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""
 
-IN_A_PAPER = ("symbols", "operators", "definitions", "sections", "inventory")
-"""Import order inside the package of a paper; its ``__init__`` imports only the module of symbols."""
+IN_A_PAPER = ("notation", "definitions", "sections")
+"""Import order inside the package of a paper; its ``__init__`` imports only its notation."""
 
 
 def found() -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
@@ -37,13 +39,16 @@ def allowed(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
 
 
 def allowed_in_a_paper(importer: tuple[str, ...], name: tuple[str, ...]) -> bool:
-    if not importer:
-        return name == ("symbols",)
-    if not name:
-        return False
+    if not importer or not name:
+        return bool(name) and part(name) == "notation"
     if importer[0] == name[0] == "sections":
         return name < importer  # alphabetical order is the order of sections
-    return IN_A_PAPER.index(name[0]) <= IN_A_PAPER.index(importer[0])
+    return IN_A_PAPER.index(part(name)) <= IN_A_PAPER.index(part(importer))
+
+
+def part(name: tuple[str, ...]) -> str:
+    """Return the part of a paper's package to which a module belongs; files begin with the paper's short name."""
+    return name[0].rpartition("_")[2]
 
 
 def test_imports_run_one_way() -> None:
@@ -64,8 +69,8 @@ def test_sections_are_named_in_printed_order(paper) -> None:
 
 @pytest.mark.parametrize(
     ("importer", "name"),
-    [(("numbers", "generic"), ("language", "terms")), (("language", "terms"), ("equation",)),
-     ((PACKAGES[0], "symbols"), (PACKAGES[1], "symbols")),
+    [(("numbers", "generic"), ("language", "printed")), (("language", "printed"), ("equation",)),
+     ((PACKAGES[0], "cp23_notation"), (PACKAGES[1], "k10_notation")),
      ((PACKAGES[0], "definitions", "orders"), (PACKAGES[0], "sections")),
      ((PACKAGES[0], "sections", "s03_rigid_motion"), (PACKAGES[0], "sections", "s04_dual_quaternions")),
      (("equation",), ("decide",)), (("decide",), ())],
@@ -73,3 +78,8 @@ def test_sections_are_named_in_printed_order(paper) -> None:
 def test_imports_against_the_order_are_refused(importer, name) -> None:
     assert not allowed(importer, name)
     assert allowed(name, importer) or room(importer) in PACKAGES
+
+
+def test_imports_inside_the_toolkit_are_relative() -> None:
+    files = [file for _, file in sources("derive")]
+    assert [str(file) for file in files if re.search(r"^(from|import) derive\b", file.read_text("utf-8"), re.M)] == []

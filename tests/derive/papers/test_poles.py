@@ -7,9 +7,9 @@ import pytest
 
 from derive.algebra import Dual, Vector
 from derive.papers.explore import denominators, poles
-from derive.papers.language.evaluation import Env, let
-from derive.papers.language.notation import equal, norm, over
-from derive.papers.language.terms import Number, Symbol, text
+from derive.papers.language.environment import Env, let
+from derive.papers.language.operator_table import equal, norm, over
+from derive.papers.language.printed import Number, Symbol, text
 from derive.papers.numbers.fields import DIGITS, Decimal60, innermost
 
 a, b, x = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("x", "argument")

@@ -14,8 +14,8 @@ import sympy
 from derive.maps import Cayley, closed_forms
 from derive.maps.cayley import EQUATIONS
 from derive.papers import PAPERS
-from derive.papers.equation import Equation as Entry
-from derive.papers.language.terms import Apply, Number, Symbol, Term, walk
+from derive.papers.equation import Entry
+from derive.papers.language.printed import Apply, Number, Symbol, Term, walk
 from derive.proof import formulas
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS

@@ -8,14 +8,12 @@ from typing import Any
 import pytest
 import sympy
 
-from derive.algebra import Dual
 from derive.maps import Cayley, polynomials
 from derive.proof import notation as m
 from derive.proof.at_order import FUNCTIONS, SYMBOLS, computations, instances
-from derive.proof.at_point import AtPoint, _root
+from derive.proof.at_point import AtPoint
 from derive.proof.components import ROTATED, STATEMENTS, Components
 from derive.proof.controls import controls_at, controls_of
-from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Multiplier
 from derive.proof.statement import Equation
 
@@ -106,11 +104,10 @@ def test_symbols_are_decided_values(symbol: str, other: sympy.Expr, monkeypatch:
 
 
 def test_roots_at_a_point_are_exact() -> None:
-    root = _root(Dual(Fraction(9, 4), Fraction(5)))
-    assert root * root == Dual(Fraction(9, 4), Fraction(5))
-    assert AtPoint(3).power(1 + m.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
-    with pytest.raises(NoValueError, match="9/5 is the square of no rational number"):
-        _root(Dual(Fraction(9, 5), Fraction(5)))
+    at = AtPoint(3)
+    root = at.power(1 + m.x, sympy.Rational(1, 2))
+    assert root * root == at.value(1 + m.x)
+    assert at.power(1 + m.x, -sympy.Rational(3, 2)).re == Fraction(1, 11**3)
 
 
 def test_premises_are_evaluated() -> None:

@@ -198,7 +198,7 @@ def test_derivatives(backend: str, root: int) -> None:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_cleared(backend: str) -> None:
+def test_denominators_are_cleared_by_their_least_multiple(backend: str) -> None:
     exact = ring(backend)
     one_plus = 1 + exact.x
     elements = [1 / one_plus, exact.constant(Fraction(1, 2)), exact.symbol("v1") / one_plus**2]

@@ -6,14 +6,14 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, dual_part, real_part
-from derive.maps import first_principles
-from derive.maps.families import Family, rodrigues
-from derive.papers.numbers.every_order import EveryOrder
-from derive.proof.proved import citing
-
+from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....maps import first_principles
+from ....maps.families import Family, rodrigues
+from ....proof.proved import citing
 from ...language import values
-from ...language.evaluation import Env
+from ...language.common_definitions import condition
+from ...language.environment import Env
+from ...numbers.every_order import EveryOrder
 from ...numbers.fields import UndefinedError, innermost
 from .motions import half_angle
 from .orders import cayley
@@ -57,7 +57,7 @@ def counted_cayley_function(env: Env, n: Any) -> values.Map:
     f = cayley_function(env, n)
 
     def preimages(q: Quaternion) -> list[Vector]:
-        if n > 1 and translation(env, q):
+        if n > 1 and env.equal(q.vector.re, 0 * q.vector.re):
             raise UndefinedError("infinitely many preimages")
         return f.preimages(q)
 
@@ -86,10 +86,9 @@ def branch_coefficient(env: Env, n: Any, k: int, alpha: Any) -> Any:
     return values.divide(env.field.sin(angle), _pole(env.field.cos(angle)))
 
 
-def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Vector:
+def branch(env: Env, n: Any, k: int, alpha: Any, u: Vector) -> Any:
     """Return the preimage ``v_k`` of branch k."""
-    v: Vector = branch_coefficient(env, n, k, alpha) * u
-    return v
+    return branch_coefficient(env, n, k, alpha) * u
 
 
 # ---- any factor a(v) --------------------------------------------------------------------------------------------
@@ -105,7 +104,7 @@ def function_of(definition: Callable[..., Any]) -> Callable[..., Any]:
     return lambda env, *arguments: constant(env, definition(env, *arguments))
 
 
-def modified(env: Env, n: Any, a: Any, v: Vector) -> Quaternion:
+def modified(env: Env, n: Any, a: Any, v: Vector) -> Any:
     """Return the map (59): the Cayley map of order n at v/a."""
     return cayley(env, n, v / a)
 
@@ -121,15 +120,15 @@ def modified_tensor(env: Env, n: Any, a: Any, v: Vector) -> Tensor:
     return first_principles.tensor_by_sandwich(modified(env, n, a, v))
 
 
-def direction(env: Env, v: Vector) -> Vector:
+def direction(env: Env, v: Vector) -> Any:
     """Return the direction ``v/|v|``."""
-    u: Vector = v / _pole(env.field.magnitude(v))
-    return u
+    return v / _pole(env.field.magnitude(v))
 
 
-def scales(env: Env, n: Any, q: Quaternion, v: Vector) -> values.Solution:
-    """Return the condition on a: the map (59) takes v to ±q."""
-    return values.Solution(lambda a: values.equal(env.field, values.Either(q, -q), modified(env, n, a, v)))
+@condition
+def scales(env: Env, a: Any, n: Any, q: Quaternion, v: Vector) -> bool:
+    """Return whether the map (59) with the factor a takes v to ±q."""
+    return env.equal(values.Either(q, -q), modified(env, n, a, v))
 
 
 # ---- families ---------------------------------------------------------------------------------------------------
@@ -162,17 +161,6 @@ def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:
         return P, Q
 
     return lambda env, n: lambda length: at(env, n, length)[which]
-
-
-def translation(env: Env, q: Quaternion) -> bool:
-    """Return whether a displacement is a pure translation, the identity included."""
-    return values.equal(env.field, q.vector.re, 0 * q.vector.re)
-
-
-def rotation(env: Env, q: Quaternion) -> bool:
-    """Return whether a displacement is a pure rotation or the identity: ``cos α/2`` and ``|sin α/2|`` are real."""
-    parts = (q.scalar, env.field.magnitude(q.vector))
-    return all(values.equal(env.field, dual_part(part), 0) for part in parts)
 
 
 def _pole(a: Any) -> Any:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector, real_part
-from derive.maps import first_principles
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
-from derive.maps.pose import Pose, line_through, pose_from_tensor
-
+from ....algebra import Quaternion, Tensor, Vector, real_part
+from ....maps import first_principles
+from ....maps.exponential import quaternion_exponential, tensor_exponential
+from ....maps.pose import Pose, line_through, pose_from_tensor
 from ...language import values
-from ...language.definitions import plain, screw_quaternion, screw_tensor
-from ...language.evaluation import Env
+from ...language.common_definitions import condition, nilpotent, plain, screw_quaternion, screw_tensor
+from ...language.environment import Env
 from ...language.values import dualise
+from .dual_algebra import one_axis
 
 AXES = tuple(Vector(*row) for row in Tensor.identity().rows)
 
@@ -26,6 +26,9 @@ def moved_lines(g: Pose) -> Tensor:
     return Tensor.from_entries(entry for column in columns for entry in column).transpose
 
 
+pose_of = condition(lambda env, g, R: env.equal(moved_lines(g), R))
+
+
 def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
     """Return an angle in [0, π] and an axis of an orthogonal dual tensor."""
     w, cosine, field = R.vect(), (R.trace() - 1) / 2, env.field
@@ -33,47 +36,38 @@ def invariants(env: Env, R: Tensor) -> tuple[Any, Vector]:
         length = field.magnitude(w)
         return field.atan2(length, cosine), w / length
     if real_part(cosine) > 0:  # a translation
-        rho = pose_from_tensor(R).displacement
-        length = field.magnitude(rho)
-        direction = AXES[0] if length == 0 else rho / length
-        return dualise(0 * length, length), dualise(direction, 0 * direction)
+        along = nilpotent(env, pose_from_tensor(R).displacement)
+        return field.magnitude(along), one_axis(env, along)
     outer = (R + R.transpose) / 2 - Tensor.identity() * cosine
     column = outer @ max(AXES, key=lambda e: real_part(e.dot(outer @ e)))
     axis = column / field.magnitude(column)
     return field.atan2(w.dot(axis), cosine), axis
 
 
-def angles_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Return the condition on the rotation angle of R about `sign` times its axis."""
+@condition
+def angles_of(env: Env, angle: Any, R: Tensor, sign: int) -> bool:
+    """Return whether R turns by an angle about `sign` times its axis."""
     Q = R.map(real_part)
     _, axis = invariants(env, Q)
-    return values.Solution(lambda angle: values.equal(env.field, screw_tensor(env, angle, sign * axis), Q))
+    return env.equal(screw_tensor(env, angle, sign * axis), Q)
 
 
-def axes_of(env: Env, R: Tensor, sign: int) -> values.Solution:
-    """Return the condition on a unit vector: R turns about it by `sign` times its angle, or translates along it."""
+@condition
+def axes_of(env: Env, w: Vector, R: Tensor, sign: int) -> bool:
+    """Return whether R turns about a unit vector by `sign` times its angle, or translates along it."""
     pose = pose_from_tensor(R)
     Q, rho = pose.rotation, pose.displacement
     angle, _ = invariants(env, Q)
-
-    def is_axis(w: Vector) -> bool:
-        turned = screw_tensor(env, sign * angle, w)
-        if not values.equal(env.field, w.dot(w), 1) or not values.equal(env.field, turned, Q):
-            return False
-        return not values.equal(env.field, Q, Tensor.identity()) or values.equal(env.field, rho.cross(w), 0 * rho)
-
-    return values.Solution(is_axis)
+    if not (env.equal(w.dot(w), 1) and env.equal(screw_tensor(env, sign * angle, w), Q)):
+        return False
+    return not env.equal(Q, Tensor.identity()) or env.equal(rho.cross(w), 0 * rho)
 
 
-def moments_of(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on m: α about the axis ``Re u + ε m`` gives the same displacement as about u."""
-    R = screw_tensor(env, alpha, u)
-
-    def is_moment(m: Vector) -> bool:
-        across = values.equal(env.field, u.re.dot(m), 0)
-        return across and values.equal(env.field, screw_tensor(env, alpha, dualise(u.re, m)), R)
-
-    return values.Solution(is_moment)
+@condition
+def moments_of(env: Env, m: Vector, alpha: Any, u: Vector) -> bool:
+    """Return whether α about the axis ``Re u + ε m`` gives the same displacement as about u."""
+    across = env.equal(u.re.dot(m), 0)
+    return across and env.equal(screw_tensor(env, alpha, dualise(u.re, m)), screw_tensor(env, alpha, u))
 
 
 def exponential(env: Env, a: Vector) -> Tensor:
@@ -84,27 +78,16 @@ def exponential(env: Env, a: Vector) -> Tensor:
 # ---- unit dual quaternions --------------------------------------------------------------------------------------
 
 
-def lift(env: Env, alpha: Any, u: Vector) -> values.Solution:
-    """Return the condition on a unit quaternion: it acts on lines as the displacement by α about u."""
-    R = tensor_exponential(alpha * u, env.field)
-
-    def acts_so(q: Quaternion) -> bool:
-        q = values.quaternion(q)
-        unit_norm = values.equal(env.field, q.norm2(), 1)
-        return unit_norm and values.equal(env.field, first_principles.tensor_by_sandwich(q), R)
-
-    return values.Solution(acts_so)
+@condition
+def lift(env: Env, value: Any, alpha: Any, u: Vector) -> bool:
+    """Return whether a unit quaternion acts on lines as the displacement by α about u."""
+    q, R = values.quaternion(value), tensor_exponential(alpha * u, env.field)
+    return env.equal(q.norm2(), 1) and env.equal(first_principles.tensor_by_sandwich(q), R)
 
 
 def half_angle(env: Env, q: Quaternion) -> tuple[Any, Vector]:
     """Return the half angle in [0, π] and the axis of a unit quaternion."""
-    field, w = env.field, q.vector
-    if env.dual and values.equal(field, w.re, 0 * w.re):
-        length = field.magnitude(w.du)
-        axis = w.du / length if not field.same(length, 0) else AXES[0]
-        return field.atan2(dualise(0 * length, length), q.scalar), dualise(axis, 0 * axis)
-    length = field.magnitude(w)
-    return field.atan2(length, q.scalar), w / length
+    return env.field.atan2(env.field.magnitude(q.vector), q.scalar), one_axis(env, q.vector)
 
 
 def quaternion_exponential_map(env: Env) -> values.Map:

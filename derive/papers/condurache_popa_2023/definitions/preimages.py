@@ -29,10 +29,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
-from derive.algebra.element import Element
-from derive.algebra.exact import RationalFunctions
-
-from ...language.evaluation import Env
+from ....algebra.element import Element
+from ....algebra.exact import RationalFunctions
+from ...language.environment import Env
 
 Step = Callable[..., tuple[Element, Element]]
 """Function from ``F``, ``G`` and t to both polynomials of the next order."""

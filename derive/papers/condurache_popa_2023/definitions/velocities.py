@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import line_through, pose_from_tensor
-
+from ....algebra import Dual, Tensor, Vector
+from ....maps import first_principles
+from ....maps.pose import line_through, pose_from_tensor
 from ...language import values
-from ...language.evaluation import Env
+from ...language.common_definitions import condition
+from ...language.environment import Env
 from ...numbers.fields import innermost
 from .motions import AXES
 
@@ -42,7 +42,11 @@ def body_twist(env: Env, R: Tensor) -> Vector:
 def moves_lines(env: Env, R: Tensor, operator: Callable[[Vector], Vector]) -> bool:
     """Return whether an operator gives the rates of three body-fixed lines."""
     lines = [R @ axis for axis in AXES]
-    return all(values.equal(env.field, env.now(operator(line)), env.now(env.rate(line))) for line in lines)
+    return all(env.equal(env.now(operator(line)), env.now(env.rate(line))) for line in lines)
+
+
+velocity_tensor = condition(lambda env, T, R: moves_lines(env, R, lambda line: T @ line))
+angular_velocity = condition(lambda env, w, R: moves_lines(env, R, w.cross))
 
 
 def moved_line(env: Env, R: Tensor, point: Vector, along: Vector) -> Vector:
@@ -56,11 +60,10 @@ def rotation_part(env: Env, R: Tensor) -> Tensor:
     return R.map(lambda c: Dual(c.re, 0 * c.re))
 
 
-def velocity_at_origin(env: Env, Q: Tensor, rho: Vector) -> Vector:
+def velocity_at_origin(env: Env, Q: Tensor, rho: Vector) -> Any:
     """Return the velocity of the body point at the origin; its body coordinates are ``−Qᵀρ``."""
     body_point = at_rest(env, -(Q.transpose @ rho))
-    velocity: Vector = env.rate(Q @ body_point + rho)
-    return velocity
+    return env.rate(Q @ body_point + rho)
 
 
 def half_sine(env: Env, alpha: Any) -> Any:

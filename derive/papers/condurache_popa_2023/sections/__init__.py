@@ -2,10 +2,9 @@
 
 from ...equation import *
 from ...language import values as values
-from ...language.definitions import *
-from ...language.evaluation import *
-from ...language.notation import *
-from ...language.terms import *
+from ...language.common_definitions import *
+from ...language.environment import *
+from ...language.operator_table import *
+from ...language.printed import *
 from ...numbers.draw import Draw as Draw
-from ..operators import *
-from ..symbols import *
+from ..cp23_notation import *

@@ -1,7 +1,6 @@
 """Section 2.1, dual numbers: lines 46-52."""
 
-from derive.algebra import real_part
-
+from ....algebra import real_part
 from ..definitions import dual_algebra
 from . import *
 

@@ -1,9 +1,8 @@
 """Section 2.2, dual vectors: lines 56-68."""
 
-from derive.algebra import Tensor, Vector
-
+from ....algebra import Tensor, Vector
+from ..cp23_notation import unit as unit_vector
 from ..definitions import dual_algebra
-from ..symbols import unit as unit_vector
 from . import *
 
 a, a0 = real_vector("a"), Symbol("a0 real", "real vector", r"\mathbf{a}^0", "a0")
@@ -70,7 +69,7 @@ ENTRIES = (
     equation("line-free", "the line where the real part is zero", 68,
              remark(equal(r, w + lam_real * (a0 / norm(a0))),
                     words(r"\mathbf{v} \in V_3,\ \lambda \in \mathbb{R}", "vV3λR")),
-             extract="r = v + λ a 0 a 0 , v V 3 , λ R", where=(let(r, lambda env, a0, w: values.Solution(
-                 lambda r: values.equal(env.field, (r - w).cross(a0), 0 * a0)), a0, w),),
+             extract="r = v + λ a 0 a 0 , v V 3 , λ R", where=(let(r, condition(
+                 lambda env, r, a0, w: env.equal((r - w).cross(a0), 0 * a0)), a0, w),),
              condition=nonzero(a0), remark="a = 0 has no line."),
 )

@@ -1,7 +1,9 @@
 """Section 2.3, dual tensors: lines 72-86."""
 
-from derive.algebra import Tensor
+from functools import reduce
+from operator import add
 
+from ....algebra import Tensor
 from ..definitions import dual_algebra
 from . import *
 from .s02_2_dual_vectors import BASIS, basis, lam, mu
@@ -45,12 +47,7 @@ ENTRIES = (
              equal(T_ * (lam1 * v1 + lam2 * v2), lam1 * (T_ * v1) + lam2 * (T_ * v2)),
              extract="T _ λ _ 1 v _ 1 + λ _ 2 v _ 2 = λ _ 1 T _ v _ 1 + λ _ 2 T _ v _ 2"),
     equation("tensor-module", "dual tensors are a free module", 74,
-             equal(T_, bracket(dot(e1, T_ * e1)) * dyad(e1, e1) + bracket(dot(e1, T_ * e2)) * dyad(e1, e2)
-                   + bracket(dot(e1, T_ * e3)) * dyad(e1, e3) + bracket(dot(e2, T_ * e1)) * dyad(e2, e1)
-                   + bracket(dot(e2, T_ * e2)) * dyad(e2, e2)
-                   + bracket(dot(e2, T_ * e3)) * dyad(e2, e3) + bracket(dot(e3, T_ * e1)) * dyad(e3, e1)
-                   + bracket(dot(e3, T_ * e2)) * dyad(e3, e2)
-                   + bracket(dot(e3, T_ * e3)) * dyad(e3, e3)), where=BASIS),
+             equal(T_, reduce(add, (bracket(dot(a, T_ * b)) * dyad(a, b) for a in basis for b in basis))), where=BASIS),
     equation("tensor-parts", "real and dual part of a tensor", 74, equal(T_, T + epsilon * T0),
              extract="T _ = T + ε T 0", where=(let(T, real_of, T_), let(T0, dual_of, T_))),
     equation("8", "transposed dual tensor", 75, equal(dot(v1, T_ * v2), dot(v2, transpose(T_) * v1)),

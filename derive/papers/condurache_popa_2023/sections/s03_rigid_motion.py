@@ -1,11 +1,12 @@
 """Section 3, rigid motion through orthogonal dual tensors: lines 91-116."""
 
+from functools import partial
+
 import mpmath
 
-from derive.algebra import Vector, real_part
-from derive.maps.first_principles import tensor_by_sandwich as rotation
-from derive.maps.pose import Pose, foot, pose_from_tensor
-
+from ....algebra import Vector, real_part
+from ....maps.first_principles import tensor_by_sandwich as rotation
+from ....maps.pose import Pose, foot, pose_from_tensor
 from ..definitions import motions
 from . import *
 
@@ -51,7 +52,7 @@ SCREW = (
 versine = 1 - cos(angle)
 size = root((1 + trace(Q)) * (3 - trace(Q)))
 
-FIRST = (
+ENTRIES = (
     equation("13", "orthogonal dual tensors", 91, both(equal(R * transpose(R), I), equal(det(R), 1)),
              extract="R R _ T = I _ , d e t R _ = 1"),
     equation("orthogonal-group", "orthogonal dual tensors are a group", 97,
@@ -69,16 +70,12 @@ FIRST = (
     equation("isomorphism-onto", "φ is one to one and onto", 99,
              both(equal(phi(phi_inv(R)), R), equal(phi_inv(phi(g1)), g1)), where=(*PHI, *GIVEN)),
     equation("16", "the inverse isomorphism", 103, equal(phi_inv(R), pose(Q, rho)), extract="ϕ 1 R _ = Q ρ 0 1",
-             where=(let(phi_inv, lambda env: lambda R: values.Solution(
-                 lambda g: values.equal(env.field, motions.moved_lines(g), R))), *INVARIANTS)),
+             where=(let(phi_inv, lambda env: partial(motions.pose_of, env)), *INVARIANTS)),
     equation("structural-invariants", "the structural invariants", 104,
              both(equal(Q, Re(R)), equal(rho, vect(dot(Du(R), transpose(Q))))),
              extract="Q = R e R _ ,   ρ = v e c t D u R _ · Q T",
              where=(let(Q, same, any_turn), let(rho, same, any_shift),
                     let(R, plain(lambda Q, rho: motions.moved_lines(Pose(Q, rho))), any_turn, any_shift))),
-)
-
-NATURAL = (
     equation("17", "screw form of an orthogonal dual tensor", 108,
              equal(of_two(R_of, alpha, u), I + sin(alpha) * skew(u) + (1 - cos(alpha)) * skew(u) ** 2,
                    exp(alpha * skew(u))),
@@ -125,5 +122,3 @@ NATURAL = (
                   equal(rho, shift * axis + sin(angle) * moment + versine * cross(axis, moment))),
              extract="Q = I + s i n α u ~ + 1 c o s α u ~ 2 ρ = d u + s i n α u 0 + 1 c o s α u × u 0", where=SCREW),
 )
-
-ENTRIES = (*FIRST, *NATURAL)

@@ -1,9 +1,8 @@
 """Section 4, dual quaternions: lines 120-145."""
 
-from derive.algebra import Quaternion
-from derive.maps.first_principles import tensor_by_sandwich
-from derive.maps.pose import pose_from_tensor
-
+from ....algebra import Quaternion
+from ....maps.first_principles import tensor_by_sandwich
+from ....maps.pose import pose_from_tensor
 from ..definitions import motions
 from . import *
 from .s02_2_dual_vectors import lam, mu
@@ -39,7 +38,7 @@ HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit),
 ACTION = (let(Delta, lambda env: tensor_by_sandwich), let(Delta_map, motions.covering))
 UNIT_PARTS = (let(s, scalar_part, unit), let(w, vector_part, unit))
 
-ALGEBRA = (
+ENTRIES = (
     equation("20", "dual quaternions", 121, equal(any_q, couple(s, w)), extract="q ^ _ = q _ , q _", where=PARTS),
     equation("quaternion-module", "dual quaternions are a module of rank 4", 122,
              both(equal(lam * (q1 + q2), lam * q1 + lam * q2), equal((lam + mu) * q1, lam * q1 + mu * q1),
@@ -69,9 +68,6 @@ ALGEBRA = (
              extract="q ^ _ = q _ + q _", where=PARTS),
     equation("quaternion-parts", "real and dual part of a dual quaternion", 125, equal(any_q, q_re + epsilon * q_du),
              extract="q ^ _ = q ^ + ε q ^ 0", where=(let(q_re, real_of, any_q), let(q_du, dual_of, any_q))),
-)
-
-UNITS = (
     equation("22", "unit dual quaternion by rotation and displacement", 129,
              equal(unit, (1 + epsilon * half * rho) * q_re),
              extract="q ^ _ = 1 + ε 1 2 ρ ^ q ^", where=HALVES, remark="ρ is the displacement of its tensor."),
@@ -116,5 +112,3 @@ UNITS = (
                                 4 * dyad(w, w))),
              remark="The supporting identity: the tensor determines all products of two components of q."),
 )
-
-ENTRIES = (*ALGEBRA, *UNITS)

@@ -2,10 +2,8 @@
 
 from typing import Any
 
-from derive.algebra import real_part
-from derive.maps.pose import pose_from_tensor
-
-from ..definitions import dual_algebra, low_orders, motions, orders
+from ....algebra import real_part
+from ..definitions import dual_algebra, motions, orders
 from . import *
 from .s03_rigid_motion import shift_only, turn_only
 
@@ -35,11 +33,9 @@ commutator = define("commutator", r"\left[{0}, {1}\right]", "{0},{1}", ATOM, (LI
 
 EULER = (let(a, multiple, alpha, u),)
 EXP = (let(exp_map, lambda env: values.Map(lambda a: motions.exponential(env, a),
-                                           lambda R: [low_orders.logarithm(env, R)])),)
-CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, low_orders.cayley_map))
-TYPES = (let(rotates, lambda env, R: fixes_a_point(env, pose_from_tensor(R)), R),
-         let(translates, lambda env, R: fixes_directions(env, pose_from_tensor(R)), R),
-         let(general, lambda env, R: is_general(env, pose_from_tensor(R)), R))
+                                           lambda R: [orders.logarithm(env, R)])),)
+CAY = (let(cay, lambda env: lambda A: orders.rotation(env, 1, A.vect())), let(cay_map, orders.cayley_map))
+TYPES = (let(rotates, fixes_a_point, R), let(translates, fixes_directions, R), let(general, is_general, R))
 EULER_KINDS = (let(R, motions.exponential, a), *TYPES)
 AXIS = (let(angle, lambda env, v: 2 * env.field.atan(env.field.magnitude(v)), v), let(axis, dual_algebra.one_axis, v))
 
@@ -52,7 +48,7 @@ ALGEBRA = (
     equation("25", "exponential of a skew-symmetric tensor", 152,
              equal(exp(skew(a)), power_of_e(skew(a)), summation(k, 0, infinity, skew(a) ** k / factorial(k))),
              extract="e x p α ~ _ = e α ~ _ = k = 0 α ~ _ k k !",
-             where=(*EULER, let(slope, low_orders.exponential_slope, alpha, u),
+             where=(*EULER, let(slope, orders.exponential_slope, alpha, u),
                     let(start, lambda env, u: motions.exponential(env, 0 * u), u)),
              because=both(equal(slope, skew(u) * exp(alpha * skew(u))), equal(start, I)),
              remark="exp is the closed form; it solves the differential equation of the series, from the same start."),
@@ -79,13 +75,10 @@ ALGEBRA = (
              where=(let(alpha, same, turn_only), *EULER, *EULER_KINDS),
              claimed=both(nonzero(Re(a)), zero(dot(Re(a), Du(a)))), stated=(157, "α 0 and α · α 0 = 0")),
     equation("euler-vector-unique", "below a half turn it is unique", 157, equal(a, recovered),
-             where=(*EULER, let(R, motions.exponential, a), let(recovered, low_orders.logarithm, R),
+             where=(*EULER, let(R, motions.exponential, a), let(recovered, orders.logarithm, R),
                     let(below, lambda env, alpha: not env.field.ordered
                         or abs(real_part(alpha)) < env.field.pi, alpha)), claimed=below,
              stated=(157, "if α < π")),
-)
-
-CAYLEY = (
     equation("27", "Cayley transform of skew-symmetric tensors", 161, equal(cay(V), (I + V) * (I - V) ** (-1)),
              extract="c a y v ~ _ = I + v ~ _ I v ~ _ 1", where=CAY, remark="cay is the rotation of (1 + v)/|1 + v|."),
     equation("cayley-well-defined", "its values are orthogonal", 162,
@@ -121,7 +114,7 @@ CAYLEY = (
              equal(cay(V), I + sin(angle) * skew(axis) + (1 - cos(angle)) * skew(axis) ** 2),
              extract="c a y v ~ _ = I + s i n α _ u ~ _ + 1 c o s α _ u ~ _ 2", where=(*CAY, *AXIS)),
     equation("33-angle", "its angle", 177, equal(angle, 2 * arctan(norm(v))), extract="α _ = 2 a r c t a n v _",
-             where=(*CAY, let(angle, low_orders.angle_of_cayley, v))),
+             where=(*CAY, let(angle, orders.angle_of_cayley, v))),
 )
 
 
@@ -131,7 +124,7 @@ def real_magnitude(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"|v| real, v dual": {v: values.dualise(re, re.cross(across))}}
 
 
-def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Equation, ...]:
+def corollary(number: int, line: int, order: int, name: str, slope: Term) -> tuple[Entry, ...]:
     """Return the entries about Cayley transforms of an order that are rotations, translations, or neither.
 
     `slope` is s in ``(Q + Qᵀ + (1 − tr Q) I) ρ = 2 (1 − cos α) d u = s (v · v⁰) v``, v real.
@@ -156,7 +149,7 @@ RODRIGUES = (
     *corollary(1, 180, 1, "Cayley transform", Number(8) / size**2),
     equation("rodrigues-vector", "Rodrigues dual vector", 181, equal(cay(skew(b)), R),
              extract="c a y b ~ _ = R _",
-             where=(*CAY, let(b, low_orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
+             where=(*CAY, let(b, orders.rodrigues, alpha, u), let(R, screw_tensor, alpha, u)),
              claimed=unequal(Re(alpha), k * pi, k), stated=(181, "R e α _ k π")),
     equation("rodrigues-domain", "where the Rodrigues dual vector exists", 181,
              iff(remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ")), defined(tan(alpha / 2) * u)),
@@ -166,4 +159,4 @@ RODRIGUES = (
              remark="Only odd multiples of π are excluded; at even ones b is there, with real part 0."),
 )
 
-ENTRIES = (*ALGEBRA, *CAYLEY, *RODRIGUES)
+ENTRIES = (*ALGEBRA, *RODRIGUES)

@@ -4,11 +4,9 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import real_part
-
+from ....algebra import real_part
 from ..definitions import motions
-from ..definitions.low_orders import composed, preimage, quaternion_map
-from ..definitions.orders import at_order, cayley
+from ..definitions.orders import at_order, cayley, composed, image_is, quaternion_map
 from . import *
 from .s04_dual_quaternions import scalar
 from .s05_cayley_tensors import cay, cay_map, corollary, k, size
@@ -28,7 +26,7 @@ CAY = (let(cay, lambda env: lambda v: cayley(env, 2, v)), let(cay_map, at_order(
 HALF = (let(cay_half, lambda env: lambda v: cayley(env, 1, v)), let(half_map, at_order(1, quaternion_map)))
 SCALAR = (let(q0, scalar_part, q),)
 SCREW = (let(q, screw_quaternion, alpha, u),)
-COMPOSED = (let(q, at_order(2, composed), sigma2, sigma1), let(sigma, at_order(2, preimage), q))
+COMPOSED = (let(q, at_order(2, composed), sigma2, sigma1), let(sigma, at_order(2, image_is), q))
 no_full_turn = unequal(Re(alpha), 2 * k * pi, k)
 no_half_turn = remark(unequal(Re(alpha), k * pi, k), words(r"k \in \mathbb{Z}", "kZ"))
 
@@ -45,7 +43,7 @@ def to_a_half_turn(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"a half turn as the result": {b1: first, b2: second}}
 
 
-WHOLE = (
+ENTRIES = (
     equation("34", "Cayley transform of dual vectors", 188, equal(cay(v), (1 + v) * (1 - v) ** (-1)),
              extract="c a y v _ = 1 + v _ 1 v _ 1", where=CAY,
              remark="cay is the unit quaternion that turns by four times the arc tangent of |v|."),
@@ -67,13 +65,13 @@ WHOLE = (
               Reading(equal(norm(1 + v), (1 + v) * (1 - v), 1 - v**2, 1 + x), "without roots")),
              extract="1 + v _ = 1 + v _ 1 v _ = 1 v _ 2 = 1 + v _ 2"),
     equation("cayley-quaternion-inverse", "inverse of the Cayley transform", 195, equal(v, (q - 1) / (q + 1)),
-             extract="v _ = q ^ _ 1 q _ ^ + 1", where=(let(v, at_order(2, preimage), q),),
+             extract="v _ = q ^ _ 1 q _ ^ + 1", where=(let(v, at_order(2, image_is), q),),
              condition=nonzero(Re(q + 1))),
     *corollary(2, 197, 2, "transform", Number(64) / size**3),
     equation("37", "unit dual quaternion by angle and axis", 199, equal(q, cos(alpha / 2) + u * sin(alpha / 2)),
              extract="q ^ _ = c o s α _ 2 + u _ s i n α _ 2", where=(let(q, motions.lift, alpha, u),)),
     equation("38", "modified Rodrigues dual vector", 201, equal(sigma, tan(alpha / 4) * u),
-             extract="σ _ = t a n α _ 4 u _", where=(*SCREW, let(sigma, at_order(2, preimage), q)),
+             extract="σ _ = t a n α _ 4 u _", where=(*SCREW, let(sigma, at_order(2, image_is), q)),
              claimed=no_full_turn, stated=(200, "for R e α _ 2 k π")),
     equation("38-domain", "where the modified Rodrigues dual vector exists", 200,
              iff(no_full_turn, defined(tan(alpha / 4) * u)),
@@ -94,9 +92,6 @@ WHOLE = (
                    / ((1 - dot(sigma2, sigma1)) ** 2 + norm(cross(sigma2, sigma1)) ** 2)),
              extract="σ _ = 1 σ _ 2 2 σ _ 1 + 1 σ _ 1 2 σ _ 2 + 2 σ _ 2 × σ _ 1 1 σ _ 2 · σ _ 1 2 + σ _ 2 × σ _ 1 2",
              where=COMPOSED, condition=nonzero(Re(q + 1)), also=back_to_back),
-)
-
-HALVES = (
     equation("42", "fractional Cayley transform", 213, equal(cay_half(v), (1 + v) ** half * (1 - v) ** (-half)),
              extract="c a y 1 2 v _ = 1 + v _ 1 2 1 v _ 1 2", where=HALF,
              because=equal(cay_half(v) ** 2, (1 + v) * (1 - v) ** (-1)),
@@ -114,10 +109,10 @@ HALVES = (
     equation("cayley-half-well-defined", "its values are unit quaternions", 218,
              equal(norm(cay_half(v)), 1), extract="c a y 1 2 v _ = 1", where=HALF),
     equation("44", "inverse of the fractional Cayley transform", 220, equal(v, (q**2 - 1) / (q**2 + 1)),
-             extract="v _ = q ^ _ 2 1 q ^ _ 2 + 1", where=(let(v, at_order(1, preimage), q), *SCALAR),
+             extract="v _ = q ^ _ 2 1 q ^ _ 2 + 1", where=(let(v, at_order(1, image_is), q), *SCALAR),
              condition=nonzero(Re(q0))),
     equation("44-screw", "the same by angle and axis", 221, equal(v, tan(alpha / 2) * u),
-             extract="v _ = t a n α _ 2 u _", where=(*SCREW, let(v, at_order(1, preimage), q)), claimed=no_half_turn,
+             extract="v _ = t a n α _ 2 u _", where=(*SCREW, let(v, at_order(1, image_is), q)), claimed=no_half_turn,
              stated=(221, "R e α _ k π")),
     equation("44-domain", "where it exists", 221, iff(no_half_turn, defined(tan(alpha / 2) * u)),
              said="This dual vector is v _ = t a n α _ 2 u _ ,   R e α _ k π",
@@ -127,8 +122,6 @@ HALVES = (
     equation("45", "composition of two displacements, n = 1", 226,
              equal(b, (b1 + b2 + cross(b2, b1)) / (1 - dot(b1, b2))),
              extract="b _ = b _ 1 + b _ 2 + b _ 2 × b _ 1 1 b _ 1 · b _ 2",
-             where=(let(q, at_order(1, composed), b2, b1), let(b, at_order(1, preimage), q)),
+             where=(let(q, at_order(1, composed), b2, b1), let(b, at_order(1, image_is), q)),
              condition=nonzero(Re(1 - dot(b1, b2))), also=to_a_half_turn),
 )
-
-ENTRIES = (*WHOLE, *HALVES)

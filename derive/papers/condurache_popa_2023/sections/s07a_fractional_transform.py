@@ -51,9 +51,7 @@ COEFFICIENTS = (
     let(v_k, cayley_maps.branch, n, k, alpha, u),
 )
 TYPES = (
-    let(q_hat, orders.cayley, n, v), let(is_rotation, cayley_maps.rotation, q_hat),
-    let(is_translation, cayley_maps.translation, q_hat), *POLYNOMIALS,
-    let(is_screw, lambda env, q: not cayley_maps.rotation(env, q) and not cayley_maps.translation(env, q), q_hat),
+    *CAYLEY, let(is_rotation, fixes_a_point, R), let(is_translation, fixes_directions, R), let(is_screw, is_general, R),
 )
 
 

@@ -28,22 +28,25 @@ class Order:
         )
         self.preimage = (let(v, orders.at_order(n, orders.preimage), alpha, u),)
 
-    def polynomials(self, number: str, title: str, line: int, extract: str) -> Equation:
+    def polynomials(self, number: str, title: str, line: int, extract: str) -> Entry:
         """Return the entry about p_n and q_n."""
         statement = both(equal(self.p(X), self.p_of_X), equal(self.q(X), self.q_of_X))
         return equation(number, title, line, statement, extract=extract, where=self.where)
 
-    def quaternion(self, number: str, line: int, extract: str, fixed_by: str = "") -> Equation:
+    def entry(self, number: str, title: str, line: int, left: Term, right: Any, extract: str, **rest: Any) -> Entry:
+        """Return the entry about a formula at this order."""
+        return equation(number, f"{title}, n = {self.n}", line, equal(left, right), extract=extract, where=self.where,
+                        **rest)
+
+    def quaternion(self, number: str, line: int, extract: str, **rest: Any) -> Entry:
         """Return the entry about the unit dual quaternion."""
-        return equation(number, f"unit dual quaternion, n = {self.n}", line, equal(pm(q_hat), self.q_hat_of_v),
-                        extract=extract, where=self.where, fixed_by=fixed_by)
+        return self.entry(number, "unit dual quaternion", line, pm(q_hat), self.q_hat_of_v, extract, **rest)
 
-    def tensor(self, number: str, line: int, extract: str) -> Equation:
+    def tensor(self, number: str, line: int, extract: str) -> Entry:
         """Return the entry about the orthogonal dual tensor."""
-        return equation(number, f"orthogonal dual tensor, n = {self.n}", line, equal(R, self.R_of_v), extract=extract,
-                        where=self.where)
+        return self.entry(number, "orthogonal dual tensor", line, R, self.R_of_v, extract)
 
-    def vector(self, slug: str, line: int) -> Equation:
+    def vector(self, slug: str, line: int) -> Entry:
         """Return the entry about the Rodrigues dual vector on the principal branch."""
         angle = alpha / (2 * self.n)
         return equation(f"{slug}-{self.n}-vector", f"vector, n = {self.n}", line, equal(v, tan(angle) * u),
@@ -63,7 +66,11 @@ o5 = Order(5, 1 - 10 * X**2 + 5 * X**4, 5 - 10 * X**2 + X**4, 1 / root((1 + x)**
            I + 2 * q5 / (1 + x)**5 * (p5 * V + q5 * V**2))
 ORDERS = (o1, o2, o3, o4, o5)
 
-QUATERNIONS = (
+v_k = vector("v_k", "v", "v")
+power_k = (1 + norm(v_k)**2)**n
+ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
+
+ENTRIES = (
     o1.polynomials("list-1-polynomials", "p and q, n = 1", 271, "p 1 X = 1 ; q 1 X = 1"),
     o1.quaternion("list-1-quaternion", 271, "± q ^ _ = 1 1 + v _ 2 1 + v _"),
     o2.polynomials("list-2-polynomials", "p and q, n = 2", 272, "p 2 X = 1 X 2 ; q 2 ( X ) = 2"),
@@ -77,21 +84,12 @@ QUATERNIONS = (
     o5.quaternion("list-5-quaternion", 275,
                   "± q ^ _ = 1 1 + v _ 2 5 1 10 v _ 2 + 5 v _ 4 + 5 10 v _ 2 + v _ 4 v _"),
     *(order.vector("list", 270 + order.n) for order in ORDERS),
-)
-
-v_k = vector("v_k", "v", "v")
-power_k = (1 + norm(v_k)**2)**n
-ON_BRANCH = (*SCREW, let(v_k, cayley_maps.branch, n, k, alpha, u))
-SHADOWS = (
     equation("list-shadows", "the equations hold for shadows too", 276,
              equal(pm(q_hat), 1 / root(power_k) * (p(norm(v_k)) + q(norm(v_k)) * v_k)), where=ON_BRANCH,
              condition=finite(turned)),
     equation("tensor-shadows", "so do the tensors", 276,
              equal(R, rotation_by(norm(v_k), power_k, skew(v_k))),
              where=ON_BRANCH, condition=finite(turned)),
-)
-
-TENSORS = (
     o1.tensor("tensor-1", 281, "R _ = I _ + 2 1 + v _ 2 v ~ _ + v ~ _ 2"),
     o2.tensor("tensor-2", 282, "R _ = I _ + 4 1 + v _ 2 2 1 v _ 2 v ~ _ + 2 v ~ _ 2"),
     o3.tensor("tensor-3", 283, "R _ = I _ + 2 3 v _ 2 1 + v _ 2 3 1 3 v _ 2 v ~ _ + 3 v _ 2 v ~ _ 2"),
@@ -100,5 +98,3 @@ TENSORS = (
                                "+ v _ 4 v ~ _ 2"),
     *(order.vector("tensor", 280 + order.n) for order in ORDERS),
 )
-
-ENTRIES = (*QUATERNIONS, *SHADOWS, *TENSORS)

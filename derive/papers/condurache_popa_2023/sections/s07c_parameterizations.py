@@ -23,7 +23,7 @@ MODIFIED = (
     let(R, cayley_maps.modified_tensor, n, a_value, v), PROVED,
 )
 
-THEOREM_15 = (
+ENTRIES = (
     equation("59", "modified fractional Cayley transform", 293,
              equal(caym(v), (a(v) + v)**(n / 2) * (a(v) - v)**(-(n / 2))),
              extract="c a y m n 2 v _ = a v _ + v _ n 2 a v _ v _ n 2", where=MODIFIED,
@@ -52,9 +52,6 @@ THEOREM_15 = (
              corrected=equal(v, a(v) * tan(turned) * u),
              remark="Refuted with a(v) = 1 + |v|², where |v| = a(v) tan has two solutions or none on a branch; (60) is "
              "an equation for v, not a formula."),
-)
-
-THEOREM_16 = (
     equation("61", "unit dual quaternion of a vectorial parameterization", 301,
              equal(pm(q_of(v)), (a(v) + v)**n / root((a(v)**2 + x)**n)),
              extract="± q _ ^ v _ = a v _ + v _ n a v _ 2 + v _ 2 n",
@@ -78,9 +75,6 @@ THEOREM_16 = (
                     let(a, cayley_maps.function_of(cayley_maps.scales), n, target, v)),
              condition=both(finite(turned), nonzero(Re(v)), nonzero(Re(sin(turned)))),
              remark="It follows from (60), not from (61)."),
-)
-
-THEOREM_17 = (
     equation("62", "unit dual quaternion by p_n and q_n", 307,
              equal(pm(q_of(v)), 1 / root((1 + xw)**n) * (p(norm(w)) + q(norm(w)) * v)),
              extract="± q _ ^ v _ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=MODIFIED,
@@ -98,5 +92,3 @@ THEOREM_17 = (
              where=MODIFIED, corrected=equal(R, rotation_by(norm(w), (1 + xw)**n, W)),
              remark="Both terms hold w = v/a(v), not v."),
 )
-
-ENTRIES = (*THEOREM_15, *THEOREM_16, *THEOREM_17)

@@ -3,8 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from derive.maps.families import breusing, normal_rodrigues, sine
-
+from ....maps.families import breusing, normal_rodrigues, sine
 from ..definitions import cayley_maps, orders
 from . import *
 from .s07_general_order import *

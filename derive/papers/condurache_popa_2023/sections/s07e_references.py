@@ -10,7 +10,7 @@ PRINTED = {entry.number: entry.readings[0].statement for section in (
 """Statements by equation number."""
 
 
-def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Equation:
+def reference(slug: str, said: str, line: int, named: int, meant: int, part: Term, remark: str) -> Entry:
     """Return the entry about a sentence that cites one equation but means another."""
     wrong, right = (
         proposition(f"({number}) displays it", f"${latex(part)}$ is a part of ({number})") for number in (named, meant)

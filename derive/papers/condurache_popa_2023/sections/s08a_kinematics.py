@@ -3,10 +3,9 @@
 from functools import partial
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import line_through
-
+from ....algebra import Dual, Tensor, Vector
+from ....maps import first_principles
+from ....maps.pose import line_through
 from ..definitions import velocities
 from . import *
 
@@ -56,7 +55,9 @@ def not_orthogonal(draw: Draw) -> dict[str, dict[Symbol, Any]]:
     return {"R not orthogonal": {R: start, omega: w.map(lambda c: moving(c, 0 * c))}}
 
 
-VELOCITY = (
+Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
+
+ENTRIES = (
     equation("66", "a line of the body", 346, equal(line_t, R_t * line_0), extract="l _ t = R _ t l _ 0",
              where=(let(line_t, velocities.moved_line, R_t, point, along),
                     let(line_0, plain(line_through), point, along)),
@@ -64,8 +65,7 @@ VELOCITY = (
     equation("67", "velocity of a line", 349, equal(rate(line), Phi * line), extract="l ˙ _ = Φ _ l _",
              where=(*MOTION, let(Phi, skew_of, omega)), moving=True),
     equation("68", "velocity dual tensor", 351, equal(Phi, rate(R) * transpose(R)), extract="Φ _ = R ˙ _ R _ T",
-             where=(*MOTION, let(Phi, lambda env, R: values.Solution(
-                 lambda T: velocities.moves_lines(env, R, lambda line: T @ line)), R)), moving=True),
+             where=(*MOTION, let(Phi, velocities.velocity_tensor, R)), moving=True),
     equation("velocity-tensor-sum", "derivative of R Rᵀ = I", 352,
              equal(rate(R) * transpose(R) + R * transpose(rate(R)), zero_tensor),
              extract="R ˙ _ R _ T + R _ R ˙ _ T = 0 _", where=MOTION, moving=True),
@@ -74,15 +74,11 @@ VELOCITY = (
              fixed_by="the same line: Ṙ Rᵀ + R Ṙᵀ = 0, to which it is said to be equivalent"),
     equation("dual-angular-velocity", "dual angular velocity", 353, equal(omega, vect(rate(R) * transpose(R))),
              extract="ω _ = v e c t R ˙ _ R _ T",
-             where=(let(R, screw_tensor, alpha, u), let(omega, lambda env, R: values.Solution(
-                 lambda w: velocities.moves_lines(env, R, lambda line: w.cross(line))), R)), moving=True),
+             where=(let(R, screw_tensor, alpha, u), let(omega, velocities.angular_velocity, R)), moving=True),
     equation("69", "dual and real parts of the spatial twist", 354, equal(omega, w_real + epsilon * v_real),
              extract="ω _ = ω + ε v", where=PARTS, moving=True),
     equation("velocity-at-origin", "velocity of the body point at the origin", 355,
              equal(v_real, rate(rho) - cross(w_real, rho)), extract="v = ρ ˙ ω × ρ", where=PARTS, moving=True),
-)
-
-TENSOR = (
     equation("70", "Poisson-Darboux problem, spatial twist", 359, equal(rate(R), skew(omega) * R),
              extract="R ˙ _ = ω ~ _ R _", where=MOTION, moving=True),
     equation("theorem-19-unique", "the solution is unique", 358,
@@ -113,10 +109,6 @@ TENSOR = (
     equation("74", "Poisson-Darboux problem, body twist", 372, equal(rate(R), R * skew_B),
              extract="R ˙ _ = R _ ω ~ _ B", where=MOTION, moving=True),
     equation("eighteen-equations", "the tensor problems are 18 real equations", 373, equal(equations_in(R), 18)),
-)
-
-Theta_read = -(half * (skew(u) + cot(half * alpha) * skew(u)**2))
-QUATERNION = (
     equation("75", "quaternion equation, spatial twist", 376, equal(rate(q_hat), half * omega * q_hat),
              extract="q ^ ˙ _ = 1 2 ω _ q ^ _", where=MOTION, moving=True),
     equation("76", "quaternion equation, body twist", 378, equal(rate(q_hat), half * q_hat * omega_B),
@@ -142,5 +134,3 @@ QUATERNION = (
              equal(omega_B, rate(alpha) * u + sin(alpha) * rate(u) - (1 - cos(alpha)) * cross(u, rate(u))),
              extract="ω _ B = α _ ˙ u _ + s i n α _ u _ ˙ 1 c o s α _ u _ × u _ ˙", where=MOTION, moving=True),
 )
-
-ENTRIES = (*VELOCITY, *TENSOR, *QUATERNION)

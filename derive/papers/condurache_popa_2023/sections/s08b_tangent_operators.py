@@ -1,9 +1,8 @@
 """Section 8, tangent operators of the exponential and of the Cayley maps of order n: lines 388-412."""
 
-from derive.algebra import real_part
-from derive.maps import first_principles
-from derive.maps.exponential import tensor_exponential
-
+from ....algebra import real_part
+from ....maps import first_principles
+from ....maps.exponential import tensor_exponential
 from ...numbers.fields import innermost
 from ..definitions import orders, velocities
 from ..definitions.cayley_maps import proved
@@ -39,7 +38,15 @@ EXPONENTIAL = (
 )
 full_turn = nonzero(Re(half_sinc))
 
-DEXP = (
+OF_V = (
+    *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, orders.tangent, n, v),
+    let(dcay_inv, inverse_of, dcay), let(dcay_inv_T, transpose_of, dcay_inv),
+    let(q_now, lambda env, n, v: orders.q(env, n)(env.now(v)), n, v),
+)
+regular = nonzero(Re(q_now))
+for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
+
+ENTRIES = (
     equation("81", "twist by the Euler dual vector", 390, equal(omega, dexp * rate(a)),
              extract="ω _ = d e x p α _ α _ ˙", where=EXPONENTIAL, moving=True),
     equation("82", "tangent tensor dexp", 392,
@@ -70,18 +77,6 @@ DEXP = (
              (Reading(equal(rate(a), dexp_inv_T * omega_B), "inverse transpose"),
               Reading(equal(rate(a), dexp_T * omega_B), "transpose")),
              extract="α _ ˙ = d e x p α _ T ω _ B", where=EXPONENTIAL, moving=True, condition=full_turn),
-)
-
-OF_V = (
-    *POLYNOMIALS, let(R, orders.rotation, n, v), *TWISTS, let(dcay, orders.tangent, n, v),
-    let(dcay_inv, inverse_of, dcay), let(dcay_inv_T, transpose_of, dcay_inv),
-    let(q_now, lambda env, n, v: orders.q(env, n)(env.now(v)), n, v),
-)
-regular = nonzero(Re(q_now))
-for_every_n = proposition("for every n", "the same for every n, by the differential ring of p_n and q_n")
-
-
-RODRIGUES = (
     equation("86", "twists by the Rodrigues dual vector", 402,
              both(equal(omega, dcay * rate(v)), equal(omega_B, transpose(dcay) * rate(v))),
              extract="ω _ = d c a y n v ˙ _ ω _ B = d c a y n T v ˙ _", where=OF_V, moving=True),
@@ -112,5 +107,3 @@ RODRIGUES = (
     equation("six-real-equations", "the vector problems are six real equations", 412,
              both(equal(equations_in(a), 6), equal(equations_in(v), 6)), where=(let(a, multiple, alpha, u),)),
 )
-
-ENTRIES = (*DEXP, *RODRIGUES)

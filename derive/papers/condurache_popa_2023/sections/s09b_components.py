@@ -17,7 +17,7 @@ PARTS = (
 """Definitions of the symbols; b is undefined at a half turn."""
 
 
-def _components(i: int) -> tuple[Equation, Equation]:
+def _components(i: int) -> tuple[Entry, Entry]:
     """Return entries for component i of the real part, in (126) to (128), and of the dual part, in (129) to (131)."""
     b_i, b0_i = (Symbol(f"b{i}{o}", "real", f"b_{i}{o}", f"b{i}{o}") for o in ("", "^0"))
     u_i, u0_i = (Symbol(f"u{i}{o}", "real", f"u_{i}{o}", f"u{i}{o}") for o in ("", "^0"))

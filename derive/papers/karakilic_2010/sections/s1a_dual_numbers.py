@@ -89,7 +89,7 @@ FUNCTIONS = (
              extract=shown(r"Cos\hat{x} = Cos(x + ex^*) = Cosx - ex^*Sinx"),
              where=(let(angle_hat, from_parts, angle, x_),)),
     equation("exponential", "exponential of a dual number", 41,
-             equal(natural(x_hat), natural(x) + e * x_ * natural(x)),
+             equal(power_of_e(x_hat), power_of_e(x) + e * x_ * power_of_e(x)),
              extract=shown(r"e^{\hat{x}} = e^x + ex^*e^x"), where=(let(x_hat, from_parts, x, x_),)),
 )
 

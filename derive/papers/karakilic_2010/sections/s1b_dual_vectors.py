@@ -1,9 +1,8 @@
 """Section 1, dual vectors, their norm, and lines: lines 21-23 and 43-49."""
 
-from derive.algebra import Vector
-from derive.maps import pose as poses
-
-from .. import definitions
+from ....algebra import Vector
+from ....maps import pose as poses
+from .. import k10_definitions as k10
 from . import *
 
 # ---- vectors --------------------------------------------------------------------------------------------------
@@ -67,9 +66,9 @@ distance = Symbol("distance", "real", r"d\left(l_a, l_b\right)")
 angle = Symbol("angle", "real", r"\angle\left(l_a, l_b\right)")
 ONE = Symbol("one", "number")
 LINES = (
-    let(ONE, lambda env: 1), let(f_hat, from_parts, f, f_), let(normal, definitions.axis_of, frame),
-    let(l_a, definitions.across, ONE, frame), let(l_b, definitions.turned, l_a, f_hat, normal),
-    let(distance, definitions.distance, l_a, l_b), let(angle, definitions.angle_between, l_a, l_b),
+    let(ONE, lambda env: 1), let(f_hat, from_parts, f, f_), let(normal, k10.axis_of, frame),
+    let(l_a, k10.across, ONE, frame), let(l_b, k10.turned, l_a, f_hat, normal),
+    let(distance, k10.distance, l_a, l_b), let(angle, k10.angle_between, l_a, l_b),
 )
 
 STUDY = (

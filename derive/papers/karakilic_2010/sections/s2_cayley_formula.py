@@ -1,10 +1,9 @@
 """Section 2, Cayley's formula: lines 53-105."""
 
-from derive.algebra import Tensor
-from derive.maps import rodrigues
-
+from ....algebra import Tensor
+from ....maps import rodrigues
 from ...numbers.quantities import QUANTITIES
-from .. import definitions
+from .. import k10_definitions as k10
 from . import *
 
 I = identity
@@ -24,7 +23,19 @@ def reflections(draw: Draw) -> dict[str, dict[Symbol, object]]:
     return {"reflection": {A: -QUANTITIES["orthogonal tensor"].generic(draw)}}
 
 
-MOTION = (
+z_i, z_j = component(z, i), component(z, j)
+symmetric_part = group(entry(b_ij, i, j) + entry(b_ij, j, i)) * z_i * z_j
+quadratic_of_any = (let(b_ij, lambda env, T: T, B),)
+
+ANY_B = (let(B, skew_of, b), let(A, plain(rodrigues.cayley_formula), b))
+cay = Symbol("cay", "map", r"\mathrm{cay}")
+
+b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
+b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
+numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
+PARTS = (let(b_re, real_of, b), let(b_du, dual_of, b), *k10.components(b, numbers[False], numbers[True]))
+
+ENTRIES = (
     equation("length", "a spherical motion keeps lengths", 55, equal(length(X), length(x)),
              extract=shown(r"\left\| \hat{X} \right\| = \left\| \hat{x} \right\|"), where=MOVED, also=reflections),
     equation("orthogonal-diagonals", "difference and sum are orthogonal", 59, equal(inner(X - x, X + x), 0),
@@ -40,12 +51,6 @@ MOTION = (
              where=MOVED, condition=no_half_turn, also=reflections),
     equation("b-orthogonal", "B̂(X̂ + x̂) is orthogonal to X̂ + x̂", 70, zero(dot(B * (X + x), X + x)), where=FROM_A,
              condition=no_half_turn),
-)
-
-z_i, z_j = component(z, i), component(z, j)
-symmetric_part = group(entry(b_ij, i, j) + entry(b_ij, j, i)) * z_i * z_j
-quadratic_of_any = (let(b_ij, lambda env, T: T, B),)
-SKEW = (
     equation("quadratic-form", "the quadratic form of B̂ vanishes", 72,
              equal(quadratic(z, B), sum_all(symmetric_part), 0),
              extract=shown(r"\hat{z}^{T}\hat{B}\hat{z} = \sum (\hat{b}_{ij} + \hat{b}_{ji})\hat{z}_{i}\hat{z}_{j} = "
@@ -68,9 +73,6 @@ SKEW = (
              where=FROM_A, condition=no_half_turn),
     equation("not-singular", "I − B̂ is not singular", 76, nonzero(Re(det(I - B))),
              where=(let(B, skew_of, b),), because=equal(det(I - B), 1 + norm(b)**2)),
-)
-
-FORMULA = (
     equation("b-matrix", "B̂ from Â", 78, equal(B_bare, (A - I) * (A + I) ** (-1)),
              extract=shown(r"B = (\hat{A} - I)(\hat{A} + I)^{-1}"), where=INVARIANT, condition=no_half_turn),
     equation("b-times", "B̂(Â + I)", 79, equal(B * (A + I), group(A - I)),
@@ -81,11 +83,6 @@ FORMULA = (
              extract=shown(r"(I + \hat{B})(I - \hat{B})^{-1} = \hat{A}"), where=INVARIANT, condition=no_half_turn),
     equation("cayley-formula", "Cayley formula", 85, equal(A, (I + B) * (I - B) ** (-1)),
              extract=shown(r"\hat{A} = (I + \hat{B})(I - \hat{B})^{-1}"), where=INVARIANT, condition=no_half_turn),
-)
-
-ANY_B = (let(B, skew_of, b), let(A, plain(rodrigues.cayley_formula), b))
-cay = Symbol("cay", "map", r"\mathrm{cay}")
-ORTHOGONAL = (
     equation("transposed", "transpose of Â", 89,
              equal(transpose(A), transpose(I + B) * transpose(group((I - B) ** (-1))),
                    (I + transpose(B)) * (I - transpose(B)) ** (-1), (I - B) * (I + B) ** (-1)),
@@ -95,20 +92,13 @@ ORTHOGONAL = (
              equal(A * transpose(A), transpose(A) * A, I),
              extract=shown(r"\hat{A}\hat{A}^{T} = \hat{A}^{T}\hat{A} = I"), where=ANY_B),
     equation("every-orthogonal", "a B̂ for a given orthogonal Â", 109, reaches(cay, A),
-             where=(let(cay, definitions.cayley_map),), condition=no_half_turn, also=reflections,
+             where=(let(cay, k10.cayley_map),), condition=no_half_turn, also=reflections,
              remark="Where Â = (I + B̂)(I − B̂)⁻¹ the inverse of Â + I is (I − B̂)/2. So half turns and "
              "reflections have no B̂."),
-)
-
-b1, b2, b3 = (component(b, index) for index in (1, 2, 3))
-b_re, b_du = Symbol("b re", "real vector", "b", "b"), Symbol("b du", "real vector", "b^{*}", "b*")
-numbers = {star: tuple(real("b", index, star) for index in (1, 2, 3)) for star in (False, True)}
-PARTS = (let(b_re, real_of, b), let(b_du, dual_of, b), *definitions.components(b, numbers[False], numbers[True]))
-VECTOR = (
     equation("matrix", "the matrix of b̂", 101, equal(B, matrix(0, -b3, b2, b3, 0, -b1, -b2, b1, 0)),
              extract=shown(r"\hat{B} = \begin{bmatrix} 0 & -\hat{b}_3 & \hat{b}_2 \\ \hat{b}_3 & 0 & -\hat{b}_1 \\ "
                            r"-\hat{b}_2 & \hat{b}_1 & 0 \end{bmatrix}"), components=True,
-                           where=(let(B, definitions.cross_matrix, b),)),
+                           where=(let(B, k10.cross_matrix, b),)),
     equation("vector", "components of b̂", 103,
              equal(b, parts(b_re, b_du), column(*(numbers[False][n] + e * numbers[True][n] for n in range(3))),
                    column(b1, b2, b3)),
@@ -117,5 +107,3 @@ VECTOR = (
     equation("product", "B̂ as a vector product", 105, equal(B * y, cross(b, y)),
              extract=shown(r"\hat{B} \quad \hat{y} = \hat{b} \times \hat{y}."), where=(let(B, skew_of, b),)),
 )
-
-ENTRIES = (*MOTION, *SKEW, *FORMULA, *ORTHOGONAL, *VECTOR)

@@ -1,8 +1,7 @@
 """Section 3, the Rodrigues equations in dual form, (1)-(7): lines 109-161."""
 
-from derive.maps import rodrigues
-
-from .. import definitions
+from ....maps import rodrigues
+from .. import k10_definitions as k10
 from . import *
 
 # ---- the equations of motion ----------------------------------------------------------------------------------
@@ -27,9 +26,9 @@ f_hat, axis, Q = hat("f", "angle"), Symbol("axis", "unit vector"), Symbol("Q", "
 size, height = Symbol("size", "dual number"), Symbol("height", "dual number")
 x_across, X_across = hat("x", "dual vector", "'"), hat("X", "dual vector", "'")
 FIGURE = (
-    let(axis, definitions.axis_of, Q), let(x, definitions.raised, size, height, Q),
-    let(x_across, definitions.across, size, Q),
-    let(X, definitions.turned, x, f_hat, axis), let(X_across, definitions.projected, X, axis),
+    let(axis, k10.axis_of, Q), let(x, k10.raised, size, height, Q),
+    let(x_across, k10.across, size, Q),
+    let(X, k10.turned, x, f_hat, axis), let(X_across, k10.projected, X, axis),
     let(A, screw_tensor, f_hat, axis), let(b_hat, plain(rodrigues.rodrigues_vector), A),
 )
 turned_less = nonzero(Re(cos(f_hat / 2)))
@@ -72,10 +71,10 @@ b, b_ = arrow("b"), arrow("b", star=True)
 s, s_, s_hat = arrow("s"), arrow("s", star=True), hat("s", "dual vector")
 turn = Symbol("turn", "unit vector")
 OF_ANY = (let(b_hat, multiple, size, turn),)
-OF_SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, definitions.screw_rodrigues, f_hat, turn))
+OF_SCREW = (let(f_hat, from_parts, f, f_), let(b_hat, k10.screw_rodrigues, f_hat, turn))
 PARTS = (
     let(b, real_of, b_hat), let(b_, dual_of, b_hat),
-    let(s_hat, definitions.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
+    let(s_hat, k10.direction, b_hat), let(s, real_of, s_hat), let(s_, dual_of, s_hat),
 )
 slope: Term = f_ / 2 * group(1 + Tan2(f / 2))
 forward = ordered(Number(0), Tan(f / 2))

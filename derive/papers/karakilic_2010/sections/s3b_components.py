@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Any
 
-from .. import definitions
+from .. import k10_definitions as k10
 from . import *
 from .s3a_rodrigues import OF_ANY, OF_SCREW, PARTS, b, b_, b_hat, f, forward, s, s_, s_hat, slope, turn
 
@@ -12,9 +12,9 @@ b1_, b2_, b3_ = bs_ = tuple(real("b", index, star=True) for index in (1, 2, 3))
 s1, s2, s3 = ss = tuple(real("s", index) for index in (1, 2, 3))
 s1_, s2_, s3_ = ss_ = tuple(real("s", index, star=True) for index in (1, 2, 3))
 
-COMPONENTS = (*PARTS, *definitions.components(b_hat, bs, bs_), *definitions.components(s_hat, ss, ss_))
+COMPONENTS = (*PARTS, *k10.components(b_hat, bs, bs_), *k10.components(s_hat, ss, ss_))
 ANY, SCREW = (*OF_ANY, *COMPONENTS), (*OF_SCREW, *COMPONENTS)
-axes = definitions.special_axes(turn)
+axes = k10.special_axes(turn)
 relation = partial(equation, components=True, also=axes)
 
 T: Term = Tan(f / 2)
@@ -30,7 +30,7 @@ _B = (r"b_{%d}^{*} = \frac{s_{%d}^{*} \left\| b \right\|^{3} + b_{%d} b_{%d} b_{
       r"{\left\| b \right\|^{2} - b_{%d}^{2}}")
 
 
-def from_b(number: str, line: int, n: int) -> Equation:
+def from_b(number: str, line: int, n: int) -> Entry:
     """Return the entry for one of (8)-(10)."""
     b_n, b_n_, s_n_ = bs[n - 1], bs_[n - 1], ss_[n - 1]
     return relation(number, f"s{n}* from b̂", line,
@@ -38,7 +38,7 @@ def from_b(number: str, line: int, n: int) -> Equation:
                     extract=shown(_S % (n, n, n)), where=ANY, condition=nonzero(b))
 
 
-def back_to_b(number: str, line: int, n: int, others: tuple[int, int]) -> Equation:
+def back_to_b(number: str, line: int, n: int, others: tuple[int, int]) -> Entry:
     """Return the entry for one of (11)-(13)."""
     b_n, (m, o) = bs[n - 1], others
     below = length(b)**2 - b_n**2
@@ -116,7 +116,7 @@ equations: dict[str, tuple[Term, Term]] = {
 SOLUTION = r"b_%d^* = s_%d^* Tan \frac{f}{2} + s_%d \frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"
 
 
-def solution(number: str, line: int, n: int, restated: bool = False) -> Equation:
+def solution(number: str, line: int, n: int, restated: bool = False) -> Entry:
     """Return the entry for one of (20)-(22)."""
     name, title = (f"conclusion-{number}", ", restated") if restated else (number, "")
     return relation(name, f"dual Rodrigues parameter b{n}*{title}", line, equal(*equations[number]),
@@ -168,12 +168,12 @@ def solved(unknown: Symbol, left: Term, right: Term) -> Definition:
     return let(unknown, solution, *(symbol for symbol in symbols(left - right) if symbol != unknown))
 
 
-def step(number: str, line: int, given: Definition, conclusion: str) -> Equation:
+def step(number: str, line: int, given: Definition, conclusion: str) -> Entry:
     """Return the entry about a derivation step whose conclusion is a numbered equation."""
     left, right = equations[conclusion]
     return equation(f"step-{conclusion}", f"{number} give ({conclusion})", line, equal(left, right), claimed=general,
                     stated=(219, r"Now we take $s_1 \neq 0, s_2 \neq 0, s_3 \neq 0$"), condition=nonzero(cos(f / 2)),
-                    where=(*definitions.components(unit, ss, ss_), given), components=True)
+                    where=(*k10.components(unit, ss, ss_), given), components=True)
 
 
 (_, on_14), (_, on_15), (_, on_18), (sum_19, on_19), (_, on_20), (_, on_21) = (

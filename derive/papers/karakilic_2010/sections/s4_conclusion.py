@@ -1,6 +1,6 @@
 """Section 4, the conclusion: lines 254-265."""
 
-from .. import definitions
+from .. import k10_definitions as k10
 from . import *
 from .s3a_rodrigues import f, f_, f_hat, forward
 from .s3b_components import SCREW, equations, relation, solution
@@ -23,13 +23,13 @@ RESTATED = (
 
 axis = Symbol("axis", "unit vector", r"\hat{s}")
 before, after = Symbol("l_a", "unit vector", "l_a"), Symbol("l_b", "unit vector", "l_b")
-POSITIONS = (let(f_hat, from_parts, f, f_), let(after, definitions.turned, before, f_hat, axis))
+POSITIONS = (let(f_hat, from_parts, f, f_), let(after, k10.turned, before, f_hat, axis))
 
 LINES = (
     equation("positions", "f̂ is the dual angle of two positions of a line of the body", 265,
              equal(dot(before, after), cos(f_hat)), where=POSITIONS,
              condition=implies(nonzero(1 - cos(f)), zero(Re(dot(before, axis)))),
-             also=definitions.crossing_lines(before, axis),
+             also=k10.crossing_lines(before, axis),
              because=equal(dot(before, after), cos(f_hat) + (1 - cos(f_hat)) * dot(before, axis)**2),
              remark="Only of lines at right angles to the screw axis. For any other line "
              "l_a · l_b = cos f̂ + (1 − cos f̂)(l_a · ŝ)²."),

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from derive.papers import PAPERS
-from derive.papers.condurache_popa_2023.operators import is_algebraic
-from derive.papers.karakilic_2010.operators import Cos, Sin, Tan, Tan2, length
-from derive.papers.language.notation import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
-from derive.papers.language.terms import Apply, Symbol, Trait, symbols, takes_apart, text, with_trait
+from derive.papers.condurache_popa_2023.cp23_notation import is_algebraic
+from derive.papers.karakilic_2010.k10_notation import Cos, Sin, Tan, Tan2, length
+from derive.papers.language.operator_table import Re, cos, epsilon, equal, exp, implies, nonzero, norm, sin, tan2
+from derive.papers.language.printed import Apply, Symbol, Trait, symbols, takes_apart, text, with_trait
 from derive.papers.numbers.quantities import QUANTITIES
 from tests.mutants.statements import changed
 

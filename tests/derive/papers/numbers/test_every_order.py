@@ -75,6 +75,7 @@ def test_polynomials_of_a_given_order() -> None:
     assert FIELD.pair(2, X * X) == (1 - X * X, 2)
     assert FIELD.pair(3, X * X) == (1 - 3 * X * X, 3 - X * X)
     p, q = FIELD.pair(n, X * X)
+    assert FIELD.pair(n + 1, X * X) == (p - X * X * q, p + q)
     assert (p * p + X * X * q * q) == FIELD.power(1 + X * X, n)
     assert FIELD.pair(2 * n, X * X) == (p * p - X * X * q * q, 2 * p * q)
 
@@ -82,7 +83,9 @@ def test_polynomials_of_a_given_order() -> None:
 @pytest.mark.parametrize(
     ("base", "exponent"),
     [(Tensor.identity(), n), (UNIT.vector, n), (FIELD.symbol("x"), n), (1 + X, n), (1 + X * X, n * n),
-     (Quaternion(1, Vector(2 * X, 0, 0)), n), (1 + X * X, n / 3), (UNIT, 1 / n)],
+     (Quaternion(1, Vector(2 * X, 0, 0)), n), (1 + X * X, n / 3), (UNIT, 1 / n),
+     (Quaternion(FIELD.cos(psi), Vector(2 * FIELD.sin(psi), 0, 0)), 1 / n),
+     (Quaternion(FIELD.sin(psi), Vector(FIELD.cos(psi), 0, 0)), 1 / n)],
 )  # fmt: skip
 def test_other_powers_are_refused(base, exponent) -> None:
     with pytest.raises(NotExactError):

@@ -8,7 +8,7 @@ import pytest
 
 from derive.algebra import Dual
 from derive.algebra.element import NotExactError
-from derive.papers.language.terms import Symbol
+from derive.papers.language.printed import Symbol
 from derive.papers.numbers.every_order import EveryOrder
 from derive.papers.numbers.generic import Generic
 from derive.papers.numbers.quantities import QUANTITIES
@@ -68,7 +68,7 @@ def test_magnitudes_of_the_first_vector_are_tangents() -> None:
 
 
 @pytest.mark.parametrize(("dual", "moving"), [(False, False), (True, False), (False, True), (True, True)])
-def test_numbers_have_the_parts_of_their_layout(dual: bool, moving: bool) -> None:
+def test_parts_follow_the_layout(dual: bool, moving: bool) -> None:
     value = Generic([a], dual, moving).values[a]
     layers = 0
     while isinstance(value, Dual):

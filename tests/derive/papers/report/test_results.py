@@ -6,9 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from derive.papers import PAPERS, Equation, Reading, Result, Status, equation
-from derive.papers.language.notation import Re, equal, nonzero
-from derive.papers.language.terms import Symbol
+from derive.papers import PAPERS, Entry, Reading, Result, Status, equation
+from derive.papers.language.operator_table import Re, equal, nonzero
+from derive.papers.language.printed import Symbol
 from derive.papers.report.content import (
     Report,
     command,
@@ -29,7 +29,7 @@ SHOWN = Counterexample("generic point 1", {"a": ["0.5", "-0.25"], r"\alpha": ["2
 SOURCE = "derive/papers/condurache_popa_2023/sections/s09a_explicit_orders.py"
 
 
-def entry(number: str = "7", **rest: object) -> Equation:
+def entry(number: str = "7", **rest: object) -> Entry:
     given = {"extract": "a = b", "said": "words", "remark": "A sign is missing. More.", "source": SOURCE, **rest}
     return equation(number, "title", 3, equal(a, b), **given)
 

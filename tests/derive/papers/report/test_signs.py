@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 
 from derive.papers import PAPERS
-from derive.papers.language.terms import latex
+from derive.papers.language.printed import latex
 from derive.papers.report.plain import escape, plain
 
 GREEK = ("alpha", "beta", "theta", "pi", "rho", "sigma", "tau", "phi", "psi", "omega", "varepsilon", "varphi")

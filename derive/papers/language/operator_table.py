@@ -13,21 +13,34 @@ from typing import Any
 
 from sympy import LeviCivita
 
-from derive.algebra import Quaternion, Structure, Tensor, Vector
-from derive.algebra.element import NotExactError
-from derive.maps.exponential import quaternion_exponential, tensor_exponential
-
+from ...algebra import Quaternion, Structure, Tensor, Vector
+from ...algebra.element import NotExactError
+from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ..numbers.fields import UndefinedError, innermost
 from . import values
-from .evaluation import Env
-from .terms import ATOM, LIST, OPERATORS, POWER, PRODUCT, RELATION, SUM, Apply, Number, Operator, Symbol, Term, Trait
+from .environment import Env
+from .printed import (
+    ATOM,
+    LIST,
+    OPERATORS,
+    POWER,
+    PRODUCT,
+    RELATION,
+    SUM,
+    Apply,
+    Number,
+    OperatorRow,
+    Symbol,
+    Term,
+    Trait,
+)
 
 
-def define(name: str, *row: Any, **rest: Any) -> Operator:
-    """Add an operator with the fields of `Operator` to the table and return it; its call builds a term."""
+def define(name: str, *row: Any, **rest: Any) -> OperatorRow:
+    """Add an operator with the fields of `OperatorRow` to the table and return it; its call builds a term."""
     if name in OPERATORS:
         raise ValueError(f"operator {name!r} is defined twice")
-    OPERATORS[name] = Operator(name, *row, **rest)
+    OPERATORS[name] = OperatorRow(name, *row, **rest)
     return OPERATORS[name]
 
 
@@ -81,7 +94,7 @@ def _chain(env: Env, *sides: Any) -> bool:
 equal = define("equal", " = ", "=", RELATION, (SUM,), _chain)
 both = define("both", r" ;\quad ", ";", LIST, (LIST,), lambda env, *parts: all(parts), traits=Trait.JOINS)
 nonzero = define("nonzero", r"{0} \neq 0", "{0}≠0", RELATION, (SUM,),
-                 lambda env, a: not values.equal(env.field, env.now(a), 0), traits=Trait.DELICATE)
+                 lambda env, a: not env.equal(env.now(a), 0), traits=Trait.DELICATE)
 negated = define("negated", r"\neg\left({0}\right)", "not {0}", RELATION, (LIST,), lambda env, a: not a,
                  traits=Trait.DELICATE)
 implies = define("implies", r"{0} \Rightarrow {1}", "{0}⇒{1}", LIST, (LIST, LIST),
@@ -198,7 +211,7 @@ pi = Symbol("pi", "π", r"\pi", "π")
 # ---- functions ------------------------------------------------------------------------------------------------
 
 
-def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> Operator:
+def _function(name: str, value: Callable[..., Any], traits: Trait = Trait.NONE) -> OperatorRow:
     traits |= Trait.TRANSCENDENTAL
     return define(name, rf"\{name} {{0}}", name + " {0}", PRODUCT, (POWER,), value, traits=traits)
 
@@ -210,7 +223,7 @@ cot = _function("cot", lambda env, a: _quotient(env, env.field.cos(a), env.field
 arctan = _function("arctan", lambda env, a: env.field.atan(a))
 
 
-def _squared(f: Operator) -> Operator:
+def _squared(f: OperatorRow) -> OperatorRow:
     return define(f"{f.name}²", rf"\{f.name}^2 {{0}}", f"{f.name}^2 {{0}}", PRODUCT, (POWER,),
                   lambda env, a: env.field.power(f.value(env, a), 2), traits=f.traits)
 

@@ -1,17 +1,49 @@
-"""Operators of sections 7 and 8: limits, inequalities, numbers of preimages and of real equations."""
+"""Symbols of the paper, characters lost by its text extraction, and operators of sections 7 and 8."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Quaternion, Tensor, Vector
-from derive.algebra.element import Element
-
-from ..language import values
-from ..language.evaluation import Env
-from ..language.notation import define
-from ..language.terms import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
+from ...algebra import Quaternion, Tensor, Vector
+from ...algebra.element import Element
+from ..language.environment import Env
+from ..language.operator_table import define, dyad, identity, norm, skew
+from ..language.printed import ATOM, LIST, PRODUCT, RELATION, SUM, Symbol, Term, Trait, with_trait
 from ..numbers.fields import UndefinedError, innermost
+
+LOST = "_^-()[]{}|√/⊗≠⇒⇔∈∀⟨⟩,;.'∞"
+"""Characters lost or scattered by the extraction. Digits, letters, +, ±, ·, ×, ~, ˙, =, ε survive in order."""
+
+
+def _letters(quantity: str, shape: str, ending: str = "", mark: str = "") -> Callable[..., Symbol]:
+    """Return the function that makes symbols of a quantity: letters set by a LaTeX template, names with an ending."""
+
+    def symbol(name: str, latex: str | None = None, text: str | None = None) -> Symbol:
+        return Symbol(f"{name}{ending}", quantity, shape.format(latex or name), text or f"{name}{mark}")
+
+    return symbol
+
+
+real = _letters("real", "{}")
+real_vector = _letters("real vector", r"\mathbf{{{}}}", " real")
+dual = _letters("dual number", r"\underline{{{}}}", "_")
+vector, unit, tensor, orthogonal_tensor = (
+    _letters(quantity, r"\underline{{\mathbf{{{}}}}}")
+    for quantity in ("dual vector", "unit vector", "tensor", "orthogonal tensor")
+)
+quaternion = _letters("unit quaternion", r"\underline{{\hat{{\mathbf{{{}}}}}}}", mark="^")
+
+n = Symbol("n", "order", "n", "n")
+alpha = Symbol("alpha", "angle", r"\underline{\alpha}", "α")
+u = unit("u")
+v = vector("v")
+I, V, VV, x = identity, skew(v), dyad(v, v), norm(v) ** 2
+R, Q = orthogonal_tensor("R"), Symbol("Q", "real tensor", r"\mathbf{Q}", "Q")
+rho = Symbol("rho", "real vector", r"\boldsymbol{\rho}", "ρ")
+q_hat = Symbol("q", "quaternion", r"\underline{\hat{\mathbf{q}}}", "q^")
+
+# ---- limits, inequalities, numbers of preimages and of real equations -------------------------------------------
 
 FAR_ORDERS = (40, 80)
 """Orders at which a sequence must agree to count as constant."""
@@ -37,7 +69,7 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
     free = {symbol: value for symbol, value in env.values.items() if symbol not in env.definitions}
     places = (Env(env.field, {**free, index: n}, env.definitions, env.dual, env.moving) for n in FAR_ORDERS)
     first, second = (place.value(body) for place in places)
-    if not values.equal(env.field, first, second):
+    if not env.equal(first, second):
         raise UndefinedError(f"still changing at order {FAR_ORDERS[-1]}")
     return second
 
@@ -45,7 +77,7 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
 limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
 tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: values.equal(env.field, a, b))
+               lambda env, a, b: env.equal(a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
                         lambda env, f, target: f.reaches(env.field, target))
 

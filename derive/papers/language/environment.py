@@ -7,12 +7,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra import Dual, Structure, real_part
-
+from ...algebra import Dual, Structure, real_part
 from ..numbers.fields import Field
-from .terms import Number, Symbol, Term
-
-Function = Callable[..., Any]
+from . import values
+from .printed import Number, Symbol, Term
 
 
 @dataclass(frozen=True)
@@ -23,11 +21,11 @@ class Definition:
     """
 
     symbol: Symbol
-    function: Function
+    function: Callable[..., Any]
     arguments: tuple[Symbol, ...]
 
 
-def let(symbol: Symbol, function: Function, *arguments: Symbol) -> Definition:
+def let(symbol: Symbol, function: Callable[..., Any], *arguments: Symbol) -> Definition:
     """Return the definition ``symbol := function(env, *arguments)``."""
     return Definition(symbol, function, arguments)
 
@@ -66,6 +64,10 @@ class Env:
         if not isinstance(index, Symbol):
             raise TypeError(f"only a symbol can be bound, not {index!r}")
         return dataclasses.replace(self, values={**self.values, index: value})
+
+    def equal(self, a: Any, b: Any) -> bool:
+        """Return whether two values are equal, component by component."""
+        return values.equal(self.field, a, b)
 
     def rate(self, a: Any) -> Any:
         """Return the time derivative of a value."""

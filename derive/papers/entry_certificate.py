@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from derive.algebra.element import Element
-from derive.proof.certificate import Certificate, part
-from derive.proof.identity import Residue, Sides
-
+from ..algebra.element import Element
+from ..proof.certificate import Certificate, part
+from ..proof.identity import Residue, Sides
 from .decide import ORDERS, Pairs, prove
-from .language import notation
-from .language.terms import Apply, Term, text
+from .language import operator_table
+from .language.printed import Apply, Term, text
 from .result import Result, Status
 
 TERMS_MAX = 2000
@@ -53,10 +52,10 @@ def _only_equations(statement: Term) -> bool:
     """Return whether a statement consists of equations only."""
     if not isinstance(statement, Apply):
         return False
-    if statement.operator is notation.both:
+    if statement.operator is operator_table.both:
         return all(map(_only_equations, statement.arguments))
-    return statement.operator is notation.equal or (
-        statement.operator is notation.remark and _only_equations(statement.arguments[0])
+    return statement.operator is operator_table.equal or (
+        statement.operator is operator_table.remark and _only_equations(statement.arguments[0])
     )
 
 

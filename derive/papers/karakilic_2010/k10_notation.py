@@ -1,23 +1,70 @@
-"""Operators of the paper: capitalized functions, norms, roots, components and their sums, inequalities."""
+"""Symbols and operators of the paper, and characters of a formula kept by its text extraction."""
 
 from __future__ import annotations
 
 import operator
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.algebra.element import NotExactError
-from derive.algebra.mixed import MeaninglessError
+from ...algebra import Dual, Tensor, Vector, dual_part, real_part
+from ...algebra.element import NotExactError
+from ...algebra.mixed import MeaninglessError
+from ..language.environment import Env
+from ..language.operator_table import cos, define, norm, sin, tan
+from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, OperatorRow, Symbol, Term, Trait
 
-from ..language.evaluation import Env
-from ..language.notation import cos, define, norm, sin, tan
-from ..language.terms import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Operator, Term, Trait
-from .symbols import i, j
+HAT = "\N{COMBINING CIRCUMFLEX ACCENT}"
+LOST = "()[]{}_^|/,;.Σ"
+"""Layout characters, which are ignored in comparisons."""
+
+_LATEX = (
+    (r"\\mathbf\{\\hat\{r\}\}|\^\{\\mathbf\{r\}\}", ""),  # arrows, extracted as letters
+    (r"\\hat\{(\w)\}", rf"\1{HAT}"),
+    (r"\\(stackrel|overset)\{\\mathbf\{\w\}\}\{(\w)\}", r"\2"),  # arrows over a letter
+    (r"\\(mathbf|vec)\{([^{}]*)\}", r"\2"),
+    (r"\\times", "×"), (r"\\cdot", "·"), (r"\\sum", "Σ"), (r"\\infty", "∞"), (r"\\neq", "≠"),
+    (r"\\(begin|end)\{\w+\}|\\(left|right|frac|quad|\W)|[$&\s]", ""),
+)
 
 
-def _function(name: str, function: Operator, exponent: int = 1) -> Operator:
+def shown(latex: str) -> str:
+    """Return the characters of a formula in the extracted text, without layout commands and arrows."""
+    for pattern, character in _LATEX:
+        latex = re.sub(pattern, character, latex)
+    return latex
+
+
+def hat(name: str, quantity: str, prime: str = "") -> Symbol:
+    """Return the symbol of a dual quantity, with a hat."""
+    return Symbol(f"{name}^{prime}", quantity, rf"\hat{{{name}}}{prime}", f"{name}{HAT}{prime}")
+
+
+def real(name: str, index: int | None = None, star: bool = False, quantity: str = "real") -> Symbol:
+    """Return the symbol of a real number such as f, s₁ or b₁*."""
+    suffix, latex = "*" if star else "", name if index is None else f"{name}_{index}"
+    digit = "" if index is None else str(index)
+    return Symbol(f"{name}{digit}{suffix}", quantity, f"{latex}^{{*}}" if star else latex, f"{name}{digit}{suffix}")
+
+
+def arrow(name: str, star: bool = False, seen_as: str | None = None) -> Symbol:
+    """Return the symbol of a real vector, with an arrow; `seen_as` replaces it in the extracted text."""
+    plain = f"{name}*" if star else name
+    suffix = "" if seen_as is None else f" seen as {seen_as}"
+    return Symbol(f"vector {plain}{suffix}", "real vector", rf"\vec{{{name}}}" + ("^{*}" if star else ""),
+                  seen_as or plain)
+
+
+e = Symbol("epsilon", "dual unit", "e", "e")
+pi = Symbol("pi", "π", r"\pi", "p")
+i, j, k = (Symbol(name, "index", name, name) for name in "ijk")
+
+
+# ---- operators ------------------------------------------------------------------------------------------------
+
+
+def _function(name: str, function: OperatorRow, exponent: int = 1) -> OperatorRow:
     """Return a capitalized function such as Sin, or a power of it."""
     shown, power = ("", "") if exponent == 1 else (f"^{exponent}", str(exponent))
     return define(f"K10 {name}{power}", rf"\operatorname{{{{{name}}}}}{shown} {{0}}", f"{name}{power}{{0}}", PRODUCT,
@@ -27,8 +74,6 @@ def _function(name: str, function: Operator, exponent: int = 1) -> Operator:
 Sin, Cos = _function("Sin", sin), _function("Cos", cos)
 Tan = _function("Tan", tan)
 Tan2, Tan3 = _function("Tan", tan, 2), _function("Tan", tan, 3)
-natural = define("K10 natural", "e^{{{0}}}", "e{0}", POWER, (LIST,), lambda env, a: env.field.exp(a),
-                 traits=Trait.TRANSCENDENTAL)
 length = define("K10 length", r"\left\|{0}\right\|", "|{0}|", ATOM, (LIST,), norm.value, traits=norm.traits)
 square_root = define("K10 power 1/2", r"\left({0}\right)^{{\frac{{1}}{{2}}}}", "({0})12", POWER, (LIST,),
                      lambda env, a: env.field.sqrt(a))
@@ -58,8 +103,8 @@ def _at(structure: Any, *indices: int) -> Any:
 
 
 entry = define("K10 entry", "{0}_{{{1}{2}}}", "{0}{1}{2}", ATOM, (ATOM,), lambda env, T, i, j: _at(T, i, j))
-component = define("K10 component", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, v, i: _at(v, i))
 coefficient = define("K10 coefficient", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, f, k: f(k))
+component = define("K10 component", "{0}_{{{1}}}", "{0}{1}", ATOM, (ATOM,), lambda env, v, i: _at(v, i))
 
 
 def _compare(env: Env, relation: Callable[[Any, Any], bool], *sides: Any) -> bool:

@@ -1,6 +1,6 @@
 """Definitions of the paper's symbols, against which its printed formulas are checked.
 
-Each function takes the arguments of `derive.papers.language.evaluation.Definition`: the environment, then values.
+Each function takes the arguments of `derive.papers.language.environment.Definition`: the environment, then values.
 """
 
 from __future__ import annotations
@@ -10,13 +10,12 @@ from typing import Any
 
 import mpmath
 
-from derive.algebra import Dual, Tensor, Vector, dual_part, real_part
-from derive.maps import pose, rodrigues
-
+from ...algebra import Dual, Tensor, Vector, dual_part, real_part
+from ...maps import pose, rodrigues
 from ..language import values
-from ..language.definitions import component_of, screw_tensor
-from ..language.evaluation import Definition, Env, let
-from ..language.terms import Symbol
+from ..language.common_definitions import component_of, screw_tensor
+from ..language.environment import Definition, Env, let
+from ..language.printed import Symbol
 from ..numbers.draw import Draw
 from ..numbers.fields import Decimal60
 
@@ -74,22 +73,19 @@ def axis_of(env: Env, Q: Tensor) -> Vector:
     return Vector(*Q.transpose.rows[2])
 
 
-def across(env: Env, size: Any, Q: Tensor) -> Vector:
+def across(env: Env, size: Any, Q: Tensor) -> Any:
     """Return a vector along the first axis of a frame, orthogonal to the third."""
-    side: Vector = Vector(*Q.transpose.rows[0]) * size
-    return side
+    return Vector(*Q.transpose.rows[0]) * size
 
 
-def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Vector:
+def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Any:
     """Return a vector with components along the first and third axes: any vector in a suitable frame."""
-    point: Vector = across(env, size, Q) + axis_of(env, Q) * height
-    return point
+    return across(env, size, Q) + axis_of(env, Q) * height
 
 
-def projected(env: Env, x: Vector, axis: Vector) -> Vector:
+def projected(env: Env, x: Vector, axis: Vector) -> Any:
     """Return the part of a vector orthogonal to an axis."""
-    rest: Vector = x - axis * x.dot(axis)
-    return rest
+    return x - axis * x.dot(axis)
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------

@@ -8,20 +8,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector
-from derive.maps import first_principles
-from derive.maps.pose import Pose
-
+from ...algebra import Dual, Quaternion, Tensor, Vector
+from ...maps import first_principles
+from ...maps.pose import Pose, pose_from_tensor
 from ..numbers.fields import innermost
 from . import values
-from .evaluation import Env
-from .notation import define
-from .terms import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
+from .environment import Env
+from .operator_table import define
+from .printed import ATOM, LIST, RELATION, SUM, Symbol, Term, Trait
 
 
 def plain(f: Callable[..., Any]) -> Callable[..., Any]:
     """Return the function of a `Definition` that ignores the environment and applies f to the values."""
     return lambda env, *arguments: f(*arguments)
+
+
+def condition(test: Callable[..., bool]) -> Callable[..., values.Solution]:
+    """Return the definition by a condition: the symbol is any value with ``test(env, value, *arguments)``."""
+    return lambda env, *arguments: values.Solution(lambda value: test(env, value, *arguments))
 
 
 same = plain(lambda a: a)
@@ -88,29 +92,30 @@ def _orthogonal(env: Env, a: Any) -> bool:
     """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
-    return values.equal(env.field, a @ a.transpose, Tensor.identity()) and values.equal(env.field, a.det(), 1)
+    return env.equal(a @ a.transpose, Tensor.identity()) and env.equal(a.det(), 1)
 
 
 orthogonal = define("orthogonal", r"{0} \in \underline{{SO}}_3", "{0}", RELATION, (SUM,), _orthogonal)
 unit_quaternion = define("unit quaternion", r"{0} \in \underline{{U}}", "{0}", RELATION, (SUM,),
-                         lambda env, a: isinstance(a, Quaternion) and values.equal(env.field, a.norm2(), 1))
+                         lambda env, a: isinstance(a, Quaternion) and env.equal(a.norm2(), 1))
 pose = define("pose", r"\begin{{pmatrix}} {0} & {1} \\ 0 & 1 \end{{pmatrix}}", "({0},{1},0,1)", ATOM, (LIST, LIST),
               lambda env, rotation, displacement: Pose(rotation, displacement))
 
 
-def fixes_a_point(env: Env, motion: Pose) -> bool:
+def fixes_a_point(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is a pure rotation: ρ is orthogonal to the axis, the kernel of ``Q − I``."""
+    motion = pose_from_tensor(R)
     Q, rho = motion.rotation, motion.displacement
     projector = Q + Q.transpose + Tensor.identity() * (1 - Q.trace())  # 2 (1 − cos α) u ⊗ u
-    along = rho if fixes_directions(env, motion) else projector @ rho
-    return values.equal(env.field, along, 0 * rho)
+    along = rho if fixes_directions(env, R) else projector @ rho
+    return env.equal(along, 0 * rho)
 
 
-def fixes_directions(env: Env, motion: Pose) -> bool:
+def fixes_directions(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is a pure translation, the identity included."""
-    return values.equal(env.field, motion.rotation, Tensor.identity())
+    return env.equal(pose_from_tensor(R).rotation, Tensor.identity())
 
 
-def is_general(env: Env, motion: Pose) -> bool:
+def is_general(env: Env, R: Tensor) -> bool:
     """Return whether a displacement is neither a pure rotation nor a pure translation."""
-    return not fixes_a_point(env, motion) and not fixes_directions(env, motion)
+    return not fixes_a_point(env, R) and not fixes_directions(env, R)

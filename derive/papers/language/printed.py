@@ -1,7 +1,7 @@
 """Printed formulas as trees that are typeset, evaluated and mutated.
 
 A `Term` is a SymPy node in printed order: construction does not sort, combine or evaluate it. Python's operators
-build terms, so an entry reads like the formula. Module :mod:`derive.papers.language.notation` lists operators;
+build terms, so an entry reads like the formula. Module :mod:`derive.papers.language.operator_table` lists operators;
 :mod:`derive.papers.numbers.quantities` lists quantities of symbols.
 """
 
@@ -35,7 +35,7 @@ class Trait(Flag):
 
 
 @dataclass(frozen=True)
-class Operator:
+class OperatorRow:
     """Row of the notation table; a call with arguments makes a term."""
 
     name: str
@@ -51,9 +51,9 @@ class Operator:
         return Apply(self.name, *arguments)
 
 
-OPERATORS: dict[str, Operator] = {}
-LEAF = Operator("", "", "", ATOM, (), lambda env: None)
-"""Operator of a term without parts, so that every term has an operator."""
+OPERATORS: dict[str, OperatorRow] = {}
+LEAF = OperatorRow("", "", "", ATOM, (), lambda env: None)
+"""OperatorRow of a term without parts, so that every term has an operator."""
 
 Build = Callable[["Term", Any], "Term"]
 
@@ -67,7 +67,7 @@ class Term(Basic):  # type: ignore[misc]  # SymPy is untyped
     """Formula or part of a formula. Python's operators build larger terms and accept integers."""
 
     @property
-    def operator(self) -> Operator:
+    def operator(self) -> OperatorRow:
         return LEAF
 
     @property
@@ -121,7 +121,7 @@ class Symbol(Term):
 
 
 class Apply(Term):
-    """Operator applied to arguments."""
+    """OperatorRow applied to arguments."""
 
     def __new__(cls, operator: str | Str, *arguments: Any) -> Self:
         name = str(operator)  # SymPy rebuilds a node from its own arguments
@@ -131,7 +131,7 @@ class Apply(Term):
         return node
 
     @property
-    def operator(self) -> Operator:
+    def operator(self) -> OperatorRow:
         return OPERATORS[self.args[0].name]
 
     @property
