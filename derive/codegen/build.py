@@ -1,20 +1,26 @@
-"""Pipeline from charts to kernels: prove -> lower -> print -> write -> check. `publish` writes them into a folder."""
+"""Pipeline from charts to checked kernels: prove -> lower -> print -> write -> check; `publish` writes the files.
+
+Each stage is a function from one frozen record to the next: chart, `Proved`, `Lowered`, `Module`, `Written`, `Counts`.
+"""
 
 from __future__ import annotations
 
 import gc
+import itertools
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
-from ..output.progress import Step, no_op
+from ..output.progress import Progress, Step, silent
 from ..proof import prove
 from ..workers import each
+from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target
 
@@ -26,53 +32,100 @@ GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher o
 GC_THRESHOLD = 20_000
 """Number of allocations between two garbage collections while charts are built."""
 
-STEPS = 4
-"""Lines of progress for each chart."""
+
+@dataclass(frozen=True, slots=True)
+class Staging:
+    """Folder in which printed text is executed before it is published; ``geometry`` checks the functions of all charts.
+
+    It holds the files that all modules of the target share.
+    """
+
+    folder: Path
+    target: Target
+    geometry: Chart
 
 
-def build(charts: Sequence[Chart], target: Target, progress: Step | None = None, processes: int = 1) -> Package:
-    """Prove, lower, print and check charts, without publishing; ``processes`` is the number of workers that check.
+@dataclass(frozen=True, slots=True)
+class Written:
+    """Module on disk: the file name, the chart, and the folder of all files; a worker process receives no more."""
 
-    Raise `ProofFailed` or `ValidationFailed` if any chart fails.
+    name: str
+    chart: Chart
+    staging: Staging
+
+
+def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, processes: int = 1) -> Package:
+    """Prove, lower, print, write and check charts, without publishing; ``processes`` is the number of workers.
+
+    Stages take turns: a chart is proved while workers check the charts before it. Raise `ProofFailed` or
+    `ValidationFailed` if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    report, printed, modules = progress or no_op, list[Module](), list[Module]()
-
-    def checks() -> Iterator[tuple[Chart, Target, Path, bool]]:
-        for chart in with_geometry(charts):
-            printed.append(print_module(chart, target, report))
-            files.write(staging, printed[-1].texts)
-            report(f"{chart.name}: checking")
-            yield chart, target, staging, chart == geometry_chart(charts)
-
-    with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
-        staging, shared = Path(folder), shared_texts(target)
-        files.write(staging, shared)
-        for counts in each(check, checks(), processes):
-            modules.append(replace(printed[len(modules)], counts=counts))
-            report(f"{modules[-1].proved.formulas.name}: checked")
-    return Package(shared, tuple(module for module in modules if module.proved.formulas in charts))
+    built, shared = with_geometry(charts), shared_texts(target)
+    with relaxed_gc(), tempfile.TemporaryDirectory() as folder, progress(4 * len(built)) as report:
+        staging = Staging(Path(folder), target, geometry_chart(charts))
+        files.write(staging.folder, shared)
+        proved = map(prove, announced(built, "proving", report))
+        lowered = map(lower, proved)
+        printed = map(print_module, announced(lowered, "printing", report), itertools.repeat(target))
+        modules, kept = itertools.tee(printed)
+        written = map(write, modules, itertools.repeat(staging))
+        checked = each(check, announced(written, "checking", report), processes)
+        counted = (replace(module, counts=counts) for module, counts in zip(kept, checked))
+        found = tuple(announced(counted, "checked", report))
+    return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
 
 
-def print_package(charts: Sequence[Chart], target: Target, progress: Step | None = None) -> Package:
+def print_package(charts: Sequence[Chart], target: Target, progress: Progress = silent) -> Package:
     """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
-    return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
+    with progress(2 * len(charts)) as report:
+        lowered = map(lower, map(prove, announced(charts, "proving", report)))
+        printed = map(print_module, announced(lowered, "printing", report), itertools.repeat(target))
+        return Package(shared_texts(target), tuple(printed))
 
 
-def print_module(chart: Chart, target: Target, report: Step) -> Module:
-    """Prove, lower and print a chart."""
-    report(f"{chart.name}: proving")
-    proved = prove(chart)
-    report(f"{chart.name}: printing")
-    return Module(module_name(chart, target), proved, module_texts(Facts(proved), target))
+# ---- stages after `prove` and `lower` --------------------------------------------------------------------------
 
 
-def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:
-    """Execute a chart's module on disk; with ``geometry`` check the functions that all charts share too."""
+def print_module(lowered: Lowered, target: Target) -> Module:
+    """Print the module of a chart and its companions."""
+    return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
+
+
+def write(module: Module, staging: Staging) -> Written:
+    """Write a module beside the files that it shares with others."""
+    files.write(staging.folder, module.texts)
+    return Written(module.name, module.proved.formulas, staging)
+
+
+def check(written: Written) -> Counts:
+    """Execute a module on disk and compare it with the formulas of its chart."""
+    chart, folder, target = written.chart, written.staging.folder, written.staging.target
+    geometry = chart == written.staging.geometry
     with relaxed_gc():
         validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
         return Counts(validated, replayed, target.test(folder, chart))
+
+
+# ---- around the stages -----------------------------------------------------------------------------------------
+
+
+class Named(Protocol):
+    """Record of a stage, with a name for progress."""
+
+    @property
+    def name(self) -> str: ...
+
+
+Record = TypeVar("Record", bound=Named)
+
+
+def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[Record]:
+    """Yield records; report each before the next stage takes it."""
+    for record in records:
+        report(f"{record.name}: {stage}")
+        yield record
 
 
 def geometry_chart(charts: Sequence[Chart]) -> Chart:

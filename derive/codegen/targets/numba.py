@@ -103,7 +103,6 @@ class Numba(PythonTarget):
     name = "numba"
     options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
-    unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> dict[str, Data]:
         rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]
@@ -121,7 +120,7 @@ class Numba(PythonTarget):
         }
 
     def programs(self, facts: Facts) -> Data:
-        programs = facts.lowered.scalars.items()
+        programs = facts.lowered.poses.scalars.items()
         scalars = [_printed(program, formula_of(name, facts.chart)) for name, program in programs]
         return {"scalars": scalars, "calls": _called(scalars)}
 

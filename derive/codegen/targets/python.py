@@ -13,9 +13,9 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
-from ..lowered import Lowered, lower_chart, printed_geometry, shared_with_poses
+from ..lowered import printed_geometry, shared_with_poses
 from ..lowering.scalars import FORMULAS
-from ..package import Data, Facts, comment, numbers
+from ..package import Data, Facts, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
@@ -53,7 +53,6 @@ class PythonTarget:
     tools: tuple[str, ...] = ()
     """Public modules that hold no chart, such as those that import further libraries."""
     name: str
-    unproved: str
     options: str
     """Keyword parameters of functions that return one array, with types and defaults."""
 
@@ -112,7 +111,7 @@ class PythonTarget:
             "placed": ", ".join(name for name in self.keywords if name != "parallel"),
             "makes": "out" in self.keywords,
             "definitions": DEFINITIONS,
-            "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
+            "equations": {name: cited(equations) for name, equations in EQUATIONS.items()},
             "rotations": table is not POSES,
             "up": ".." if table.name else ".",
             "n": jacobian[0],
@@ -121,9 +120,9 @@ class PythonTarget:
 
     def programs(self, facts: Facts) -> Data:
         """Return the data for a chart's template, with its scalar programs."""
-        return printed_scalars(facts.chart, facts.lowered.scalars)
+        return printed_scalars(facts.chart, facts.lowered.poses.scalars)
 
-    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+    def rotations(self, facts: Facts) -> Data:
         """Return data for the template of a rotation module, in addition to `described`."""
         return {}
 
@@ -133,8 +132,7 @@ class PythonTarget:
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""
-        lowered = lower_chart(facts.chart, ROTATIONS)
-        data = {**described(facts, ROTATIONS), "name": facts.chart.name, **self.rotations(facts, lowered)}
+        data = {**described(facts, ROTATIONS), "name": facts.chart.name, **self.rotations(facts)}
         return {inside(ROTATIONS, f"{facts.chart.name}.py"): (inside(ROTATIONS, "chart.py"), data)}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
@@ -221,4 +219,4 @@ def formula_of(scalar: str, chart: Chart) -> str:
     general, of_order, maps = FORMULAS[scalar]
     texts = [general, of_order] if of_order and chart.cayley else [general]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
-    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")

@@ -226,10 +226,10 @@ def test_module_with_header_of_another_target_is_foreign(package, tmp_path: Path
 
 
 def test_default_folder_exists_only_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):
+    with pytest.raises(ValueError, match="only NumPy kernels have a default one, and only in a checkout"):
         derive.generate([2], target="c")
     monkeypatch.setattr(about, "checkout", lambda: None)
-    with pytest.raises(ValueError, match="name an output folder"):
+    with pytest.raises(ValueError, match="name a folder"):
         derive.generate([2])
     assert not any(tmp_path.iterdir())
 
