@@ -5,6 +5,7 @@ A helper holds the steps that all of its callers need, and no others: callers co
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -29,11 +30,11 @@ Steps = Mapping[str, Any]
 
 
 def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], dict[str, Program]]:
-    """Return helper programs ``shared1``, ``shared2``, …, and the programs that call them."""
+    """Return helper programs, named by their results, and the programs that call them."""
     helpers = dict[str, Program]()
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
-        while candidates := list(_candidates(_with_room(found, programs), f"shared{len(helpers) + 1}", back)):
+        while candidates := list(_candidates(_with_room(found, programs), {*programs, *helpers}, back)):
             _, helper, callers = max(candidates, key=lambda made: made[0])
             helpers[helper.name] = helper
             found |= callers
@@ -55,7 +56,7 @@ def _with_inline_zero(program: Program) -> Program:
 
 
 def _candidates(
-    programs: Mapping[str, Program], name: str, back: bool
+    programs: Mapping[str, Program], taken: set[str], back: bool
 ) -> Iterator[tuple[int, Program, dict[str, Program]]]:
     """Yield the saved lines, helper and callers for each set of programs that share a step; see `_closed`."""
     written = {key: _written_out(program) for key, program in programs.items()}
@@ -70,7 +71,7 @@ def _candidates(
         saved = (len(group) - 1) * len(shared) - len(group) - HEAD
         if saved < LEAST_SAVING:
             continue
-        helper = _helper(name, programs[group[0]], shared, [programs[key] for key in group])
+        helper = _helper(taken, programs[group[0]], shared, [programs[key] for key in group])
         if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
             yield saved, helper, {key: _caller(programs[key], helper, shared) for key in group}
 
@@ -120,13 +121,20 @@ def _moved(program: Program, shared: set[str]) -> list[Step]:
     return found[::-1]
 
 
-def _helper(name: str, program: Program, shared: set[str], callers: Sequence[Program]) -> Program:
+def _helper(taken: set[str], program: Program, shared: set[str], callers: Sequence[Program]) -> Program:
     moved = _moved(program, shared)
     made = {step.name for step in moved}
     given = dict.fromkeys(arg for step in moved for arg in step.args if isinstance(arg, str) and arg not in made)
     read = set[Any]().union(*(_read_elsewhere(caller, shared) for caller in callers))
     outputs = tuple(step.name for step in moved if step.name in shared & read)
-    return Program(name, tuple((letter, (letter,)) for letter in given), tuple(moved), outputs)
+    return Program(_name(outputs, taken), tuple((letter, (letter,)) for letter in given), tuple(moved), outputs)
+
+
+def _name(outputs: Sequence[str], taken: set[str]) -> str:
+    """Return a name that tells the first and the last result: ``s_and_w``, ``p_to_h``, ``p_to_h_2``."""
+    name = ("_and_" if len(outputs) == 2 else "_to_").join(dict.fromkeys((outputs[0], outputs[-1])))
+    numbered = itertools.chain([name], (f"{name}_{number}" for number in itertools.count(2)))
+    return next(free for free in numbered if free not in taken)
 
 
 def _read_elsewhere(program: Program, shared: set[str]) -> set[Any]:
