@@ -6,13 +6,13 @@ Each stage is a function from one frozen record to the next: chart, `Proved`, `L
 from __future__ import annotations
 
 import gc
-import itertools
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import tee
 from pathlib import Path
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 from ..maps import Cayley
 from ..maps.chart import Chart
@@ -34,45 +34,38 @@ GC_THRESHOLD = 20_000
 
 
 @dataclass(frozen=True, slots=True)
-class Staging:
-    """Folder in which printed text is executed before it is published; ``geometry`` checks the functions of all charts.
-
-    It holds the files that all modules of the target share.
-    """
-
-    folder: Path
-    target: Target
-    geometry: Chart
-
-
-@dataclass(frozen=True, slots=True)
 class Written:
-    """Module on disk: the file name, the chart, and the folder of all files; a worker process receives no more."""
+    """Module on disk, as a worker process receives it; with ``geometry`` it checks what all charts share too."""
 
     name: str
     chart: Chart
-    staging: Staging
+    target: Target
+    folder: Path
+    geometry: bool
+
+
+Record = TypeVar("Record", Chart, Lowered, Module, Written)
 
 
 def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, processes: int = 1) -> Package:
     """Prove, lower, print, write and check charts, without publishing; ``processes`` is the number of workers.
 
-    Stages take turns: a chart is proved while workers check the charts before it. Raise `ProofFailed` or
-    `ValidationFailed` if any chart fails.
+    Charts pass through the stages one by one: a chart is proved while workers check the charts before it. Raise
+    `ProofFailed` or `ValidationFailed` if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    built, shared = with_geometry(charts), shared_texts(target)
-    with relaxed_gc(), tempfile.TemporaryDirectory() as folder, progress(4 * len(built)) as report:
-        staging = Staging(Path(folder), target, geometry_chart(charts))
-        files.write(staging.folder, shared)
+    geometry, shared = geometry_chart(charts), shared_texts(target)
+    built = charts if geometry in charts else [geometry, *charts]
+    with relaxed_gc(), tempfile.TemporaryDirectory() as name, progress(4 * len(built)) as report:
+        folder = Path(name)
+        files.write(folder, shared)
         proved = map(prove, announced(built, "proving", report))
         lowered = map(lower, proved)
-        printed = map(print_module, announced(lowered, "printing", report), itertools.repeat(target))
-        modules, kept = itertools.tee(printed)
-        written = map(write, modules, itertools.repeat(staging))
+        printed, modules = tee(print_module(chart, target) for chart in announced(lowered, "printing", report))
+        written = (write(module, target, folder, geometry) for module in printed)
         checked = each(check, announced(written, "checking", report), processes)
-        counted = (replace(module, counts=counts) for module, counts in zip(kept, checked))
+        counted = (replace(module, counts=counts) for module, counts in zip(modules, checked))
         found = tuple(announced(counted, "checked", report))
     return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
 
@@ -81,11 +74,8 @@ def print_package(charts: Sequence[Chart], target: Target, progress: Progress = 
     """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
     with progress(2 * len(charts)) as report:
         lowered = map(lower, map(prove, announced(charts, "proving", report)))
-        printed = map(print_module, announced(lowered, "printing", report), itertools.repeat(target))
+        printed = (print_module(chart, target) for chart in announced(lowered, "printing", report))
         return Package(shared_texts(target), tuple(printed))
-
-
-# ---- stages after `prove` and `lower` --------------------------------------------------------------------------
 
 
 def print_module(lowered: Lowered, target: Target) -> Module:
@@ -93,36 +83,23 @@ def print_module(lowered: Lowered, target: Target) -> Module:
     return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
 
 
-def write(module: Module, staging: Staging) -> Written:
-    """Write a module beside the files that it shares with others."""
-    files.write(staging.folder, module.texts)
-    return Written(module.name, module.proved.formulas, staging)
+def write(module: Module, target: Target, folder: Path, geometry: Chart) -> Written:
+    """Write a module beside the files that it shares with others; ``geometry`` is the chart that checks these."""
+    files.write(folder, module.texts)
+    chart = module.proved.formulas
+    return Written(module.name, chart, target, folder, chart == geometry)
 
 
 def check(written: Written) -> Counts:
     """Execute a module on disk and compare it with the formulas of its chart."""
-    chart, folder, target = written.chart, written.staging.folder, written.staging.target
-    geometry = chart == written.staging.geometry
+    target, given = written.target, (written.folder, written.chart, written.geometry)
     with relaxed_gc():
-        validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
-        return Counts(validated, replayed, target.test(folder, chart))
-
-
-# ---- around the stages -----------------------------------------------------------------------------------------
-
-
-class Named(Protocol):
-    """Record of a stage, with a name for progress."""
-
-    @property
-    def name(self) -> str: ...
-
-
-Record = TypeVar("Record", bound=Named)
+        validated, replayed = target.validate(*given), target.replay(*given)
+        return Counts(validated, replayed, target.test(written.folder, written.chart))
 
 
 def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[Record]:
-    """Yield records; report each before the next stage takes it."""
+    """Yield records; report each of them before the next stage takes it."""
     for record in records:
         report(f"{record.name}: {stage}")
         yield record
@@ -131,11 +108,6 @@ def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[R
 def geometry_chart(charts: Sequence[Chart]) -> Chart:
     """Return the chart that checks the shared geometry: the first Cayley map of a suitable order, or `GEOMETRY`."""
     return next((chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS), GEOMETRY)
-
-
-def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
-    """Return the charts to build, including one that checks the shared geometry."""
-    return charts if geometry_chart(charts) in charts else [GEOMETRY, *charts]
 
 
 @contextmanager

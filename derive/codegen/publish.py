@@ -101,42 +101,21 @@ def generate_charts(
 
 def place(output: str | Path | None, target: str) -> Path:
     """Return the folder to write, by default that of the committed kernels; raise ValueError if there is none."""
-    folder = Path(output) if output else home(target)
-    if folder is None:
-        raise ValueError("name a folder (output=, -o): only NumPy kernels have a default one, and only in a checkout")
-    return folder
-
-
-def home(target: str) -> Path | None:
-    """Return the folder of the committed kernels; None for another target or outside a checkout."""
-    root = about.checkout()
-    return root / "generated" / "dualcay" if root and target == about.TARGET else None
-
-
-def check(
-    folder: Path,
-    orders: Iterable[int] | None = None,
-    target: str = "numpy",
-    progress: Step | None = None,
-    cap: int = about.MAX_ORDER,
-    *,
-    families: Iterable[str] = (),
-    phi: str | None = None,
-    name: str | None = None,
-) -> list[files.Difference]:
-    """Prove and print the expected files of a folder and return the differences; no kernel is executed.
-
-    The folder should hold the modules of the given orders and families, by default the committed modules. Each further
-    module with the generated header is printed by its own command, unless its order is above ``cap``.
-    """
-    shown = silent if progress is None else lambda _: nullcontext(progress)
-    return check_charts(folder, catalogue.asked(orders or (), families, phi, name), target, shown, cap)
+    if output:
+        return Path(output)
+    if (root := about.checkout()) and target == about.TARGET:
+        return root / "generated" / "dualcay"
+    raise ValueError("name a folder (output=, -o): only NumPy kernels have a default one, and only in a checkout")
 
 
 def check_charts(
     folder: Path, charts: Sequence[Chart], target: str, progress: Progress = silent, cap: int = about.MAX_ORDER
 ) -> list[files.Difference]:
-    """Return the differences between a folder and the modules that it should hold; see `check`."""
+    """Prove and print the expected files of a folder and return the differences; no kernel is executed.
+
+    The folder should hold the modules of the charts. Each further module with the generated header is printed by its
+    own command, unless its order is above ``cap``.
+    """
     chosen = _target(target)
     wanted = {chart.name: chart for chart in _with_bases(charts, chosen)}
     further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]

@@ -77,13 +77,11 @@ def _candidates(
 
 
 def _written_out(program: Program) -> Steps:
-    inlined: dict[Any, Any] = {}
+    inlined, named = dict[Any, Any](), dict[str, Any]()
     for step in program.steps:
-        inlined[step.name] = step.op, tuple(inlined.get(arg, arg) for arg in step.args)
-        if not step.inline:
-            inlined[step.name], written = step.name, inlined[step.name]
-            inlined[step.name, "step"] = written
-    return {key[0]: written for key, written in inlined.items() if isinstance(key, tuple)}
+        found = step.op, tuple(inlined.get(arg, arg) for arg in step.args)
+        (inlined if step.inline else named)[step.name] = found
+    return named
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:

@@ -1,6 +1,6 @@
 """Printer of programs as C functions: straight-line code, valid as C99 and as C++.
 
-A kernel function works on components that lie a stride apart: component i of ``v`` is ``v_at[i * v_by]``. Its program
+Component i of ``v`` is ``v_at[i * v_by]``: a kernel function works on components that lie a stride apart. Its program
 calls functions of the chart (``DUALCAY_CHART``), which take numbers and write results through pointers.
 """
 

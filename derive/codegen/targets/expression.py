@@ -138,7 +138,7 @@ class Lists:
         self.returned = last if isinstance(last, Call) and last.result and last.names == program.outputs else None
 
     def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
-        """Yield an assignment to the names that are read, if there are any."""
+        """Yield the line that unpacks a list into the names that are read; nothing if none is."""
         if self.read.intersection(names):
             shown = [name if name in self.read else "_" for name in names]
             yield unpacked(shown, argument)
