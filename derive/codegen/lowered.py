@@ -9,7 +9,7 @@ from functools import cache, lru_cache
 
 from ..maps.chart import Chart
 from ..proof import Proved
-from .lowering.scalars import scalar_programs
+from .lowering.scalar_programs import scalar_programs
 from .programs.program import Program
 from .programs.trace import written_out
 from .rows import Table

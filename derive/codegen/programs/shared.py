@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from .program import Call, Program, Statement, Step
+from .program import Assignment, Call, Program, Statement
 
 LEAST_SAVING = 10
 """Least number of printed lines that a helper saves."""
@@ -51,8 +51,8 @@ def _with_inline_zero(program: Program) -> Program:
     """Mark each ``x - x`` that is read once as inline, to match programs that do not name this zero."""
     reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
     zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
-    once = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
-    return replace(program, statements=tuple(once.get(s, s) if isinstance(s, Step) else s for s in program.statements))
+    once: dict[Statement, Statement] = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
+    return replace(program, statements=tuple(once.get(statement, statement) for statement in program.statements))
 
 
 def _candidates(
@@ -95,7 +95,7 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
         before, after = set[Any](statement.args), set[Any](_assigned(statement))
         if back:
             before, after = after, before
-        if isinstance(statement, Step) and statement.name in moved and not before & outside:
+        if isinstance(statement, Assignment) and statement.name in moved and not before & outside:
             inside |= after
             kept |= shared & {statement.name}
         elif before & (outside | inside):
@@ -105,10 +105,11 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
 
 def _assigned(statement: Statement) -> tuple[str, ...]:
     """Return the names that a statement assigns."""
-    return (statement.name,) if isinstance(statement, Step) else tuple(name for name in statement.names if name != "_")
+    names = (statement.name,) if isinstance(statement, Assignment) else statement.names
+    return tuple(name for name in names if name != "_")
 
 
-def _moved(program: Program, shared: set[str]) -> list[Step]:
+def _moved(program: Program, shared: set[str]) -> list[Assignment]:
     """Return the steps of shared names, with the inline steps inside them."""
     needed, found = set[Any](shared), []
     inline = {step.name for step in program.steps if step.inline}

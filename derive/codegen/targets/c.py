@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
-from ..lowering.scalars import SCALARS, table_names
+from ..lowering.scalar_programs import SCALARS, table_names
 from ..package import Data, Facts, cited
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside

@@ -28,7 +28,7 @@ MOST_AXES = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Operand:
+class LoopArray:
     """Array of a loop: its name, its component axes, and the index of its first component step."""
 
     name: str
@@ -61,11 +61,11 @@ def loop(row: Function, program: Program) -> Data:
     }
 
 
-def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
+def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[LoopArray]:
     """Yield the arrays; among the steps, batch steps of all arrays precede component steps."""
     place = len(arrays)
     for name, shape in arrays:
-        yield Operand(name, shape, place)
+        yield LoopArray(name, shape, place)
         place += len(shape)
 
 

@@ -14,7 +14,7 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ..lowered import printed_geometry, shared_with_poses
-from ..lowering.scalars import FORMULAS
+from ..lowering.scalar_programs import FORMULAS
 from ..package import Data, Facts, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
@@ -30,7 +30,7 @@ CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
+class PythonFunction:
     """Program for its template: parameters, text of the body, and its formula as a comment."""
 
     name: str
@@ -94,7 +94,7 @@ class PythonTarget:
         """Return the data for a table's geometry; rotations import programs that equal programs of poses."""
         same = shared_with_poses(table)
         programs = [
-            Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+            PythonFunction(name, _parameters(program, name in table.kernels), infix.body(program))
             for name, program in printed_geometry(table).items()
             if name not in same
         ]
@@ -197,7 +197,7 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
-def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[Printed]]:
+def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[PythonFunction]]:
     """Return scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
     helpers, programs = with_helpers(scalars)
     called = Counter(call.function for program in programs.values() for call in program.calls)
@@ -208,10 +208,10 @@ def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, l
     }
 
 
-def _printed(program: Program, formula: str) -> Printed:
+def _printed(program: Program, formula: str) -> PythonFunction:
     parameters = tuple(part for _, parts in program.inputs for part in parts)
     body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
-    return Printed(program.name, parameters, body, formula)
+    return PythonFunction(program.name, parameters, body, formula)
 
 
 def formula_of(scalar: str, chart: Chart) -> str:

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from derive.cli.commands import cli
 from derive.codegen import ValidationFailed, check_charts, generate
 from derive.codegen.lowered import geometry, lower_chart
-from derive.codegen.lowering.scalars import SCALARS
+from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
 from derive.codegen.rows import inside
