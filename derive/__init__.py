@@ -7,7 +7,7 @@ Notation, with one meaning for each letter (CP23 = Condurache & Popa 2023, K10 =
 α, u               dual angle (rotation angle + ε translation along the axis) and unit dual vector of the axis
 n, k               order n ≥ 1 and branch k = 0 … n−1 (0 principal)
 θ                  α/2n
-v                  Rodrigues dual vector tan(θ) u; CP23 writes b for n = 1 and σ for n = 2
+v                  vector φ(α) u of a chart; tan(θ) u is the Rodrigues dual vector, α u the Euler dual vector of CP23
 x                  v·v as a dual number; the X of CP23 is its square root
 p, q               the polynomials p_n(x), q_n(x); a quaternion is q̂, in code ``e0 … e3``
 R, Q, ρ            orthogonal dual tensor R = (I + ε skew(ρ)) Q, rotation Q, translation ρ

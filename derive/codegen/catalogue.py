@@ -17,7 +17,7 @@ from ..maps import Cayley, family, parameterization
 from ..maps.chart import Chart
 from ..maps.families import alpha
 from ..maps.sine import Sine
-from ..output import files, render
+from ..output import files, generated
 from .package import command, module_name
 from .signatures import ROTATIONS
 from .targets import TARGETS, Target
@@ -114,7 +114,7 @@ def _reserved(target: Target) -> Iterator[str]:
         if path.suffix == f".{target.extension}":
             yield path.stem
         if path.name == "__init__.py":
-            yield from _globals(symtable.symtable(render(f"{target.name}/{file}.j2", header="", **data), file, "exec"))
+            yield from _globals(symtable.symtable(generated(f"{target.name}/{file}", "", **data), file, "exec"))
 
 
 def _globals(table: symtable.SymbolTable) -> Iterator[str]:

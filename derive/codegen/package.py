@@ -18,7 +18,7 @@ import sympy
 from .. import about
 from ..maps import Formula
 from ..maps.chart import Chart
-from ..output import render
+from ..output import generated, render, source
 from ..proof import Proved, theorems
 from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
@@ -255,13 +255,13 @@ class Target(Protocol):
 
 
 def shared_texts(target: Target) -> dict[str, str]:
-    """Render the files that every package of a target holds; raise ValueError if functions of the table are missing."""
+    """Return the files that every package of a target holds; raise ValueError if functions of the table are missing."""
     texts = {}
     for name, data in target.shared().items():
-        template = f"{target.name}/{name}.j2"
+        file = f"{target.name}/{name}"
         version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
-        lines = [*head(command(target.name), template), *version]
-        texts[name] = render(template, header=comment(lines, _mark(name, target)), **data)
+        lines = [*head(command(target.name), source(file)), *version]
+        texts[name] = generated(file, comment(lines, _mark(name, target)), **data)
     target.require_complete(texts)
     return texts
 
@@ -278,8 +278,8 @@ def module_texts(facts: Facts, target: Target) -> dict[str, str]:
     header = comment(facts.header(made_by, template), target.comment)
     texts = {module_name(facts.chart, target): render(template, header=header, **target.module(facts))}
     for name, (companion, data) in target.companions(facts).items():
-        template = f"{target.name}/{companion}.j2"
-        texts[name] = render(template, header=comment(head(made_by, template), target.comment), **data)
+        file = f"{target.name}/{companion}"
+        texts[name] = generated(file, comment(head(made_by, source(file)), target.comment), **data)
     return texts
 
 

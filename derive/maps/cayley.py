@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy
 
@@ -73,6 +73,7 @@ class Cayley(BranchesOfOrder):
     """
 
     order: int
+    vector: ClassVar[str] = "Rodrigues dual vector"
     name: str = field(default="", repr=False)
     selection: tuple[str, str] = field(default=("", ""), repr=False)
 

@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import fields
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias, TypeVar, cast
 
 import mpmath
 import sympy
@@ -68,6 +68,7 @@ class Chart(Typeset, ABC):
     selection: tuple[str, str]  # command-line option and its value, such as -n, 3
     order: int  # order n; 1 for a chart without an order
     title: str  # headline, such as "Cayley map of order 3"
+    vector: ClassVar[str] = "dual vector"  # name of v in the field
     base: Chart | None = None  # chart of the vector w, with v = factor · w
     factor: Fraction = Fraction(1)  # factor of the base chart; 1 without one
 

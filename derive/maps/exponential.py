@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy
 
@@ -141,6 +141,7 @@ class Exponential(AngleChart):
     name: str = "exponential"
     selection: tuple[str, str] = ("--family", "exponential")
     title: str = "Exponential map"
+    vector: ClassVar[str] = "Euler dual vector"
 
     @property
     def phi(self) -> sympy.Expr:

@@ -1,4 +1,7 @@
-"""Find and render templates, which contain only layout; each receives exactly the names it uses."""
+"""Find and render templates, which contain only layout; each receives exactly the names it uses.
+
+A file without holes has no ending ``.j2`` and is copied, so that linters and editors see it where it is written.
+"""
 
 from __future__ import annotations
 
@@ -29,8 +32,23 @@ def environment() -> jinja2.Environment:
     )
 
 
+def source(name: str) -> str:
+    """Return the path below ``templates/`` of a generated file: its template, or the file that is copied."""
+    return name if (folder() / name).is_file() else f"{name}.j2"
+
+
+def generated(name: str, header: str, /, **data: Any) -> str:
+    """Return the text of a generated file: its template rendered, or the file itself beneath the header."""
+    path = source(name)
+    if path != name:
+        return render(path, header=header, **data)
+    if data:
+        raise TypeError(f"templates/{name} has no holes, got data for {', '.join(sorted(data))}")
+    return f"{header}\n{(folder() / name).read_text(encoding='utf-8')}"
+
+
 def render(name: str, /, **data: Any) -> str:
-    """Render a template, e.g. ``numpy/cayley.py.j2``.
+    """Render a template, e.g. ``numpy/chart.py.j2``.
 
     The data must be exactly the names used by the template and its included templates.
     """

@@ -21,7 +21,8 @@ limit_theorems         theorems on the limit of growing order, and its rate
 at_order               formulas and functions of one order as instances of the theorems
 scalars                formulas of a chart, compared with its scalars and its φ
 vector_ring            `Ring`: components of a vector modulo v·v = x
-components             the componentwise road: proofs at one order from the definition
+components             proof by components at one order, from the definition
+texts                  formulas in docstrings and comments, read and compared
 at_point               printed statements about one order, evaluated at a rational point
 proved                 all theorems for all n; `Proved`: a chart with its proofs, made only by `prove`
 controls               altered theorems, formulas and definitions, which must fail
@@ -39,11 +40,11 @@ from __future__ import annotations
 
 from ..algebra.element import Element
 from .identity import Proof, decide
-from .proved import ProofFailed, Proved, citing, proofs, prove, theorems
+from .proved import ProofFailed, Proved, citing, proofs, prove, shown, theorems
 from .scalars import is_algebraic, root_of
 from .vector_ring import Ring
 
 __all__ = [
     "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "is_algebraic", "proofs", "prove",
-    "root_of", "theorems",
+    "root_of", "shown", "theorems",
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-r"""Theorems for every n on derivatives of the tangent operator, absent from the papers.
+r"""Theorems for every n that the papers lack: derivatives of the tangent operator.
 
 Notation: ``T = f I + g skew(v) + h v⊗v``, ``T⁻¹ = (f_i I − skew(v) + h_i v⊗v)/2``, and slopes ``f_y = 2 df/dx``.
 Then ``df/dt = f_y (v · v')``. The theorems concern:
@@ -6,7 +6,7 @@ Then ``df/dt = f_y (v · v')``. The theorems concern:
 * slopes and second slopes in closed form, without division by x;
 * the derivatives by v in both frames: J(a) of the twist ``T a``, and K(a) of the rate ``T⁻¹ a``;
 * the structure equation ``(∂_a T) b − (∂_b T) a = T a × T b`` in space, with a minus sign in the body frame;
-* transition: for a given body twist a and a constant b, ``δ = T⁻¹ b`` solves the variational equation
+* derivative of v(t) by v(0): for a given body twist a and a constant b, ``δ = T⁻¹ b`` solves the variational equation
   ``δ' = K_B(a) δ``. Hence ``∂v/∂v0 = T(v)⁻¹ T(v0)``, and the space perturbation ``T δ`` of the pose is constant.
   For a given space twist all operators are transposed.
 """
@@ -105,7 +105,7 @@ def _along_motions(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: 
 def _transitions(
     known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise, tensor: Premise
 ) -> Iterator[Theorem]:
-    """Yield the theorems on transition for a twist given in space, and in the body."""
+    """Yield the theorems on the derivative of v(t) by v(0), for a twist given in space, and in the body."""
     for frame in ("space", "body"):
         claim, motion = transition(frame, dcay, dcay_inv)
         yield identity(

@@ -1,4 +1,4 @@
-r"""Componentwise road: proofs at one order from the definition, independent of the theorems.
+r"""Proof by components at one order, from the definition, independent of the theorems.
 
 :math:`z = (1 + v)^n` is multiplied out as a dual quaternion of six real symbols. Then :math:`\hat q = z/|z|` (CP23
 (46)), R is the sandwich ``q̂ r q̂*`` (24), and ω = vect(R' Rᵀ) (68), with R' as the derivative along v'. The
@@ -43,9 +43,9 @@ STATEMENTS: tuple[Statement, ...] = (
     ("twist at n", (Equation(m.vect(m.rate(m.R) * m.transpose(m.R)), m.dcay * m.rate(m.v)),), (POWER, UNIT, ROTATED)),
     ("inverse at n", (Equation(m.dcay * m.dcay_inv, m.I),), ()),
 )
-"""Statements of the componentwise road."""
+"""Statements proved by components."""
 
-METHOD = "componentwise from the definition, exact polynomials in v1 v2 v3 and their dual parts"
+METHOD = "components from the definition, exact polynomials in v1 v2 v3 and their dual parts"
 CYCLIC = ((2, 1), (0, 2), (1, 0))  # vect(T) takes T_32 - T_23, T_13 - T_31, T_21 - T_12
 
 

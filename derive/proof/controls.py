@@ -1,8 +1,8 @@
 """Controls: theorems with one deliberate error each; every control must fail.
 
 Controls alter each equation of a claim, each integer in it, each premise, each free symbol and each multiplier. At one
-order, controls alter each formula, claim, premise and definition of the componentwise road. A proved control reveals a
-check that cannot fail, an unused premise, or too weak a claim.
+order, controls alter each formula, claim, premise and definition of the proofs by components. A proved control reveals
+a check that cannot fail, an unused premise, or too weak a claim.
 """
 
 from __future__ import annotations
@@ -80,28 +80,28 @@ class _Wrong:
 
 
 class _Doubled(Components):
-    """z = (1 + 2v)ⁿ"""
+    """Definition of z altered to (1 + 2v)ⁿ."""
 
     def defined(self) -> Any:
         return self.power(self.one_plus_v + self.one_plus_v - self.identity[0])
 
 
 class _Zero(Components):
-    """z = 0."""
+    """Definition of z altered to 0."""
 
     def defined(self) -> Any:
         return self.identity[0] * self.zero
 
 
 class _Unconjugated(Components):
-    """z r z in place of z r z*."""
+    """Sandwich z r z* altered to z r z."""
 
     def sandwich(self, r: Any) -> Any:
         return hamilton(hamilton(self.z, r), self.z)
 
 
 DEFINITION, QUATERNION, TENSOR, ORTHOGONALITY, TWIST, INVERSE = range(6)
-"""Indices of the statements of the componentwise road."""
+"""Indices of the statements proved by components."""
 
 _FORMULAS: Mapping[str, tuple[int, ...]] = {
     "p": (), "q": (), "c": (), "d": (), "quaternion": (QUATERNION,), "tensor": (TENSOR,), "tangent": (TWIST, INVERSE),
@@ -162,7 +162,7 @@ def controls_of(chart: Chart) -> Iterator[Control]:
 
 
 def _altered_statements(cayley: Cayley) -> Iterator[Control]:
-    """Yield the controls of the componentwise road with a false claim or a false premise."""
+    """Yield the controls of the proofs by components with a false claim or a false premise."""
     components = Components(cayley)
     false = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
     for proof in components.proofs(false):

@@ -92,7 +92,7 @@ class Determined(InRing):
     def _check_laws(
         self, ring: Setting, starts: Container[Any], steps: Container[Any], others: Sequence[Premise]
     ) -> Checks:
-        """Check that every symbol that depends on the index or variable has a law."""
+        """Check that every dependent symbol has a recurrence or a differential equation among the premises."""
         index = self.start.left
         for symbol in self.symbols.scalars:
             goes = symbol != index and index in notation.TERMS.get(symbol, ("", symbol))[1].free_symbols

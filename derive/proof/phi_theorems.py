@@ -115,7 +115,7 @@ def _of_motion() -> tuple[Theorem, ...]:
 
 
 def _of_transition() -> Iterator[Theorem]:
-    """Yield the theorems on the derivative of the rate by v, and on transition for a twist given in either frame.
+    """Yield the theorems on the derivatives of the rate by v, and of v(t) by v(0) for a twist given in either frame.
 
     The derivative of the rate has one form for any functions f_i and h_i of x.
     """

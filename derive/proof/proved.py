@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+import re
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import InitVar, dataclass
 from functools import cache
 from itertools import chain
@@ -20,6 +21,7 @@ from .map_theorems import map_theorems
 from .phi_theorems import ANY_PHI
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
 from .scalars import ScalarProofs, instance, is_algebraic
+from .texts import MARKED, compared, shown_with
 from .theorem import Theorem, decided
 from .transport_theorems import transport_theorems
 
@@ -69,6 +71,23 @@ class ProofFailed(Exception):
         super().__init__("not proved: " + "; ".join(lines))
 
 
+def require(decided: Iterable[Proof]) -> None:
+    """Raise `ProofFailed` if any statement is not proved."""
+    if failed := tuple(proof for proof in decided if not proof.proved):
+        raise ProofFailed(failed)
+
+
+def shown(text: str, cayley: Cayley | None = None) -> str:
+    """Return a text without the marks of its formulas; raise `ProofFailed` if one of them is not proved.
+
+    Formulas hold for a Cayley map if given, otherwise for every chart. One without marks raises ValueError.
+    """
+    if re.search(r"(?<![<>])=", MARKED.sub("", text)):
+        raise ValueError(f"a formula without marks is compared with nothing: {text!r}")
+    require(compared(formula, cayley) for formula in MARKED.findall(text))
+    return text.replace("`", "")
+
+
 @dataclass(frozen=True)
 class Proved:
     """Chart with the proofs of its formulas, made only by :func:`prove`.
@@ -78,7 +97,7 @@ class Proved:
     formulas : Chart
         The proved chart.
     proofs : tuple of Proof
-        A Cayley map has theorems for all n, their instances at its order, and the componentwise road. An algebraic
+        A Cayley map has theorems for all n, their instances at its order, and proofs by components. An algebraic
         chart has proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its
         formulas in α are instances of the theorems on every φ.
     """
@@ -110,11 +129,10 @@ def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
 
 
 def prove(chart: Chart) -> Proved:
-    """Prove a chart; raise `ProofFailed` if any statement fails."""
+    """Prove a chart and the formulas shown with it; raise `ProofFailed` if any statement fails."""
     decided = proofs(chart)
-    failed = tuple(proof for proof in decided if not proof.proved)
-    if failed:
-        raise ProofFailed(failed)
+    require(decided)
+    require(shown_with(chart))
     return Proved(chart, decided, _MADE_HERE)
 
 

@@ -21,7 +21,7 @@ from .identity import Proof
 from .notation import beta, latex, n, prime, r_k, text
 from .page import title
 from .phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
-from .proved import ProofFailed, claims, proofs
+from .proved import claims, proofs, require
 from .statement import Equation
 from .theorem import Theorem, decided
 
@@ -125,9 +125,9 @@ EVERY_PHI: Mapping[str, tuple[Wanted, ...]] = {
 """Fourth page after the exponential, by headings."""
 
 LETTERS = (
-    "v is a Rodrigues dual vector, x its square, q̂ a unit dual quaternion, R an orthogonal dual tensor, α the dual "
-    "angle, u the axis, ρ the translation, ω the space twist; a tilde marks the skew tensor of a vector, a dot the "
-    "derivative by time.",
+    "v = φ(α) u is the vector of a chart, x its square, q̂ a unit dual quaternion, R an orthogonal dual tensor, α the "
+    "dual angle, u the axis, ρ the translation, ω the space twist; a tilde marks the skew tensor of a vector, a dot "
+    "the derivative by time.",
     "a and b are constant dual vectors. J(a) and K(a) are the derivatives by v of the tangent operator and of its "
     "inverse, applied to a; an index B marks the body frame, an index y twice the derivative by x. δ is a small change "
     "of v along the motion. In switching, r u becomes r_k u with β = kπ/n, and a dot is the derivative by r.",
@@ -161,8 +161,7 @@ def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
 
 def proved(proof: Proof) -> Proof:
     """Return the proof; raise `ProofFailed` if it failed."""
-    if not proof.proved:
-        raise ProofFailed((proof,))
+    require((proof,))
     return proof
 
 

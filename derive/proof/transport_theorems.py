@@ -1,4 +1,4 @@
-r"""Theorems for every n on rates at changes of branch and on twists of products, absent from the papers.
+r"""Theorems for every n that the papers lack: rates at a change of branch, twists of products.
 
 A step between branches keeps the twist. With ``v = r u`` and ``v_k = r_k u``, rates transform by ``v_k' = S_k v'``,
 where ``S_k = (r_k/r) (I − u⊗u) + (dr_k/dr) u⊗u``. Momenta transform by the inverse transpose. The twist of a product

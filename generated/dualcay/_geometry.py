@@ -177,7 +177,7 @@ def inverse(m: Any, c: Any, v: Components) -> Result:
 
 def tangent_at(f: Any, g: Any, h: Any, fy: Any, gy: Any, hy: Any, v: Components) -> Result:
     """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88).
-    The slopes fy = 2 df/dx, gy and hy give the dual parts: that of f is fy v·v°.
+    fy = 2 df/dx, gy and hy give the dual parts: that of f is fy v·v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o
@@ -221,7 +221,7 @@ def tangent(m: Any, c: Any, v: Components) -> Result:
 
 def tangent_inverse_at(fi: Any, hi: Any, fiy: Any, hiy: Any, v: Components) -> Result:
     """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
-    The slopes fiy = 2 dfi/dx and hiy give the dual parts: that of fi is fiy v·v°.
+    fiy = 2 dfi/dx and hiy give the dual parts: that of fi is fiy v·v°.
     """
     v1, v2, v3, v1o, v2o, v3o = v
     y = v1 * v1o + v2 * v2o + v3 * v3o

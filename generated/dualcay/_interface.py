@@ -51,7 +51,7 @@ def exports(kernels: Kernels, *further: str) -> dict[str, Any]:
 
 
 class PoseKernels(Kernels):
-    """Maps of one chart v = φ(α) u between Rodrigues dual vectors and poses, their twists, wrenches and screws.
+    """Maps of one chart v = φ(α) u between its vectors and poses, their twists, wrenches and screws.
 
     α is the dual angle (rotation angle + ε translation along the axis). u is the unit dual vector of the screw axis.
     Dual quantities hold the real part first: v and twists (..., 6), dual quaternions (..., 8), dual tensors
@@ -88,7 +88,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
         scalar_first : bool
@@ -121,7 +121,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -149,7 +149,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -189,8 +189,8 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
-            Infinite where the branch is at the edge of the chart, as for n = 1 and branch 0 at the angle π.
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
+            Infinite where the branch is at an edge with a pole, as branch 0 of ``cayley1`` at the angle π.
             On branches k ≠ 0 the axis of a pure translation is its direction, and the identity gives NaN.
 
         Examples
@@ -229,7 +229,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         array, shape (..., 6)
-            Rodrigues dual vectors; directions of axes and translations are uniform on the sphere.
+            Vectors of the chart; directions of axes and translations are uniform on the sphere.
 
         Examples
         --------
@@ -260,7 +260,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         line : array, shape (..., 6)
             Plücker coordinates: direction, then moment about the space origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -285,7 +285,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         line : array, shape (..., 6)
             Plücker coordinates: direction, then moment about the space origin.
         axis : {-1, 0}, component axis of arguments and results
@@ -326,7 +326,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Infinite at the edge of the chart.
 
         Examples
@@ -345,7 +345,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
@@ -393,8 +393,8 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
-            Infinite where the branch is at the edge of the chart, as for n = 1 and branch 0 at the angle π.
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
+            Infinite where the branch is at an edge with a pole, as branch 0 of ``cayley1`` at the angle π.
             On branches k ≠ 0 the axis of a pure translation is its direction, and the identity gives NaN.
 
         Examples
@@ -430,8 +430,8 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
-            Infinite where the branch is at the edge of the chart, as for n = 1 and branch 0 at the angle π.
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
+            Infinite where the branch is at an edge with a pole, as branch 0 of ``cayley1`` at the angle π.
             On branches k ≠ 0 the axis of a pure translation is its direction, and the identity gives NaN.
 
         Examples
@@ -483,14 +483,14 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             On the opposite branch. Defined for every v.
 
         Examples
@@ -507,7 +507,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         r : array, shape (..., 3)
             Point (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
@@ -532,7 +532,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         r : array, shape (..., 3)
             Point (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and results
@@ -565,7 +565,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -593,7 +593,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -617,7 +617,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -641,7 +641,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -665,7 +665,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -695,7 +695,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
@@ -705,7 +705,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             inf or NaN if the branch is at its pole; NaN at the identity unless k is 0.
 
         Examples
@@ -724,7 +724,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
@@ -752,7 +752,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -760,7 +760,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Unchanged where v is principal already.
 
         Examples
@@ -777,7 +777,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -801,7 +801,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -831,7 +831,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Complex v is a TypeError.
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
@@ -868,7 +868,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             Angles beyond the edge of the chart are reduced by the fewest whole turns that lead back into it.
             NaN if no branch reaches α; infinite at an edge where φ is infinite.
 
@@ -888,15 +888,15 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
-            The quaternion product gives the sign at the rotation angle π; v is infinite there for n = 1.
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
+            The quaternion product gives the sign at the rotation angle π; v is infinite there if the chart has a pole at π, as ``cayley1``.
 
         Examples
         --------
@@ -913,15 +913,15 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
-            Infinite at the rotation angle π for n = 1.
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
+            Infinite at the rotation angle π if the chart has a pole there, as ``cayley1``.
 
         Examples
         --------
@@ -939,7 +939,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns
@@ -964,7 +964,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns
@@ -993,7 +993,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
         axis : {-1, 0}, component axis of arguments and result
@@ -1002,7 +1002,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
             At the edge of the chart v is infinite or ends, and continues from the opposite side.
             Beyond the edge it is NaN if φ is not periodic. At whole turns, k ≠ 0, the principal vector is returned.
 
@@ -1023,7 +1023,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1049,7 +1049,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1075,7 +1075,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1102,7 +1102,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
@@ -1131,7 +1131,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         omega_dot : array, shape (..., 6)
@@ -1160,7 +1160,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1186,7 +1186,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the space frame: angular velocity (rad/s), then velocity of the body point at the space origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1214,7 +1214,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
         axis : {-1, 0}, component axis of arguments and result
@@ -1240,7 +1240,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1267,7 +1267,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the space frame: force, then moment about the space origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1295,7 +1295,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
@@ -1305,7 +1305,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
 
         Examples
         --------
@@ -1318,12 +1318,12 @@ class PoseKernels(Kernels):
     def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``; at δ = 0 I and ``tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``. At δ = 0 they are I and ``tangent_inv(v)``.
 
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
@@ -1351,7 +1351,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1377,7 +1377,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1403,7 +1403,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1429,7 +1429,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1456,7 +1456,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         v_ddot : array, shape (..., 6)
@@ -1485,7 +1485,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         omega_dot : array, shape (..., 6)
@@ -1514,7 +1514,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         axis : {-1, 0}, component axis of arguments and result
@@ -1540,7 +1540,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         omega : array, shape (..., 6)
             Twist [ω, v] in the body frame: angular velocity (rad/s), then velocity of the body point at the body origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1568,7 +1568,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         v0 : array, shape (..., 6)
             Vector at the initial time, on the branch that the motion continues to v.
         axis : {-1, 0}, component axis of arguments and result
@@ -1594,7 +1594,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1621,7 +1621,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         z : array, shape (..., 6)
             Wrench [f, m] in the body frame: force, then moment about the body origin.
         axis : {-1, 0}, component axis of arguments and result
@@ -1649,7 +1649,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
@@ -1659,7 +1659,7 @@ class PoseKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
 
         Examples
         --------
@@ -1672,12 +1672,12 @@ class PoseKernels(Kernels):
     def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = body_retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``; at δ = 0 I and ``body_tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``. At δ = 0 they are I and ``body_tangent_inv(v)``.
 
         Parameters
         ----------
         v : array, shape (..., 6)
-            Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the pose).
+            Vector of the chart: real part (dimensionless), then dual part (length unit of the pose).
         delta : array, shape (..., 6)
             Step [rotation (rad), translation part]: a twist times its time.
             Complex numbers are a TypeError.
@@ -1705,7 +1705,7 @@ class PoseKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 6)
-            Rodrigues dual vectors: real part, then dual part. Complex numbers are a TypeError.
+            Vectors of the chart: real part, then dual part. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 

@@ -19,7 +19,7 @@ def convert(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, out: NDAr
     Parameters
     ----------
     v : array, shape (..., 6)
-        Rodrigues dual vector of the source. Complex v is a TypeError.
+        Vector of the source. Complex v is a TypeError.
     source, target : module
         Kernel modules, such as ``cayley3`` and ``exponential``, of the same or different packages. Others: TypeError.
     axis : {-1, 0}
@@ -56,7 +56,7 @@ def convert_jacobian(v: ArrayLike, source: Any, target: Any, *, axis: int = -1, 
     Parameters
     ----------
     v : array, shape (..., 6), or (..., 3) for rotations
-        Rodrigues dual vector of the source: real part, then dual part. Complex v is a TypeError.
+        Vector of the source: real part, then dual part. Complex v is a TypeError.
     source, target : module
         Kernel modules, as in ``convert``: both for poses, or both for rotations.
     axis : {-1, 0}

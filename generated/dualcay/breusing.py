@@ -4,7 +4,7 @@
 #
 # Breusing's chart, v = sin(alpha/4)/sqrt(cos(alpha/4)) u
 # Proved exactly: 14 identities of this chart, listed in docs/theorems.md.
-r"""Breusing's chart: Rodrigues dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
+r"""Breusing's chart: dual vectors ``v = sin(α/4)/sqrt(cos(α/4)) u`` of rigid displacements.
 
 .. math::
 
@@ -64,7 +64,7 @@ def _above_to_hy(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) 
     return above, f, g, h, gy, decline, share, weight, hgrowth, hy
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
@@ -193,7 +193,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
@@ -207,7 +207,7 @@ def _ray(m: Any, x: Any) -> Result:
     return above, b, size, f, g, h
 
 
-# v = gain vec q, for a unit quaternion q
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -216,7 +216,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos0 = e0 / size
@@ -225,7 +225,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -236,7 +236,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
+# sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
@@ -252,7 +252,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     c, size, rootc, _, over = _c_to_over(m, x)
     w = 2 * rootc / size
@@ -288,7 +288,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
+# coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     below = rr + m.sqrt(rr * rr + 4)

@@ -40,7 +40,7 @@ from ._kernel import Result
 ORDER = 1
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55), (95)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     N = 1 + x
@@ -121,34 +121,33 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return 1, 1, 0, 0, 0, 0
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
-# a = p, b = q
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
+# a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
     N = 1 + x
     r = 2 * (N / N / N)
     return 1, 1, 1, r, r, 0
 
 
-# v = gain vec q, for a unit quaternion q
-# gain = tan(alpha/2n)/sin(alpha/2)
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     gain = 1 / e0
     return gain,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     one = x - x + 1
     angle = 2 * m.atan2(r * one, 1)

@@ -71,7 +71,7 @@ def _iq_to_hiy(m: Any, x: Any, dd: Any) -> Result:
     return iq, fi, diq, hi, c, fiy, dq, hiy
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 # s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2); CP23 (50), (55)
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
@@ -199,8 +199,8 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
-# a = p, b = q
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
+# a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
     p, q, _, f, g, h = _p_to_h(m, x)
     ph = (x - 6) * x + 1
@@ -209,8 +209,7 @@ def _ray(m: Any, x: Any) -> Result:
     return p, q, root, f, g, h
 
 
-# v = gain vec q, for a unit quaternion q
-# gain = tan(alpha/2n)/sin(alpha/2)
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -220,7 +219,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos1 = e0 / size
@@ -230,7 +229,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -242,7 +241,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
+# sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     rq = r * m.abs(q)
@@ -256,7 +255,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     q = ((56 - 8 * x) * x - 56) * x + 8
     rq = r * m.abs(q)
@@ -291,7 +290,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
+# coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     iden = 1 / (cos - r * sin)
     slope = iden * iden

@@ -4,7 +4,7 @@
 #
 # Exponential map, v = alpha u
 # Proved exactly: 14 identities of this chart, listed in docs/theorems.md.
-r"""Exponential map: Rodrigues dual vectors ``v = α u`` of rigid displacements.
+r"""Exponential map: Euler dual vectors ``v = α u`` of rigid displacements.
 
 .. math::
 
@@ -104,7 +104,7 @@ def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v1
     return f, g, C01, C2, h
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
     t = m.tan(alpha / 4)
@@ -256,7 +256,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
     t = m.tan(alpha / 4)
@@ -269,7 +269,7 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, 1, f, g, h
 
 
-# v = gain vec q, for a unit quaternion q
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -281,7 +281,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -291,7 +291,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -303,7 +303,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
+# sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, near, C0, C1)
@@ -314,7 +314,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, near, C0, C1)
@@ -336,7 +336,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return alpha,
 
 
-# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
+# coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     alphak = r + sin
     return alphak, 1, 0

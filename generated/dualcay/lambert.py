@@ -4,7 +4,7 @@
 #
 # Lambert's equal-area projection, v = sin(alpha/4) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Lambert's equal-area projection: Rodrigues dual vectors ``v = sin(α/4) u`` of rigid displacements.
+r"""Lambert's equal-area projection: dual vectors ``v = sin(α/4) u`` of rigid displacements.
 
 .. math::
 
@@ -47,7 +47,7 @@ def _s_to_ww(m: Any, x: Any) -> Result:
     return s, cc, c, w, h, ww
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     s, _, c, w, h, ww = _s_to_ww(m, x)
     rho = 4 / c
@@ -186,7 +186,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     s, _, _, w, h, ww = _s_to_ww(m, x)
     f = 2 * (s * w)
@@ -195,7 +195,7 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, one, f, g, h
 
 
-# v = gain vec q, for a unit quaternion q
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -204,7 +204,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     cos0 = e0 / size
@@ -213,7 +213,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -224,7 +224,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
+# sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -237,7 +237,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -271,7 +271,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
+# coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     c = m.sqrt(m.where(rr < 1, 1 - rr, rr))

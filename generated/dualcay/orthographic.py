@@ -4,7 +4,7 @@
 #
 # Orthographic projection, v = sin(alpha/2) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Orthographic projection: Rodrigues dual vectors ``v = sin(α/2) u`` of rigid displacements.
+r"""Orthographic projection: dual vectors ``v = sin(α/2) u`` of rigid displacements.
 
 .. math::
 
@@ -36,7 +36,7 @@ from ._kernel import Result
 ORDER = 1
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -148,7 +148,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return c, 0, fiy, 0, fiyy, 0
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)
@@ -158,21 +158,21 @@ def _ray(m: Any, x: Any) -> Result:
     return c, 1, one, f, 2, h
 
 
-# v = gain vec q, for a unit quaternion q
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     gain = m.where(negative, -1, 1)
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     size = m.sqrt(e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3))
     gain = 1 / size
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     size = size2 * size1
     negative = e0 < 0
@@ -180,7 +180,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     cc = 1 - x
     c = m.sqrt(cc)

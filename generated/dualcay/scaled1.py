@@ -4,7 +4,7 @@
 #
 # Normal Rodrigues vector of order 1, v = 2 tan(alpha/2) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Normal Rodrigues vector of order 1: Rodrigues dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
+r"""Normal Rodrigues vector of order 1: dual vectors ``v = 2 tan(α/2) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Normal Rodrigues vector of order 2, v = 4 tan(alpha/4) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Normal Rodrigues vector of order 2: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
+r"""Normal Rodrigues vector of order 2: dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
 .. math::
 

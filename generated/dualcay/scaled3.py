@@ -4,7 +4,7 @@
 #
 # Normal Rodrigues vector of order 3, v = 6 tan(alpha/6) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Normal Rodrigues vector of order 3: Rodrigues dual vectors ``v = 6 tan(α/6) u`` of rigid displacements.
+r"""Normal Rodrigues vector of order 3: dual vectors ``v = 6 tan(α/6) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Normal Rodrigues vector of order 4, v = 8 tan(alpha/8) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Normal Rodrigues vector of order 4: Rodrigues dual vectors ``v = 8 tan(α/8) u`` of rigid displacements.
+r"""Normal Rodrigues vector of order 4: dual vectors ``v = 8 tan(α/8) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Normal Rodrigues vector of order 5, v = 10 tan(alpha/10) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Normal Rodrigues vector of order 5: Rodrigues dual vectors ``v = 10 tan(α/10) u`` of rigid displacements.
+r"""Normal Rodrigues vector of order 5: dual vectors ``v = 10 tan(α/10) u`` of rigid displacements.
 
 .. math::
 

@@ -4,7 +4,7 @@
 #
 # Sine chart of order 3, v = sin(alpha/6) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Sine chart of order 3: Rodrigues dual vectors ``v = sin(α/6) u`` of rigid displacements.
+r"""Sine chart of order 3: dual vectors ``v = sin(α/6) u`` of rigid displacements.
 
 .. math::
 
@@ -48,7 +48,7 @@ def _cc_to_ww(m: Any, x: Any) -> Result:
     return cc, c, s, w, h, ww
 
 
-# unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
+# unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
     _, c, s, w, h, ww = _cc_to_ww(m, x)
     rho = 6 / c
@@ -193,7 +193,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     return fi, hi, fiy, hiy, fiyy, hiyy
 
 
-# a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T
+# a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
     _, _, s, w, h, ww = _cc_to_ww(m, x)
     f = 2 * (s * w)
@@ -201,7 +201,7 @@ def _ray(m: Any, x: Any) -> Result:
     return s, w, 1, f, g, h
 
 
-# v = gain vec q, for a unit quaternion q
+# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
 def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -215,7 +215,7 @@ def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a quaternion of any size with e0 >= 0
+# v = gain vec q for a quaternion q of any size with e0 >= 0
 def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
@@ -227,7 +227,7 @@ def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
     return gain,
 
 
-# v = gain vec q, for a product q of quaternions of size2 and size1
+# v = gain vec q for a product q of quaternions of size2 and size1
 def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
@@ -241,7 +241,7 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
     return gain,
 
 
-# sign of the principal axis u = sign v/r, r = |v|; y = v . v°
+# sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
@@ -255,7 +255,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     return sign,
 
 
-# principal angle, d alpha/d r and sign of the axis, r = |v|
+# principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
@@ -291,7 +291,7 @@ def _reached(m: Any, alpha: Any) -> Result:
     return within,
 
 
-# coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²
+# coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
     c = m.sqrt(m.where(rr < 1, 1 - rr, rr))

@@ -4,7 +4,7 @@
 #
 # Wiener-Milenkovic vector, v = 4 tan(alpha/4) u
 # Proved exactly: 5 identities of this chart, listed in docs/theorems.md.
-r"""Wiener-Milenkovic vector: Rodrigues dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
+r"""Wiener-Milenkovic vector: dual vectors ``v = 4 tan(α/4) u`` of rigid displacements.
 
 .. math::
 

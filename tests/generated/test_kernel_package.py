@@ -47,6 +47,13 @@ def test_missing_module_is_refused_with_its_command(name: str, option: str) -> N
         exec(f"from dualcay import {name}")
 
 
+@pytest.mark.parametrize("name", MODULES)
+def test_rodrigues_vector_is_the_vector_of_a_cayley_module_alone(name: str) -> None:
+    for folder, noun in (("dualcay", "Rodrigues dual vectors"), ("dualcay.rotation", "Rodrigues vectors")):
+        doc = str(importlib.import_module(f"{folder}.{name}").__doc__)
+        assert (f"{noun} ``v = " in doc) == name.startswith("cayley")
+
+
 def test_unknown_name_is_refused_with_the_known_modules() -> None:
     for name in ("nonsense", "cayley06", "cayley0", "cayley", "sine", "sine0"):
         with pytest.raises(AttributeError, match=f"has no attribute '{name}'; kernel modules: breusing, cayley1, "):

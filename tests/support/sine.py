@@ -14,6 +14,7 @@ import sympy
 from derive.algebra import Coefficient, Quaternion
 from derive.algebra.arithmetic import Arithmetic
 from derive.maps import IsotropicMap, QuaternionMap, order_charts, x
+from derive.maps.chart import DEFINITIONS
 from derive.maps.families import alpha
 
 HALF = sympy.Rational(1, 2)
@@ -163,8 +164,9 @@ class Sine:
         return "v is no sine", 1.0
 
     def _formula(self, kind: Any, name: str, *coefficients: sympy.Expr) -> Any:
-        texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": name}
-        rest = {"equations": (), "identities": (), "definition": r"\text{of } \sin\tfrac\alpha6"}
+        symbol, _, definition = DEFINITIONS[name].partition(" = ")
+        texts = {"domain": "every v with |Re v| < 1", "singular": "v ends at Re alpha = 3*pi", "symbol": symbol}
+        rest = {"equations": (), "identities": (), "definition": definition}
         return kind(name=name, order=1, coefficients=coefficients, **texts, **rest)
 
     @cached_property

@@ -22,7 +22,7 @@ def assembled(trace: Geometry, a: Number, s: Vector, diagonal: Vector, off: tupl
 def tangent_at(trace: Geometry) -> Results:
     """Tangent operator T = f I + g skew(v) + h v⊗v, CP23 (88).
 
-    The slopes fy = 2 df/dx, gy and hy give the dual parts: that of f is fy v·v°.
+    fy = 2 df/dx, gy and hy give the dual parts: that of f is fy v·v°.
     """
     f, g, h, fy, gy, hy = trace.numbers("f", "g", "h", "fy", "gy", "hy")
     point = trace.point()
@@ -35,7 +35,7 @@ def tangent_at(trace: Geometry) -> Results:
 def tangent_inverse_at(trace: Geometry) -> Results:
     """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89).
 
-    The slopes fiy = 2 dfi/dx and hiy give the dual parts: that of fi is fiy v·v°.
+    fiy = 2 dfi/dx and hiy give the dual parts: that of fi is fiy v·v°.
     """
     fi, hi, fiy, hiy = trace.numbers("fi", "hi", "fiy", "hiy")
     point = trace.point()

@@ -20,41 +20,45 @@ from ..programs.value import Number
 
 FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "quaternion_scalars": (
-        "unit quaternion s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx",
-        "s = p/(1 + x)^(n/2), w = q/(1 + x)^(n/2)",
+        "unit quaternion `q = s + w v`; slopes `sy = 2 ds/dx`, `wy = 2 dw/dx`",
+        "`s = p/(1 + x)^(n/2)`, `w = q/(1 + x)^(n/2)`",
         ("quaternion",),
     ),
     "pose_scalars": (
-        "R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v",
-        "f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q",
+        "`R = I + f skew(v) + g skew(v)^2`, `T = f I + g skew(v) + h v(x)v`",
+        "`f = 2 p q/(1 + x)^n`, `g = 2 q^2/(1 + x)^n`, `h = 2 c/(1 + x)^n`, `x c = n (1 + x)^(n - 1) - p q`",
         ("tensor", "tangent"),
     ),
-    "tangent_scalars": ("f, g, h of T with slopes fy = 2 df/dx, gy, hy", "", ("tangent",)),
+    "tangent_scalars": ("f, g, h of T with slopes `fy = 2 df/dx`, gy, hy", "", ("tangent",)),
     "tangent_dot_scalars": (
-        "f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy", "", (),
+        "f, g, h of T, slopes `fy = 2 df/dx`, gy, hy, second slopes `fyy = 2 dfy/dx`, gyy, hyy", "", (),
     ),
-    "rate_scalars": ("T v = rate v: rate = 1/phi' = f + x h", "rate = 2n/(1 + x)", ()),
+    "rate_scalars": ("`T v = rate v`: `rate = 1/phi' = f + x h`", "`rate = 2n/(1 + x)`", ()),
     "inverse_scalars": (
-        "T^-1 = (fi I - skew(v) + hi v(x)v)/2", "fi = p/q, hi = d/(n q), x d = (1 + x) q - n p", ("tangent_inv",)
+        "`T^-1 = (fi I - skew(v) + hi v(x)v)/2`", "`fi = p/q`, `hi = d/(n q)`, `x d = (1 + x) q - n p`",
+        ("tangent_inv",),
     ),
     "inverse_at": ("hi of T^-1 at a known angle", "", ()),
-    "tangent_inv_at": ("fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy", "", ()),
-    "tangent_inv_scalars": ("fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy", "", ("tangent_inv",)),
+    "tangent_inv_at": ("fi, hi of T^-1 at a known angle, with slopes `fiy = 2 dfi/dx`, hiy", "", ()),
+    "tangent_inv_scalars": ("fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", "", ("tangent_inv",)),
     "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
-    "ray": ("a + b v = size times the unit quaternion, size > 0, and f, g, h of R and T", "a = p, b = q", ()),
-    "gain_unit": ("v = gain vec q, for a unit quaternion q", "gain = tan(alpha/2n)/sin(alpha/2)", ()),
-    "gain_positive": ("v = gain vec q, for a quaternion of any size with e0 >= 0", "", ()),
-    "gain_product": ("v = gain vec q, for a product q of quaternions of size2 and size1", "", ()),
-    "direction": ("sign of the principal axis u = sign v/r, r = |v|; y = v . v°", "", ()),
-    "natural": ("principal angle, d alpha/d r and sign of the axis, r = |v|", "", ()),
-    "unfolded": ("angle of v = r u on its own branch", "", ()),
+    "ray": ("`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", "`a/b = p/q`", ()),
+    "gain_unit": ("`v = gain vec q` for a unit quaternion q, `gain = phi/sin(alpha/2)`", "", ()),
+    "gain_positive": ("`v = gain vec q` for a quaternion q of any size with e0 >= 0", "", ()),
+    "gain_product": ("`v = gain vec q` for a product q of quaternions of size2 and size1", "", ()),
+    "direction": ("sign of the principal axis along v, from the length r of v and y, the product of v and v°", "", ()),
+    "natural": ("principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v", "", ()),
+    "unfolded": ("angle of `v = r u` on its own branch", "", ()),
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
-    "turned": ("coefficient rk of the vector v_k = rk u from r, drk/dr and d²rk/dr²", "", ()),
+    "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
     "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
-    "coefficient": ("r = phi(alpha) and phi'", "", ()),
-    "coefficient_of": ("r = phi(alpha) and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
+    "coefficient": ("`r = phi(alpha)` and phi'", "", ()),
+    "coefficient_of": ("`r = phi(alpha)` and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
-"""Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited."""
+"""Formulas by scalar program: for every chart, for order n, and the maps whose equations are cited.
+
+Each formula stands between marks, and `proof.shown` compares it before it is printed.
+"""
 
 TABLE = ("limit", "cos", "sin")
 """Names of the numbers in one row of the table of returns."""

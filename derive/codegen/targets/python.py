@@ -13,6 +13,7 @@ from ... import about
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
+from ...proof import shown
 from ..lowered import printed_geometry, shared_with_poses
 from ..lowering.scalar_programs import FORMULAS
 from ..package import Data, Facts, cited, comment
@@ -185,7 +186,7 @@ class PythonTarget:
 
 def described(facts: Facts, table: Table) -> Data:
     """Return the constants of a chart that its modules for poses and for rotations state."""
-    names = ("title", "parameter", "branches", "order")
+    names = ("title", "vector", "parameter", "branches", "order")
     found = {name: getattr(facts.chart, name) for name in names}
     return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 
@@ -217,6 +218,6 @@ def _printed(program: Program, formula: str) -> PythonFunction:
 def formula_of(scalar: str, chart: Chart) -> str:
     """Return the formula of a scalar program as a comment: for every chart, for order n, and equation numbers."""
     general, of_order, maps = FORMULAS[scalar]
-    texts = [general, of_order] if of_order and chart.cayley else [general]
+    texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
     return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")

@@ -23,7 +23,7 @@ SPACE, BODY, SPACE_INV, BODY_INV = ("1",), ("-1",), ("1", "0.5"), ("-1", "-0.5")
 
 
 class RotationKernels(Kernels):
-    """Maps of one chart v = φ(α) u between Rodrigues vectors and rotations, their angular velocities and axes.
+    """Maps of one chart v = φ(α) u between its vectors and rotations, their angular velocities and axes.
 
     α is the rotation angle and u the unit vector of the axis. Vectors are (..., 3), quaternions (..., 4), rotation
     matrices and operators (..., 3, 3). All are real parts of results of `PoseKernels`, under the same names. Rotation
@@ -60,7 +60,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
         scalar_first : bool
@@ -91,7 +91,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -126,7 +126,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Infinite at the edge of the chart.
 
         Examples
@@ -145,7 +145,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
@@ -187,7 +187,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         array, shape (..., 3)
-            Rodrigues vectors; directions of axes are uniform on the sphere.
+            Vectors of the chart; directions of axes are uniform on the sphere.
 
         Examples
         --------
@@ -229,8 +229,8 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
-            Infinite where the branch is at the edge of the chart, as for n = 1 and branch 0 at the angle π.
+            Vector φ(α) u of the chart (dimensionless).
+            Infinite where the branch is at an edge with a pole, as branch 0 of ``cayley1`` at the angle π.
             On branches k ≠ 0 the identity gives NaN, because it has no axis.
 
         Examples
@@ -266,8 +266,8 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
-            Infinite where the branch is at the edge of the chart, as for n = 1 and branch 0 at the angle π.
+            Vector φ(α) u of the chart (dimensionless).
+            Infinite where the branch is at an edge with a pole, as branch 0 of ``cayley1`` at the angle π.
             On branches k ≠ 0 the identity gives NaN, because it has no axis.
 
         Examples
@@ -319,14 +319,14 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             On the opposite branch. Defined for every v.
 
         Examples
@@ -343,7 +343,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         r : array, shape (..., 3)
             Point.
         axis : {-1, 0}, component axis of arguments and result
@@ -368,7 +368,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         r : array, shape (..., 3)
             Point.
         axis : {-1, 0}, component axis of arguments and results
@@ -401,7 +401,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -429,7 +429,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -453,7 +453,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -477,7 +477,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -501,7 +501,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -531,7 +531,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
@@ -541,7 +541,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             inf or NaN if the branch is at its pole; NaN at the identity unless k is 0.
 
         Examples
@@ -560,7 +560,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         branch : int
             k, modulo the number of branches; anything else is a TypeError.
@@ -588,7 +588,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -596,7 +596,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Unchanged where v is principal already.
 
         Examples
@@ -613,7 +613,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -637,7 +637,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
@@ -667,7 +667,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Complex v is a TypeError.
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
@@ -704,7 +704,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             Angles beyond the edge of the chart are reduced by the fewest whole turns that lead back into it.
             NaN if no branch reaches α; infinite at an edge where φ is infinite.
 
@@ -724,15 +724,15 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
-            The quaternion product gives the sign at the rotation angle π; v is infinite there for n = 1.
+            Vector φ(α) u of the chart (dimensionless).
+            The quaternion product gives the sign at the rotation angle π; v is infinite there if the chart has a pole at π, as ``cayley1``.
 
         Examples
         --------
@@ -749,15 +749,15 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
-            Infinite at the rotation angle π for n = 1.
+            Vector φ(α) u of the chart (dimensionless).
+            Infinite at the rotation angle π if the chart has a pole there, as ``cayley1``.
 
         Examples
         --------
@@ -775,7 +775,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns
@@ -800,7 +800,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns
@@ -829,7 +829,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         t : array, shape (...)
             Fraction of the motion, any number; broadcasts with the batch.
         axis : {-1, 0}, component axis of arguments and result
@@ -838,7 +838,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
             At the edge of the chart v is infinite or ends, and continues from the opposite side.
             Beyond the edge it is NaN if φ is not periodic. At whole turns, k ≠ 0, the principal vector is returned.
 
@@ -859,7 +859,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -885,7 +885,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -911,7 +911,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -938,7 +938,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
@@ -967,7 +967,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
         omega_dot : array, shape (..., 3)
@@ -996,7 +996,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1022,7 +1022,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the space frame (rad/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1050,7 +1050,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
         axis : {-1, 0}, component axis of arguments and result
@@ -1076,7 +1076,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
         axis : {-1, 0}, component axis of arguments and result
@@ -1103,7 +1103,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the space frame.
         axis : {-1, 0}, component axis of arguments and result
@@ -1131,7 +1131,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
@@ -1141,7 +1141,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
 
         Examples
         --------
@@ -1154,12 +1154,12 @@ class RotationKernels(Kernels):
     def retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``; at δ = 0 I and ``tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ exp(δ) T(v)`` and ``∂w/∂δ = T(w)⁻¹ dexp(δ)``. At δ = 0 they are I and ``tangent_inv(v)``.
 
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
@@ -1187,7 +1187,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 
@@ -1213,7 +1213,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1239,7 +1239,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1265,7 +1265,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1292,7 +1292,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         v_ddot : array, shape (..., 3)
@@ -1321,7 +1321,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
         omega_dot : array, shape (..., 3)
@@ -1350,7 +1350,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1376,7 +1376,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         omega : array, shape (..., 3)
             Twist, for rotations the angular velocity in the body frame (rad/s).
         axis : {-1, 0}, component axis of arguments and result
@@ -1404,7 +1404,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         v0 : array, shape (..., 3)
             Vector at the initial time, on the branch that the motion continues to v.
         axis : {-1, 0}, component axis of arguments and result
@@ -1430,7 +1430,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
         axis : {-1, 0}, component axis of arguments and result
@@ -1457,7 +1457,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         z : array, shape (..., 3)
             Wrench, for rotations the moment in the body frame.
         axis : {-1, 0}, component axis of arguments and result
@@ -1485,7 +1485,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
@@ -1495,7 +1495,7 @@ class RotationKernels(Kernels):
         Returns
         -------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
 
         Examples
         --------
@@ -1508,12 +1508,12 @@ class RotationKernels(Kernels):
     def body_retract_jacobians(self, v: ArrayLike, delta: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
         r"""Return the derivatives of ``w = body_retract(v, delta)`` by v and by δ, on the branch of w.
 
-        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``; at δ = 0 I and ``body_tangent_inv(v)``.
+        ``∂w/∂v = T(w)⁻¹ T(v)`` and ``∂w/∂δ = T(w)⁻¹ R(v) dexp(δ)``. At δ = 0 they are I and ``body_tangent_inv(v)``.
 
         Parameters
         ----------
         v : array, shape (..., 3)
-            Rodrigues vector φ(α) u (dimensionless).
+            Vector φ(α) u of the chart (dimensionless).
         delta : array, shape (..., 3)
             Rotation vector of the step (rad): an angular velocity times its time.
             Complex numbers are a TypeError.
@@ -1541,7 +1541,7 @@ class RotationKernels(Kernels):
         Parameters
         ----------
         v2, v1 : array, shape (..., 3)
-            Rodrigues vectors φ(α) u (dimensionless). Complex numbers are a TypeError.
+            Vectors φ(α) u of the chart (dimensionless). Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
 

@@ -45,7 +45,7 @@ def test_names_of_shared_files_are_reserved(target: str) -> None:
 
 
 def test_names_of_included_headers_are_reserved() -> None:
-    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "templates").rglob("*.h.j2")]
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "templates").rglob("*.h*")]
     included = {name for text in texts for name in re.findall(r"#include <(\w+)\.h>", text)}
     assert {"math", "Python"} <= included
     assert {name.lower() for name in included} <= catalogue.C_HEADERS

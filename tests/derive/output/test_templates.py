@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from derive.output import render, templates
+from derive.output import generated, render, templates
 
 pytestmark = pytest.mark.smoke
 
@@ -59,3 +59,18 @@ def test_computed_template_name_is_refused(write):
     write("a", "{% include name %}")
     with pytest.raises(TypeError, match="a refers to a template by a computed name"):
         render("a", name="b")
+
+
+def test_file_without_holes_is_copied_beneath_the_header(write):
+    write("plain", "x = 1\n")
+    write("filled.j2", "{{ header }}\nx = {{ n }}\n")
+    assert generated("plain", "# made") == "# made\nx = 1\n"
+    assert generated("filled", "# made", n=2) == "# made\nx = 2\n"
+    with pytest.raises(TypeError, match=r"templates/plain has no holes, got data for n$"):
+        generated("plain", "# made", n=2)
+
+
+def test_templates_have_holes():
+    for path in templates.folder().rglob("*.j2"):
+        text = path.read_text(encoding="utf-8").removeprefix("{{ header }}")
+        assert "{{" in text or "{%" in text, f"{path} has no holes: remove its ending .j2"

@@ -1,4 +1,3 @@
-{{ header }}
 """Recorder that runs the Python code of a kernel once, on recording numbers, to get a program of in-place NumPy calls.
 
 Every entry of a tape is one operation. Equal operations are entered once, so common subexpressions of nested programs

@@ -1,4 +1,3 @@
-{{ header }}
 """Branches along a motion: an event that asks for a switch, and branches that make a sequence continuous."""
 
 from __future__ import annotations
@@ -97,7 +96,7 @@ def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[
     module : module
         Kernel module, of poses or of rotations alone.
     v : array, shape (T, ..., 6)
-        Rodrigues dual vectors along the first axis; (T, ..., 3) for rotations. They may be on any branch.
+        Vectors of the chart along the first axis; (T, ..., 3) for rotations. They may be on any branch.
     branch : bool
         True returns the branches too.
 

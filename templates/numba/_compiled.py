@@ -1,4 +1,3 @@
-{{ header }}
 """Compiled loops around cores on scalars.
 
 A core takes tuples of components and returns a tuple. It calls scalar programs such as ``c_pose_scalars``. A kernel is

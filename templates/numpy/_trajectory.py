@@ -1,4 +1,3 @@
-{{ header }}
 """Trajectory of a motion from its steps: poses, branches, derivatives and covariances at any time."""
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ OFFSETS = np.arange(-2, 3)
 TO_COEFFICIENTS = np.linalg.inv(np.vander(OFFSETS, increasing=True))
 
 INCREMENT = 2e-3
-"""Increment in steps. The error of the derivative is about 3e-12 and 1e-13 of the twist per step, by order and rounding."""
+"""Increment in steps. The derivative is off by about 3e-12 and 1e-13 of the twist per step, by order and rounding."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +58,8 @@ class Trajectory:
     @cached_property
     def _tables(self) -> tuple[Array, Array]:
         """Centres and starting poses of the steps, (S, 8) each."""
-        return np.array([step.centre for step in self.steps], float), np.array([step.start for step in self.steps], float)
+        centres, starts = ([getattr(step, name) for step in self.steps] for name in ("centre", "start"))
+        return np.array(centres, float), np.array(starts, float)
 
     def _places(self, t: Array) -> Array:
         """Return the index of the step that holds each time."""

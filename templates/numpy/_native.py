@@ -1,4 +1,3 @@
-{{ header }}
 """Compiled NumPy functions of the distribution ``dualcay-native``, for modules with the same programs.
 
 ``DUALCAY_NATIVE=0`` in the environment switches them off. An installation that cannot be loaded, or that holds other

@@ -1,4 +1,3 @@
-{{ header }}
 //
 // Shared code of the differential tests of kernels. The error of a part of a result (real part, dual part) is the norm
 // of its difference from the exact part, in units of the machine epsilon and of a scale. The scale is the larger of the

@@ -1,4 +1,3 @@
-{{ header }}
 """Exchange with other libraries: SciPy, ROS, the order of a twist, and the Cayley vector of 4x4 matrices.
 
 Names say the target (``to_``) or the source (``from_``). Functions of a chart take its kernel module first.
@@ -41,7 +40,7 @@ def to_rotation(module: Any, v: ArrayLike) -> Any:
     module : module
         Kernel module, of poses or of rotations alone.
     v : array, shape (..., 6), or (..., 3) for rotations alone
-        Rodrigues dual vector, real part first. SciPy before 1.17 takes at most one leading axis.
+        Vector of the chart, real part first. SciPy before 1.17 takes at most one leading axis.
 
     Returns
     -------
@@ -78,7 +77,7 @@ def from_rotation(module: Any, rotation: Any, branch: int = 0) -> Array:
     Returns
     -------
     array, shape (..., 6), or (..., 3) for rotations alone
-        Rodrigues dual vector without translation, or Rodrigues vector.
+        Vector of the chart, for poses without translation.
 
     Examples
     --------
@@ -102,7 +101,7 @@ def to_rigid_transform(module: Any, v: ArrayLike) -> Any:
     module : module
         Kernel module of poses; a module of rotations is a TypeError.
     v : array, shape (..., 6)
-        Rodrigues dual vector, real part first. SciPy before 1.17 takes at most one leading axis.
+        Vector of the chart, real part first. SciPy before 1.17 takes at most one leading axis.
 
     Returns
     -------
@@ -142,7 +141,7 @@ def from_rigid_transform(module: Any, transform: Any, branch: int = 0) -> Array:
     Returns
     -------
     array, shape (..., 6)
-        Rodrigues dual vector: real part (dimensionless), then dual part (length unit of the transform).
+        Vector of the chart: real part (dimensionless), then dual part (length unit of the transform).
 
     Examples
     --------
@@ -166,7 +165,7 @@ def to_ros(module: Any, v: ArrayLike) -> tuple[Array, Array]:
     module : module
         Kernel module of poses; a module of rotations is a TypeError.
     v : array, shape (..., 6)
-        Rodrigues dual vector, real part first.
+        Vector of the chart, real part first.
 
     Returns
     -------
@@ -206,7 +205,7 @@ def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, c
     Returns
     -------
     array, shape (..., 6)
-        Rodrigues dual vector. Errors are first order in a violation of the norm.
+        Vector of the chart. Errors are first order in a violation of the norm.
 
     Examples
     --------
@@ -234,7 +233,7 @@ def to_ros_message(module: Any, v: ArrayLike, kind: str = "Pose") -> dict[str, d
     module : module
         Kernel module of poses; a module of rotations is a TypeError.
     v : array, shape (6,)
-        Rodrigues dual vector of one pose.
+        Vector of one pose.
     kind : {"Pose", "Transform"}
         Message: ``position`` and ``orientation``, or ``translation`` and ``rotation``.
 
@@ -273,7 +272,7 @@ def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool 
     Returns
     -------
     array, shape (6,)
-        Rodrigues dual vector.
+        Vector of the chart.
 
     Examples
     --------

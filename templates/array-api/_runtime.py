@@ -1,4 +1,3 @@
-{{ header }}
 """Shared path of all kernel functions on arrays of any library: split into components, run the core, stack the result.
 
 A core is straight-line code on the components of its arguments; ``m`` holds the functions it needs beyond + - * /.

@@ -1,3 +1,5 @@
+"""Command line entry point that lists the contents of the package."""
+
 from __future__ import annotations
 
 from collections import Counter

@@ -1,4 +1,3 @@
-{{ header }}
 """Vectors and matrices as other libraries have them: the order of a twist, and the Cayley vector of 4x4 matrices."""
 
 from __future__ import annotations
@@ -115,12 +114,12 @@ def to_cayley_4x4(v: ArrayLike, scale: float = 1.0) -> Array:
     .. math:: T = [(I - A)^{-1} (I + A)]^n, \quad A = \frac{1}{K} \begin{pmatrix} \tilde v & t \\ 0 & 0 \end{pmatrix},
         \quad t = v^\circ - \frac{v \cdot v^\circ}{K^2 + v \cdot v} v
 
-    is the pose of the Rodrigues dual vector v + ε v° of the chart K tan(α/2n) u.
+    is the pose of the vector v + ε v° of the chart K tan(α/2n) u.
 
     Parameters
     ----------
     v : array, shape (..., 6)
-        Rodrigues dual vector: real part v, then dual part v°. Any branch.
+        Vector of the chart: real part v, then dual part v°. Any branch.
     scale : float
         K of the chart: 1 for ``cayleyN``, 2n for ``scaledN``. The map with A/2, common for n = 1, has K = 2.
 
@@ -141,7 +140,7 @@ def to_cayley_4x4(v: ArrayLike, scale: float = 1.0) -> Array:
 
 
 def from_cayley_4x4(vector: ArrayLike, scale: float = 1.0) -> Array:
-    r"""Return the Rodrigues dual vector with the pose of a Cayley map of 4x4 matrices: the inverse of `to_cayley_4x4`.
+    r"""Return the vector of the chart with the pose of a Cayley map of 4x4 matrices: the inverse of `to_cayley_4x4`.
 
     .. math:: v^\circ = t + \frac{v \cdot t}{K^2} v
 
@@ -155,7 +154,7 @@ def from_cayley_4x4(vector: ArrayLike, scale: float = 1.0) -> Array:
     Returns
     -------
     array, shape (..., 6)
-        Rodrigues dual vector v, v°. Defined for every vector.
+        Vector v, v° of the chart. Defined for every vector.
 
     Examples
     --------

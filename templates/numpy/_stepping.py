@@ -1,4 +1,3 @@
-{{ header }}
 """Steps of a motion: a local vector integrated by a Runge–Kutta method of SciPy, and the pose where it is zero."""
 
 from __future__ import annotations

@@ -1,4 +1,3 @@
-{{ header }}
 """Multiple v = K w of a chart: its scalar programs are the base chart's at w = v/K, scaled by powers of K."""
 
 from __future__ import annotations
@@ -49,7 +48,8 @@ def multiple(
     ``constant`` names the scalar programs of the base chart that return integers.
     """
     scale = Fraction(numerator, denominator)
-    functions = {name: _scaled(program, *POWERS[name], scale, name in constant) for name, program in base.functions.items()}
+    programs_of_base = base.functions.items()
+    functions = {name: _scaled(program, *POWERS[name], scale, name in constant) for name, program in programs_of_base}
     branches = base.branches, base.singular_angles, base.turns, base.returns
     return Chart(module, *branches, functions, base.kernels, programs)
 

@@ -1,4 +1,3 @@
-{{ header }}
 """Recorded programs: lists of NumPy calls on rows, in an order that frees rows early.
 
 Each call writes its result into a row. Truth values are masks. For float32 and float64 a mask has all bits set or none,

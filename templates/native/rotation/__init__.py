@@ -1,2 +1,1 @@
-{{ header }}
 """NumPy functions in C for the kernels of rotations alone, with one module for each parameterization."""

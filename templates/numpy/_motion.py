@@ -1,4 +1,3 @@
-{{ header }}
 """Motion of a pose under a given twist: the Poisson–Darboux problem, solved for v at given times."""
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ class Motion:
     t : array, shape (T,)
         Times (s).
     v : array, shape (T, 6)
-        Rodrigues dual vectors: real part, then dual part.
+        Vectors of the chart: real part, then dual part.
     pose : array, shape (T, 4, 4)
         Homogeneous matrices.
     branch : array of int, shape (T,)
@@ -105,7 +104,7 @@ def propagate(
     module : module
         Kernel module of poses, such as ``cayley2``.
     v0 : array, shape (6,)
-        Rodrigues dual vector at the first time.
+        Vector of the chart at the first time.
     twist : callable, or array of shape (T, 6)
         Twist [ω, v] (rad/s, length/s): a function of time (s), or samples at the times t, joined by a cubic spline.
     t : array, shape (T,)

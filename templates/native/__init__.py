@@ -1,4 +1,3 @@
-{{ header }}
 """NumPy functions in C for the kernels of dualcay, which its modules run if this package is installed.
 
 A module for each parameterization holds a generalized ufunc for each program. Ufuncs take arrays with components last;

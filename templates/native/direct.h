@@ -1,4 +1,3 @@
-{{ header }}
 //
 // Direct calls of a loop for common arrays, at a fraction of the cost of NumPy's own dispatch.
 #ifndef DUALCAY_DIRECT_H

@@ -1,4 +1,3 @@
-{{ header }}
 """Kernels and their execution on batches: recorded programs run block by block in reused scratch memory.
 
 The batch is cut into blocks whose values fit into the cache. Components with gaps in memory, as in (N, 6), are copied
