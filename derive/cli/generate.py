@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
 from ..codegen import Package, catalogue, publish
-from ..maps.chart import Chart
 from ..maps.named import described
 from ..output.tables import Grid, columns, figures
 from ..workers import cores
@@ -34,24 +32,11 @@ def generate(
         folder = publish.place(output, target)
     with options.refusals():
         if check:
-            _check(folder, charts, target, max_n)
-        else:
-            _write(folder, charts, target, force)
-
-
-def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> None:
-    """Compare files."""
-    if found := publish.check_charts(folder, charts, target, display.progress, max_n):
-        display.differences(found, options.without_check())
-        raise click.exceptions.Exit(1)
-
-
-def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
-    """Write files."""
-    processes = cores() if len(charts) > SERIAL_MAX else 1
-    package = publish.generate_charts(
-        charts, target, folder, force=force, progress=display.progress, processes=processes
-    )
+            if found := publish.check_charts(folder, charts, target, display.progress, max_n):
+                display.differences(found, options.without_check())
+            raise click.exceptions.Exit(1 if found else 0)
+        processes = cores() if len(charts) > SERIAL_MAX else 1
+        package = publish.generate_charts(charts, target, folder, force, display.progress, processes)
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
         click.echo(f"no C compiler found (set CC), so validated as text only: {', '.join(not_compiled)}", err=True)

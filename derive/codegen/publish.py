@@ -77,14 +77,13 @@ def generate(
     """
     shown = bar if progress is None else lambda _: nullcontext(progress)
     asked = catalogue.asked(orders or (), families, phi, name)
-    return generate_charts(asked, target, output, force=force, progress=shown, processes=processes)
+    return generate_charts(asked, target, output, force, shown, processes)
 
 
 def generate_charts(
     charts: Sequence[Chart],
     target: str = "numpy",
     output: str | Path | None = None,
-    *,
     force: bool = False,
     progress: Progress = bar,
     processes: int = 1,
