@@ -15,11 +15,12 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from multiprocessing.connection import Connection
-from typing import Any, TypeVar
+from typing import TypeVar
 
 PROCESSES_MAX = 61
 """Largest number of processes in a pool on Windows."""
 
+Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 
@@ -29,17 +30,16 @@ def cores() -> int:
     return min(found or 1, PROCESSES_MAX)
 
 
-def each(function: Callable[..., Result], calls: Iterable[tuple[Any, ...]], processes: int) -> Iterator[Result]:
-    """Yield the results of calls in order; other processes compute each call as soon as its arguments are available.
+def each(function: Callable[[Item], Result], items: Iterable[Item], processes: int) -> Iterator[Result]:
+    """Yield the results for items in order; other processes begin with each item as soon as it is available.
 
-    With one process, the calls run in the main process, one by one. If several calls fail, the first error is raised.
+    With one process, all runs in the main process, item by item. If several calls fail, the first error is raised.
     """
     if processes == 1:
-        for arguments in calls:
-            yield function(*arguments)
+        yield from map(function, items)
         return
     with workers(processes) as pool:
-        for begun in [pool.submit(function, *arguments) for arguments in calls]:
+        for begun in [pool.submit(function, item) for item in items]:
             yield begun.result()
 
 

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from .. import about
-from ..codegen import Package, catalogue, generate_charts, publish
-from ..codegen.build import STEPS, with_geometry
-from ..maps.chart import Chart
+from ..codegen import Package, catalogue, publish
 from ..maps.named import described
 from ..output.tables import Grid, columns, figures
 from ..workers import cores
@@ -29,36 +25,18 @@ def generate(
     if (phi is None) != (name is None):
         raise click.UsageError("--phi and --name belong together")
     with options.refusals("--family" if phi is None else "--name"):
-        charts = catalogue.charts(orders, families, phi, name) or catalogue.committed()
+        charts = catalogue.asked(orders, families, phi, name)
     if phi is not None and (known := described(charts[0])):
         click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
-    folder = output or publish.home(target)
-    if folder is None:
-        raise click.UsageError(f"name a folder with -o: only {about.TARGET} kernels have a place, in a checkout")
+    with options.refusals("-o"):
+        folder = publish.place(output, target)
     with options.refusals():
         if check:
-            _check(folder, charts, target, max_n)
-        else:
-            _write(folder, charts, target, force)
-
-
-def _check(folder: Path, charts: Sequence[Chart], target: str, max_n: int) -> None:
-    """Compare files; each module has two lines of progress, since it is proved and printed but not executed."""
-    printed, unmade = publish.expected(folder, charts, target, max_n)
-    with display.progress(2 * len(printed)) as step:
-        found = publish.check_charts(folder, printed, unmade, target, step)
-    if found:
-        display.differences(found, options.without_check())
-        raise click.exceptions.Exit(1)
-
-
-def _write(folder: Path, charts: Sequence[Chart], target: str, force: bool) -> None:
-    """Write files."""
-    charts = publish.with_bases(charts, target)
-    processes = cores() if len(charts) > SERIAL_MAX else 1
-    built = with_geometry(publish.with_bases(charts, target))
-    with display.progress(STEPS * len(built)) as step:
-        package = generate_charts(charts, target, folder, force=force, progress=step, processes=processes)
+            if found := publish.check_charts(folder, charts, target, display.progress, max_n):
+                display.differences(found, options.without_check())
+            raise click.exceptions.Exit(1 if found else 0)
+        processes = cores() if len(charts) > SERIAL_MAX else 1
+        package = publish.generate_charts(charts, target, folder, force, display.progress, processes)
     click.echo(summary(package, folder).text(columns()), nl=False)
     if not_compiled := [module.name for module in package.modules if module.counts.tested is None]:
         click.echo(f"no C compiler found (set CC), so validated as text only: {', '.join(not_compiled)}", err=True)

@@ -10,8 +10,8 @@ validation   expected results from the formulas alone, compared with results of 
 package      texts of a package, and the data of a chart for its templates
 targets      languages: a printer and a template folder each
 catalogue    existing charts, and reserved names
-build        pipeline: prove -> lower -> print -> write -> check
-publish      write kernels into a folder, or compare a folder with them
+build        pipeline in stages: prove -> lower -> print -> write -> check
+publish      last stage: write kernels into a folder, or compare a folder with them
 ============ ==============================================================================
 
 Each module imports only modules listed above it.
@@ -19,9 +19,10 @@ Each module imports only modules listed above it.
 
 from ..output import Difference, RefusedError
 from .package import Module, Package
-from .publish import check, generate, generate_charts
+from .publish import check_charts, generate, generate_charts
 from .validation import ValidationFailed
 
 __all__ = [
-    "Difference", "Module", "Package", "RefusedError", "ValidationFailed", "check", "generate", "generate_charts",
+    "Difference", "Module", "Package", "RefusedError", "ValidationFailed", "check_charts", "generate",
+    "generate_charts",
 ]  # fmt: skip

@@ -1,20 +1,26 @@
-"""Pipeline from charts to kernels: prove -> lower -> print -> write -> check. `publish` writes them into a folder."""
+"""Pipeline from charts to checked kernels: prove -> lower -> print -> write -> check; `publish` writes the files.
+
+Each stage is a function from one frozen record to the next: chart, `Proved`, `Lowered`, `Module`, `Written`, `Counts`.
+"""
 
 from __future__ import annotations
 
 import gc
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import tee
 from pathlib import Path
+from typing import TypeVar
 
 from ..maps import Cayley
 from ..maps.chart import Chart
 from ..output import files
-from ..output.progress import Step, no_op
+from ..output.progress import Progress, Step, silent
 from ..proof import prove
 from ..workers import each
+from .lowered import Lowered, lower
 from .package import Counts, Facts, Module, Package, module_name, module_texts, shared_texts
 from .targets import Target
 
@@ -26,63 +32,82 @@ GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher o
 GC_THRESHOLD = 20_000
 """Number of allocations between two garbage collections while charts are built."""
 
-STEPS = 4
-"""Lines of progress for each chart."""
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """Module on disk, as a worker process receives it; with ``geometry`` it checks what all charts share too."""
+
+    name: str
+    chart: Chart
+    target: Target
+    folder: Path
+    geometry: bool
 
 
-def build(charts: Sequence[Chart], target: Target, progress: Step | None = None, processes: int = 1) -> Package:
-    """Prove, lower, print and check charts, without publishing; ``processes`` is the number of workers that check.
+Record = TypeVar("Record", Chart, Lowered, Module, Written)
 
-    Raise `ProofFailed` or `ValidationFailed` if any chart fails.
+
+def build(charts: Sequence[Chart], target: Target, progress: Progress = silent, processes: int = 1) -> Package:
+    """Prove, lower, print, write and check charts, without publishing; ``processes`` is the number of workers.
+
+    Charts pass through the stages one by one: a chart is proved while workers check the charts before it. Raise
+    `ProofFailed` or `ValidationFailed` if any chart fails.
     """
     if processes < 1:
         raise ValueError(f"processes must be an integer >= 1, got {processes}")
-    report, printed, modules = progress or no_op, list[Module](), list[Module]()
-
-    def checks() -> Iterator[tuple[Chart, Target, Path, bool]]:
-        for chart in with_geometry(charts):
-            printed.append(print_module(chart, target, report))
-            files.write(staging, printed[-1].texts)
-            report(f"{chart.name}: checking")
-            yield chart, target, staging, chart == geometry_chart(charts)
-
-    with relaxed_gc(), tempfile.TemporaryDirectory() as folder:
-        staging, shared = Path(folder), shared_texts(target)
-        files.write(staging, shared)
-        for counts in each(check, checks(), processes):
-            modules.append(replace(printed[len(modules)], counts=counts))
-            report(f"{modules[-1].proved.formulas.name}: checked")
-    return Package(shared, tuple(module for module in modules if module.proved.formulas in charts))
+    geometry, shared = geometry_chart(charts), shared_texts(target)
+    built = charts if geometry in charts else [geometry, *charts]
+    with relaxed_gc(), tempfile.TemporaryDirectory() as name, progress(4 * len(built)) as report:
+        folder = Path(name)
+        files.write(folder, shared)
+        proved = map(prove, announced(built, "proving", report))
+        lowered = map(lower, proved)
+        printed, modules = tee(print_module(chart, target) for chart in announced(lowered, "printing", report))
+        written = (write(module, target, folder, geometry) for module in printed)
+        checked = each(check, announced(written, "checking", report), processes)
+        counted = (replace(module, counts=counts) for module, counts in zip(modules, checked))
+        found = tuple(announced(counted, "checked", report))
+    return Package(shared, tuple(module for module in found if module.proved.formulas in charts))
 
 
-def print_package(charts: Sequence[Chart], target: Target, progress: Step | None = None) -> Package:
+def print_package(charts: Sequence[Chart], target: Target, progress: Progress = silent) -> Package:
     """Prove, lower and print charts without checking: enough to compare a folder with the printed texts."""
-    return Package(shared_texts(target), tuple(print_module(chart, target, progress or no_op) for chart in charts))
+    with progress(2 * len(charts)) as report:
+        lowered = map(lower, map(prove, announced(charts, "proving", report)))
+        printed = (print_module(chart, target) for chart in announced(lowered, "printing", report))
+        return Package(shared_texts(target), tuple(printed))
 
 
-def print_module(chart: Chart, target: Target, report: Step) -> Module:
-    """Prove, lower and print a chart."""
-    report(f"{chart.name}: proving")
-    proved = prove(chart)
-    report(f"{chart.name}: printing")
-    return Module(module_name(chart, target), proved, module_texts(Facts(proved), target))
+def print_module(lowered: Lowered, target: Target) -> Module:
+    """Print the module of a chart and its companions."""
+    return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
 
 
-def check(chart: Chart, target: Target, folder: Path, geometry: bool) -> Counts:
-    """Execute a chart's module on disk; with ``geometry`` check the functions that all charts share too."""
+def write(module: Module, target: Target, folder: Path, geometry: Chart) -> Written:
+    """Write a module beside the files that it shares with others; ``geometry`` is the chart that checks these."""
+    files.write(folder, module.texts)
+    chart = module.proved.formulas
+    return Written(module.name, chart, target, folder, chart == geometry)
+
+
+def check(written: Written) -> Counts:
+    """Execute a module on disk and compare it with the formulas of its chart."""
+    target, given = written.target, (written.folder, written.chart, written.geometry)
     with relaxed_gc():
-        validated, replayed = target.validate(folder, chart, geometry), target.replay(folder, chart, geometry)
-        return Counts(validated, replayed, target.test(folder, chart))
+        validated, replayed = target.validate(*given), target.replay(*given)
+        return Counts(validated, replayed, target.test(written.folder, written.chart))
+
+
+def announced(records: Iterable[Record], stage: str, report: Step) -> Iterator[Record]:
+    """Yield records; report each of them before the next stage takes it."""
+    for record in records:
+        report(f"{record.name}: {stage}")
+        yield record
 
 
 def geometry_chart(charts: Sequence[Chart]) -> Chart:
     """Return the chart that checks the shared geometry: the first Cayley map of a suitable order, or `GEOMETRY`."""
     return next((chart for chart in charts if chart.cayley and chart.order in GEOMETRY_ORDERS), GEOMETRY)
-
-
-def with_geometry(charts: Sequence[Chart]) -> Sequence[Chart]:
-    """Return the charts to build, including one that checks the shared geometry."""
-    return charts if geometry_chart(charts) in charts else [GEOMETRY, *charts]
 
 
 @contextmanager

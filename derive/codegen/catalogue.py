@@ -49,6 +49,13 @@ def charts(
     return [own, *named]
 
 
+def asked(
+    orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
+) -> list[Chart]:
+    """Return the charts that a user asks for, or the committed ones if the user names none; see `charts`."""
+    return charts(orders, families, phi, name) or committed()
+
+
 def committed() -> list[Chart]:
     """Return the charts whose modules are committed."""
     return charts(about.ORDERS, about.FAMILIES)
@@ -91,7 +98,7 @@ def require_free(name: str) -> None:
     if name.lower() in C_HEADERS:  # some file systems ignore case
         raise ValueError(f"a header {name}.h would hide that of C or Python: take another name than {name!r}")
     if name in reserved_names():
-        raise ValueError(f"{name!r} is the name of a file or of something else in packages of kernels: take another")
+        raise ValueError(f"{name!r} is reserved in packages of kernels: choose another name")
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Programs of a chart: geometry programs that all charts share, and the chart's own scalar programs."""
+"""Programs of a proved chart: geometry programs that all charts share, and the chart's own scalar programs."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 
 from ..maps.chart import Chart
-from .lowering.scalars import scalar_programs
+from ..proof import Proved
+from .lowering.scalar_programs import scalar_programs
 from .programs.program import Program
 from .programs.trace import written_out
 from .rows import Table
-from .signatures import POSES
+from .signatures import POSES, ROTATIONS
 
 
 @cache
@@ -46,8 +47,8 @@ def shared_with_poses(table: Table) -> frozenset[str]:
     return frozenset() if table is POSES else frozenset(same)
 
 
-@dataclass(frozen=True)
-class Lowered:
+@dataclass(frozen=True, slots=True)
+class ChartPrograms:
     """Scalar programs of one chart that the functions of a ``table`` call.
 
     ``operations`` counts the operations of each function of the chart, its scalars included.
@@ -59,7 +60,7 @@ class Lowered:
 
 
 @lru_cache(maxsize=8)
-def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
+def lower_chart(chart: Chart, table: Table = POSES) -> ChartPrograms:
     """Return the scalar programs that a table's functions call, and the operation counts of the functions."""
     scalars, counted, called = scalar_programs(chart), {}, set()
     for name, program in geometry(table).items():
@@ -67,4 +68,26 @@ def lower_chart(chart: Chart, table: Table = POSES) -> Lowered:
         if functions <= scalars.keys():
             called |= functions
             counted[name] = sum((scalars[call.function].operations for call in program.calls), program.operations)
-    return Lowered(table, {name: program for name, program in scalars.items() if name in called}, counted)
+    return ChartPrograms(table, {name: program for name, program in scalars.items() if name in called}, counted)
+
+
+@dataclass(frozen=True, slots=True)
+class Lowered:
+    """Proved chart with its programs for poses and for rotations alone."""
+
+    proved: Proved
+    poses: ChartPrograms
+    rotations: ChartPrograms
+
+    @property
+    def chart(self) -> Chart:
+        return self.proved.formulas
+
+    @property
+    def name(self) -> str:
+        return self.chart.name
+
+
+def lower(proved: Proved) -> Lowered:
+    """Lower a proved chart: trace its formulas as programs."""
+    return Lowered(proved, lower_chart(proved.formulas, POSES), lower_chart(proved.formulas, ROTATIONS))

@@ -20,10 +20,9 @@ from ..maps import Formula
 from ..maps.chart import Chart
 from ..output import generated, render, source
 from ..proof import Proved, theorems
-from .lowered import Lowered, geometry, lower_chart
+from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
 from .rows import Table
-from .signatures import POSES
 
 DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
@@ -88,17 +87,13 @@ class Package:
 
 @dataclass(frozen=True)
 class Facts:
-    """Proved chart, with its programs and the texts that templates use."""
+    """Lowered chart, with the texts that templates use."""
 
-    proved: Proved
+    lowered: Lowered
 
     @property
     def chart(self) -> Chart:
-        return self.proved.formulas
-
-    @cached_property
-    def lowered(self) -> Lowered:
-        return lower_chart(self.chart, POSES)
+        return self.lowered.chart
 
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
@@ -152,8 +147,9 @@ class Facts:
         polynomials = [f"  {letter} = {value.replace('**', '^')}" for letter, value in letters]
         if sum(map(len, polynomials)) > LETTERS_MAX:
             polynomials = [f"  p, q: dualcay show {' '.join(chart.selection)} --what p,q"]
-        shared = sum(proof in theorems() for proof in self.proved.proofs)
-        own, general = len(self.proved.proofs) - shared, f" and {shared} theorems for every n" if shared else ""
+        proofs = self.lowered.proved.proofs
+        shared = sum(proof in theorems() for proof in proofs)
+        own, general = len(proofs) - shared, f" and {shared} theorems for every n" if shared else ""
         proved = f"Proved exactly: {own} identities of this chart{general}, listed in docs/theorems.md."
         title = f"{chart.title}, v = {chart.parameter.replace('α', 'alpha')} u"
         return [*head(command, template), "", title, *polynomials, proved]
@@ -181,7 +177,7 @@ def comment(lines: Iterable[str], mark: str) -> str:
     return "\n".join(f"{mark} {line}".rstrip() for line in itertools.chain(*wrapped))
 
 
-def numbers(equations: Iterable[int]) -> str:
+def cited(equations: Iterable[int]) -> str:
     """Return equation numbers in brackets, separated by commas."""
     return ", ".join(f"({number})" for number in equations)
 
@@ -199,10 +195,10 @@ def _multiple_of_pi(angle: sympy.Expr) -> str:
     return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C
 
 
-def fingerprint(facts: Facts, lowered: Lowered) -> str:
+def fingerprint(facts: Facts, programs: ChartPrograms) -> str:
     """Return a digest of a chart's programs and the geometry: packages with equal digests compute equal results."""
-    lines = [*_program_lines(geometry(lowered.table)), *_program_lines(lowered.scalars)]
-    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in lowered.table.kernels.values()]
+    lines = [*_program_lines(geometry(programs.table)), *_program_lines(programs.scalars)]
+    lines += [f"{row.name} {row.arguments} {row.results} {row.constants}" for row in programs.table.kernels.values()]
     lines += [f"{facts.turns} {facts.returns}"]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
 
@@ -225,16 +221,14 @@ class Target(Protocol):
     """Language in which kernels are printed: its files and texts, and the execution of printed text.
 
     ``name`` is also the name of the template folder. Modules have the suffix ``extension``, comment lines the prefix
-    ``comment``. The shared file ``entry`` is read before any other. Validation does not execute the ``unproved`` parts
-    of the text. Every chart has a module for each of the ``tables``, poses first. ``imports_bases`` is True if the
-    module of a multiple imports the module of its base chart.
+    ``comment``. The shared file ``entry`` is read before any other. Every chart has a module for each of the
+    ``tables``, poses first. ``imports_bases`` is True if the module of a multiple imports that of its base chart.
     """
 
     name: str
     extension: str
     entry: str
     comment: str
-    unproved: str
     tables: Sequence[Table]
     imports_bases: bool
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 
 from .. import about
 from ..maps.chart import Chart
 from ..output import files
-from ..output.progress import Step, bar
+from ..output.progress import Progress, Step, bar, silent
 from . import catalogue
-from .build import STEPS, build, print_package, with_geometry
+from .build import build, print_package
 from .package import Package, module_name, notices
 from .targets import TARGETS, Target
 
@@ -75,79 +75,59 @@ def generate(
     >>> [module.name for module in package.modules]
     ['cayley1.py']
     """
-    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
-    return generate_charts(asked, target, output, force=force, progress=progress, processes=processes)
+    shown = bar if progress is None else lambda _: nullcontext(progress)
+    asked = catalogue.asked(orders or (), families, phi, name)
+    return generate_charts(asked, target, output, force, shown, processes)
 
 
 def generate_charts(
     charts: Sequence[Chart],
     target: str = "numpy",
     output: str | Path | None = None,
-    *,
     force: bool = False,
-    progress: Step | None = None,
+    progress: Progress = bar,
     processes: int = 1,
 ) -> Package:
     """Write proven kernels of charts into a folder; `generate` describes the other parameters."""
-    chosen, folder = _target(target), Path(output) if output else home(target)
-    if folder is None:
-        raise ValueError(f"name an output folder: only {about.TARGET} kernels have a place, in a checkout")
-    charts, entry = with_bases(charts, target), notices(charts, chosen)
-    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in charts}, force)  # before the long work
-    with bar(STEPS * len(with_geometry(charts))) if progress is None else nullcontext(progress) as step:
-        package = build(charts, chosen, step, processes)
+    chosen, folder = _target(target), place(output, target)
+    wanted = _with_bases(charts, chosen)
+    entry = notices(wanted, chosen)
+    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in wanted}, force)  # before the long work
+    package = build(wanted, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
     return package
 
 
-def with_bases(charts: Sequence[Chart], target: str) -> list[Chart]:
-    """Return the charts, preceded by the base charts of multiples if their modules import them."""
-    bases = [chart.base for chart in charts if chart.base] if _target(target).imports_bases else []
-    return list({chart.name: chart for chart in (*bases, *charts)}.values())
-
-
-def home(target: str) -> Path | None:
-    """Return the folder of the committed kernels; None for another target or outside a checkout."""
-    root = about.checkout()
-    return root / "generated" / "dualcay" if root and target == about.TARGET else None
-
-
-def check(
-    folder: Path,
-    orders: Iterable[int] | None = None,
-    target: str = "numpy",
-    progress: Step | None = None,
-    cap: int = about.MAX_ORDER,
-    *,
-    families: Iterable[str] = (),
-    phi: str | None = None,
-    name: str | None = None,
-) -> list[files.Difference]:
-    """Prove and print the expected files of a folder and return the differences; no kernel is executed.
-
-    The folder should hold the modules of the given orders and families, by default the committed modules. Each further
-    module with the generated header is printed by its own command, unless its order is above ``cap``.
-    """
-    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
-    return check_charts(folder, *expected(folder, asked, target, cap), target, progress)
-
-
-def expected(
-    folder: Path, asked: Iterable[Chart], target: str, cap: int = about.MAX_ORDER
-) -> tuple[list[Chart], dict[str, str]]:
-    """Return the charts that a folder should hold, and by file name the reasons for modules that are not compared."""
-    chosen, wanted = _target(target), {chart.name: chart for chart in with_bases(list(asked), target)}
-    further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
-    reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
-    unmade = {module_name(c, chosen): f"order {c.order} {reason}" for c in further if c.order > cap}
-    return [*wanted.values(), *(chart for chart in further if chart.order <= cap)], unmade
+def place(output: str | Path | None, target: str) -> Path:
+    """Return the folder to write, by default that of the committed kernels; raise ValueError if there is none."""
+    if output:
+        return Path(output)
+    if (root := about.checkout()) and target == about.TARGET:
+        return root / "generated" / "dualcay"
+    raise ValueError("name a folder (output=, -o): only NumPy kernels have a default one, and only in a checkout")
 
 
 def check_charts(
-    folder: Path, charts: Sequence[Chart], unmade: Mapping[str, str], target: str, progress: Step | None = None
+    folder: Path, charts: Sequence[Chart], target: str, progress: Progress = silent, cap: int = about.MAX_ORDER
 ) -> list[files.Difference]:
-    """Return the differences between a folder and the modules of charts; ``unmade`` are the reasons of `expected`."""
-    return list(files.compare(folder, print_package(charts, _target(target), progress).texts, unmade))
+    """Prove and print the expected files of a folder and return the differences; no kernel is executed.
+
+    The folder should hold the modules of the charts. Each further module with the generated header is printed by its
+    own command, unless its order is above ``cap``.
+    """
+    chosen = _target(target)
+    wanted = {chart.name: chart for chart in _with_bases(charts, chosen)}
+    further = [chart for chart in catalogue.charts_in(folder, chosen) if chart.name not in wanted]
+    reason = f"is above the cap {cap}, so not compared; raise it with --max-n"
+    unmade = {module_name(c, chosen): f"order {c.order} {reason}" for c in further if c.order > cap}
+    made = [*wanted.values(), *(chart for chart in further if chart.order <= cap)]
+    return list(files.compare(folder, print_package(made, chosen, progress).texts, unmade))
+
+
+def _with_bases(charts: Iterable[Chart], target: Target) -> list[Chart]:
+    """Return the charts, preceded by the base charts of multiples if their modules import them."""
+    bases = [chart.base for chart in charts if chart.base] if target.imports_bases else []
+    return list({chart.name: chart for chart in (*bases, *charts)}.values())
 
 
 def _target(name: str) -> Target:

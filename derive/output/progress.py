@@ -5,13 +5,16 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 BAR_AFTER = 2.0
 """Seconds before a bar appears."""
 
 Step = Callable[[str], None]
 """Function that reports the next step by a line of text."""
+
+Progress = Callable[[int], AbstractContextManager[Step]]
+"""Function that provides a `Step`, for a number of steps."""
 
 
 def watched() -> bool:
@@ -53,3 +56,8 @@ def bar(total: int | None = None) -> Iterator[Step]:
 
 def no_op(line: str) -> None:
     """No-op progress callback."""
+
+
+def silent(total: int) -> AbstractContextManager[Step]:
+    """Provide a function that reports nothing."""
+    return nullcontext(no_op)

@@ -37,7 +37,7 @@ ORDER = 2
 
 
 # steps that 10 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _c_to_over(m: Any, x: Any) -> Result:
     below = x + m.sqrt(x * x + 4)
     c = (below - below + 2) / below
     size = c + x
@@ -48,7 +48,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 
 # steps that 3 programs share
-def _shared2(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) -> Result:
+def _above_to_hy(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) -> Result:
     above = c - x
     s = above / size
     w_by_2 = 2 * w
@@ -66,7 +66,7 @@ def _shared2(m: Any, c: Any, x: Any, size: Any, w: Any, over: Any, cc: Any) -> R
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
     s = above / size
     w = 2 * rootc / size
@@ -81,7 +81,7 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
     s = above / size
     w = 2 * rootc / size
@@ -95,9 +95,9 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    c, size, rootc, cc, over = _shared1(m, x)
+    c, size, rootc, cc, over = _c_to_over(m, x)
     w = 2 * rootc / size
-    _, f, g, h, gy, _, _, _, _, hy = _shared2(m, c, x, size, w, over, cc)
+    _, f, g, h, gy, _, _, _, _, hy = _above_to_hy(m, c, x, size, w, over, cc)
     rho = 4 * (w * over)
     fy = h - rho * g
     return f, g, h, fy, gy, hy
@@ -106,9 +106,9 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    c, size, rootc, cc, over = _shared1(m, x)
+    c, size, rootc, cc, over = _c_to_over(m, x)
     w = 2 * rootc / size
-    _, f, g, h, gy, decline, share, weight, hgrowth, hy = _shared2(m, c, x, size, w, over, cc)
+    _, f, g, h, gy, decline, share, weight, hgrowth, hy = _above_to_hy(m, c, x, size, w, over, cc)
     rho = 4 * (w * over)
     fy = h - rho * g
     rhogrowth = share - 3
@@ -126,7 +126,7 @@ def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 
 # T v = rate v: rate = 1/phi' = f + x h
 def _rate_scalars(m: Any, x: Any) -> Result:
-    _, size, rootc, _, over = _shared1(m, x)
+    _, size, rootc, _, over = _c_to_over(m, x)
     w = 2 * rootc / size
     rho = 4 * (w * over)
     return rho,
@@ -150,7 +150,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     hi = 3 / (4 * rootc)
     w = 2 * rootc / size
     h = c * (2 * w) * (2 + over)
@@ -163,7 +163,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
     rootc_by_2 = 2 * rootc
     fi = above / rootc_by_2
@@ -179,11 +179,11 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    c, size, rootc, cc, over = _shared1(m, x)
+    c, size, rootc, cc, over = _c_to_over(m, x)
     rootc_by_2 = 2 * rootc
     hi = 3 / (4 * rootc)
     w = rootc_by_2 / size
-    above, _, g, h, gy, decline, share, _, _, hy = _shared2(m, c, x, size, w, over, cc)
+    above, _, g, h, gy, decline, share, _, _, hy = _above_to_hy(m, c, x, size, w, over, cc)
     fi = above / rootc_by_2
     fiy = -(h / g)
     hiy = hi * decline / 2
@@ -195,7 +195,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     above = c - x
     b = 2 * rootc
     s = above / size
@@ -254,7 +254,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    c, size, rootc, _, over = _shared1(m, x)
+    c, size, rootc, _, over = _c_to_over(m, x)
     w = 2 * rootc / size
     kept = m.where(w < 0, 0, 16)
     above = c - x

@@ -41,7 +41,7 @@ ORDER = 3
 
 
 # steps that 4 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _p_to_h(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
     qq = q * q
@@ -54,7 +54,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 
 # steps that 4 programs share
-def _shared2(m: Any, x: Any) -> Result:
+def _iq_to_hi(m: Any, x: Any) -> Result:
     p = 1 - 3 * x
     q = 3 - x
     iq = 1 / q
@@ -87,14 +87,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (111)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, _, _, f, g, h = _shared1(m, x)
+    _, _, _, f, g, h = _p_to_h(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (111)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -108,7 +108,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 6 / x1
     eg = e * g
@@ -136,7 +136,7 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 # fi = p/q, hi = d/(n q), x d = (1 + x) q - n p; CP23 (89), (112)
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    _, fi, _, hi = _shared2(m, x)
+    _, fi, _, hi = _iq_to_hi(m, x)
     return fi, hi
 
 
@@ -152,7 +152,7 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    iq, fi, diq, hi = _shared2(m, x)
+    iq, fi, diq, hi = _iq_to_hi(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     return fi, hi, fiy, hiy
@@ -160,7 +160,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (112)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    iq, fi, diq, hi = _shared2(m, x)
+    iq, fi, diq, hi = _iq_to_hi(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     return fi, hi, fiy, hiy
@@ -168,7 +168,7 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    iq, fi, diq, hi = _shared2(m, x)
+    iq, fi, diq, hi = _iq_to_hi(m, x)
     fiy = -(16 * (iq * iq))
     hiy = (2 * diq - 2) * iq / 3
     dqiq = -iq
@@ -180,7 +180,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 # a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
-    p, q, _, f, g, h = _shared1(m, x)
+    p, q, _, f, g, h = _p_to_h(m, x)
     return p, q, 1, f, g, h
 
 

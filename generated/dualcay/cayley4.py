@@ -41,7 +41,7 @@ ORDER = 4
 
 
 # steps that 4 programs share
-def _shared1(m: Any, x: Any, q: Any) -> Result:
+def _p_to_h(m: Any, x: Any, q: Any) -> Result:
     p = (x - 6) * x + 1
     qq = q * q
     N = p * p + x * qq
@@ -54,7 +54,7 @@ def _shared1(m: Any, x: Any, q: Any) -> Result:
 
 
 # steps that 3 programs share
-def _shared2(m: Any, x: Any) -> Result:
+def _iq_to_hiy(m: Any, x: Any) -> Result:
     p = (x - 6) * x + 1
     q = 4 - 4 * x
     iq = 1 / q
@@ -92,7 +92,7 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     q = 4 - 4 * x
-    _, _, f, g, h = _shared1(m, x, q)
+    _, _, f, g, h = _p_to_h(m, x, q)
     return f, g, h
 
 
@@ -100,7 +100,7 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     q = 4 - 4 * x
-    _, r, f, g, h = _shared1(m, x, q)
+    _, r, f, g, h = _p_to_h(m, x, q)
     x1 = 1 + x
     e = 8 / x1
     eg = e * g
@@ -117,7 +117,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
     q = 4 - 4 * x
-    _, r, f, g, h = _shared1(m, x, q)
+    _, r, f, g, h = _p_to_h(m, x, q)
     x1 = 1 + x
     e = 8 / x1
     eg = e * g
@@ -170,19 +170,19 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    _, fi, hi, _, fiy, hiy = _shared2(m, x)
+    _, fi, hi, _, fiy, hiy = _iq_to_hiy(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (119)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    _, fi, hi, _, fiy, hiy = _shared2(m, x)
+    _, fi, hi, _, fiy, hiy = _iq_to_hiy(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    iq, fi, hi, c, fiy, hiy = _shared2(m, x)
+    iq, fi, hi, c, fiy, hiy = _iq_to_hiy(m, x)
     dqiq = -4 * iq
     dc = 16 * x - 16
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
@@ -195,7 +195,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 def _ray(m: Any, x: Any) -> Result:
     x_by_4 = 4 * x
     q = 4 - x_by_4
-    p, _, f, g, h = _shared1(m, x, q)
+    p, _, f, g, h = _p_to_h(m, x, q)
     ph = 1 - x
     root = ph * ph + x_by_4
     return p, q, root, f, g, h

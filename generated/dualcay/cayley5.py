@@ -41,7 +41,7 @@ ORDER = 5
 
 
 # steps that 4 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _p_to_h(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     qq = q * q
@@ -55,7 +55,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 
 # steps that 3 programs share
-def _shared2(m: Any, x: Any) -> Result:
+def _iq_to_hiy(m: Any, x: Any) -> Result:
     p = (5 * x - 10) * x + 1
     q = (x - 10) * x + 5
     iq = 1 / q
@@ -95,14 +95,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 #     (88), (124)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, _, _, f, g, h = _shared1(m, x)
+    _, _, _, f, g, h = _p_to_h(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88), (124)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 10 / x1
     eg = e * g
@@ -119,7 +119,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 10 / x1
     eg = e * g
@@ -172,19 +172,19 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x)
+    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89), (125)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x)
+    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    iq, fi, diq, hi, c, fiy, dq, hiy = _shared2(m, x)
+    iq, fi, diq, hi, c, fiy, dq, hiy = _iq_to_hiy(m, x)
     dqiq = dq * iq
     dc = 160 * x - 96
     fiyy = (4 * c * dqiq - 2 * dc) * iq * iq
@@ -195,7 +195,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 # a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
-    p, q, _, f, g, h = _shared1(m, x)
+    p, q, _, f, g, h = _p_to_h(m, x)
     return p, q, 1, f, g, h
 
 

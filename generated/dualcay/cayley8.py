@@ -41,7 +41,7 @@ ORDER = 8
 
 
 # steps that 4 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _p_to_h(m: Any, x: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     qq = q * q
@@ -55,7 +55,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 
 # steps that 3 programs share
-def _shared2(m: Any, x: Any, dd: Any) -> Result:
+def _iq_to_hiy(m: Any, x: Any, dd: Any) -> Result:
     p = (((x - 28) * x + 70) * x - 28) * x + 1
     q = ((56 - 8 * x) * x - 56) * x + 8
     iq = 1 / q
@@ -93,14 +93,14 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # f = 2 p q/(1 + x)^n, g = 2 q^2/(1 + x)^n, h = 2 c/(1 + x)^n, x c = n (1 + x)^(n - 1) - p q; CP23 (57), (88)
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, _, _, f, g, h = _shared1(m, x)
+    _, _, _, f, g, h = _p_to_h(m, x)
     return f, g, h
 
 
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy; CP23 (88)
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 16 / x1
     eg = e * g
@@ -117,7 +117,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    _, q, r, f, g, h = _shared1(m, x)
+    _, q, r, f, g, h = _p_to_h(m, x)
     x1 = 1 + x
     e = 16 / x1
     eg = e * g
@@ -173,14 +173,14 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
     dd = (544 - 48 * x) * x - 560
-    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x, dd)
+    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x, dd)
     return fi, hi, fiy, hiy
 
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy; CP23 (89)
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
     dd = (544 - 48 * x) * x - 560
-    _, fi, _, hi, _, fiy, _, hiy = _shared2(m, x, dd)
+    _, fi, _, hi, _, fiy, _, hiy = _iq_to_hiy(m, x, dd)
     return fi, hi, fiy, hiy
 
 
@@ -188,7 +188,7 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
     x_by_48 = 48 * x
     dd = (544 - x_by_48) * x - 560
-    iq, fi, diq, hi, c, fiy, dq, hiy = _shared2(m, x, dd)
+    iq, fi, diq, hi, c, fiy, dq, hiy = _iq_to_hiy(m, x, dd)
     dqiq = dq * iq
     x_by_96 = 96 * x
     dc = ((((x_by_96 - 1120) * x + 9408) * x - 16320) * x + 12000) * x - 2016
@@ -202,7 +202,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 # a/b = p/q
 def _ray(m: Any, x: Any) -> Result:
-    p, q, _, f, g, h = _shared1(m, x)
+    p, q, _, f, g, h = _p_to_h(m, x)
     ph = (x - 6) * x + 1
     qh = 4 - 4 * x
     root = ph * ph + x * (qh * qh)

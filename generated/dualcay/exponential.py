@@ -37,7 +37,7 @@ ORDER = 1
 
 
 # steps that 13 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _near_to_alpha(m: Any, x: Any) -> Result:
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -55,7 +55,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 
 # steps that 7 programs share
-def _shared2(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, near: Any) -> Result:
+def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, near: Any) -> Result:
     C01 = 1 + C0
     C2 = CC1 / C01
     thalf = m.tan(alpha / 2)
@@ -72,7 +72,7 @@ def _shared2(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, n
 
 
 # steps that 5 programs share
-def _shared3(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
+def _s_and_w(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
@@ -82,7 +82,7 @@ def _shared3(m: Any, alpha: Any, near: Any, C0: Any, C1: Any) -> Result:
 
 
 # steps that 3 programs share
-def _shared4(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, near: Any, CC1: Any, C3: Any) -> Result:
+def _f_to_h(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v11: Any, v22: Any, v33: Any, near: Any, CC1: Any, C3: Any) -> Result:
     thalf = m.tan(alpha / 2)
     tthalf = thalf * thalf
     belowhalf = 1 + tthalf
@@ -106,14 +106,14 @@ def _shared4(m: Any, C0: Any, C1: Any, alpha: Any, xx: Any, x: Any, part: Any, v
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
     sy = -(w / 2)
-    _, _, _, _, _, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    _, _, _, _, _, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     ww = w * w
     wy = s * h / 2 - w * ww
     return s, w, sy, wy
@@ -123,8 +123,8 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    f, g, _, _, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    f, g, _, _, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     return f, g, h
 
 
@@ -132,8 +132,8 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    f, g, C01, C2, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
@@ -148,8 +148,8 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     part = v11 + v22
     x = part + v33
-    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    f, g, C01, C2, h = _shared4(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
+    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    f, g, C01, C2, h = _f_to_h(m, C0, C1, alpha, xx, x, part, v11, v22, v33, near, CC1, C3)
     fy = h - g
     gy = f * h - g * g
     CC3 = C3 * C3
@@ -172,8 +172,8 @@ def _rate_scalars(m: Any, x: Any) -> Result:
 
 # T^-1 = (fi I - skew(v) + hi v(x)v)/2
 def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    _, _, sine, versine, lost, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     t = m.tan(alpha / 4)
     tt = t * t
@@ -187,8 +187,8 @@ def _inverse_scalars(m: Any, x: Any, fe: Any) -> Result:
 
 # hi of T^-1 at a known angle
 def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    _, _, sine, versine, lost, _, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    _, _, sine, versine, lost, _, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     return hi,
@@ -196,8 +196,8 @@ def _inverse_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 at a known angle, with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fe * h
     fiy = -(h / g)
@@ -213,10 +213,10 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    near, z, _, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, near, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
@@ -232,10 +232,10 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    near, z, C7, C5, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, near, C0, C1)
     fi = s / w
-    C01, C2, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    C01, C2, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     hi = g - fi * h
     fiy = -(h / g)
@@ -258,13 +258,13 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _shared1(m, x)
+    near, _, _, _, C3, C1, CC1, C0, xx, alpha = _near_to_alpha(m, x)
     t = m.tan(alpha / 4)
     tt = t * t
     below = 1 + tt
     s = m.where(near, C0, (1 - tt) / below)
     w = m.where(near, C1 / 2, 2 * t / below / alpha)
-    _, _, sine, versine, lost, f, h = _shared2(m, C0, CC1, C1, C3, alpha, xx, near)
+    _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, near)
     g = m.where(near, CC1 / 2, (versine + lost * sine) / xx)
     return s, w, 1, f, g, h
 
@@ -305,8 +305,8 @@ def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1:
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, near, C0, C1)
     kept = m.where(w < 0, 0, 16)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -316,8 +316,8 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
-    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, near, C0, C1)
     kept = m.where(w < 0, 0, 16)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
@@ -346,8 +346,8 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
     beyond1 = limit1 < limit1 + (x - limit1) / 16
     rx = m.sqrt(x)
-    near, _, _, _, _, C1, _, C0, _, alpha = _shared1(m, x)
-    s, w = _shared3(m, alpha, near, C0, C1)
+    near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
+    s, w = _s_and_w(m, alpha, near, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
     back = 2 * m.atan2(side * sine, side * s) - rx

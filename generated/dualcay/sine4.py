@@ -37,7 +37,7 @@ ORDER = 4
 
 
 # steps that 7 programs share
-def _shared1(m: Any, x: Any) -> Result:
+def _s_to_ww(m: Any, x: Any) -> Result:
     x_by_8 = 8 * x
     s = (x_by_8 - 8) * x + 1
     cc = 1 - x
@@ -50,7 +50,7 @@ def _shared1(m: Any, x: Any) -> Result:
 
 # unit quaternion q = s + w v; slopes sy = 2 ds/dx, wy = 2 dw/dx
 def _quaternion_scalars(m: Any, x: Any) -> Result:
-    s, _, c, w, h, ww = _shared1(m, x)
+    s, _, c, w, h, ww = _s_to_ww(m, x)
     rho = 8 / c
     sy = -(rho * w / 2)
     wy = s * h / 2 - w * ww
@@ -60,7 +60,7 @@ def _quaternion_scalars(m: Any, x: Any) -> Result:
 # R = I + f skew(v) + g skew(v)^2, T = f I + g skew(v) + h v(x)v
 def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    s, _, _, w, h, ww = _shared1(m, x)
+    s, _, _, w, h, ww = _s_to_ww(m, x)
     f = 2 * (s * w)
     g = 2 * ww
     return f, g, h
@@ -69,7 +69,7 @@ def _pose_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T with slopes fy = 2 df/dx, gy, hy
 def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    s, cc, c, w, h, ww = _shared1(m, x)
+    s, cc, c, w, h, ww = _s_to_ww(m, x)
     f = 2 * (s * w)
     g = 2 * ww
     rho = 8 / c
@@ -83,7 +83,7 @@ def _tangent_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
 # f, g, h of T, slopes fy = 2 df/dx, gy, hy, second slopes fyy = 2 dfy/dx, gyy, hyy
 def _tangent_dot_scalars(m: Any, v11: Any, v22: Any, v33: Any) -> Result:
     x = v11 + v22 + v33
-    s, cc, c, w, h, ww = _shared1(m, x)
+    s, cc, c, w, h, ww = _s_to_ww(m, x)
     f = 2 * (s * w)
     g = 2 * ww
     rho = 8 / c
@@ -162,7 +162,7 @@ def _tangent_inv_at(m: Any, x: Any, fe: Any, angle: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy = 2 dfi/dx, hiy
 def _tangent_inv_scalars(m: Any, x: Any) -> Result:
-    s, _, _, w, h, ww = _shared1(m, x)
+    s, _, _, w, h, ww = _s_to_ww(m, x)
     fi = s / w
     B = 20 - 24 * x
     below = 4 * w
@@ -176,7 +176,7 @@ def _tangent_inv_scalars(m: Any, x: Any) -> Result:
 
 # fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy
 def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
-    s, cc, c, w, h, ww = _shared1(m, x)
+    s, cc, c, w, h, ww = _s_to_ww(m, x)
     fi = s / w
     B = 20 - 24 * x
     below = 4 * w
@@ -199,7 +199,7 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    s, _, _, w, h, ww = _shared1(m, x)
+    s, _, _, w, h, ww = _s_to_ww(m, x)
     f = 2 * (s * w)
     g = 2 * ww
     one = x - x + 1

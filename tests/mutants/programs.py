@@ -11,7 +11,7 @@ from unittest import mock
 from derive.codegen import catalogue
 from derive.codegen.build import build
 from derive.codegen.lowered import lower_chart, printed_geometry
-from derive.codegen.programs.program import Call, Operand, Program, Statement, Step
+from derive.codegen.programs.program import Assignment, Call, Operand, Program, Statement
 from derive.codegen.targets import TARGETS, infix
 from derive.maps import Cayley
 from derive.maps.chart import Chart
@@ -63,7 +63,7 @@ def _trial(charts: Sequence[Chart], program: Program | None, changed: Program | 
 def changes(program: Program) -> Iterator[Changed]:
     """Yield every change of an operation, an operand, a constant or the order of outputs."""
     for index, statement in enumerate(program.statements):
-        changed = _step_changes if isinstance(statement, Step) else _call_changes
+        changed = _step_changes if isinstance(statement, Assignment) else _call_changes
         for operator, other in changed(program, index, statement):  # type: ignore[operator]
             statements = (*program.statements[:index], other, *program.statements[index + 1 :])
             yield operator, f"{_words(statement)} → {_words(other)}", replace(program, statements=statements)
@@ -73,7 +73,7 @@ def changes(program: Program) -> Iterator[Changed]:
             yield "order of outputs", f"outputs {i} and {i + 1} swapped", replace(program, outputs=outputs)
 
 
-def _step_changes(program: Program, index: int, step: Step) -> Iterator[tuple[str, Step]]:
+def _step_changes(program: Program, index: int, step: Assignment) -> Iterator[tuple[str, Assignment]]:
     if step.op in OPPOSITE:
         yield "operation", replace(step, op=OPPOSITE[step.op])
     for i in DROPPED.get(step.op, ()):
@@ -107,7 +107,7 @@ def _others(program: Program, index: int, operand: Operand) -> Iterator[tuple[st
     truths = {step.name for step in program.steps if step.op in TRUTHS}.union(*(call.truths for call in program.calls))
     names = [name for _, group in program.inputs for name in group]
     for statement in program.statements[:index]:
-        names += [statement.name] * (not statement.inline) if isinstance(statement, Step) else statement.names
+        names += [statement.name] * (not statement.inline) if isinstance(statement, Assignment) else statement.names
     alike = [name for name in names if (name in truths) == (operand in truths)]
     here = alike.index(operand) if operand in alike else len(alike)
     for other in (*alike[max(here - 1, 0) : here], *alike[here + 1 : here + 2]):
@@ -116,6 +116,6 @@ def _others(program: Program, index: int, operand: Operand) -> Iterator[tuple[st
 
 def _words(statement: Statement) -> str:
     arguments = ", ".join(map(str, statement.args))
-    if isinstance(statement, Step):
+    if isinstance(statement, Assignment):
         return f"{statement.name} = {statement.op}({arguments})"
     return f"{', '.join(statement.names)} = {statement.function}({arguments})"

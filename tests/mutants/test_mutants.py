@@ -17,7 +17,7 @@ from unittest import mock
 
 import pytest
 
-from derive.codegen.programs.program import Program, Step
+from derive.codegen.programs.program import Assignment, Program
 from tests.mutants import __main__ as command
 from tests.mutants.lines import changes as line_changes
 from tests.mutants.mutant import EQUIVALENT, KILLED, SURVIVED, Mutant, Verdict, sampled, tried
@@ -25,7 +25,7 @@ from tests.mutants.programs import changes
 
 pytestmark = pytest.mark.smoke
 
-STEPS = (Step("d", "sub", ("v1", "v2"), False), Step("e", "mul", (3, "d"), False))
+STEPS = (Assignment("d", "sub", ("v1", "v2"), False), Assignment("e", "mul", (3, "d"), False))
 DIFFERENCE = Program("f", (("v", ("v1", "v2")),), STEPS, ("e", "d"))
 
 

@@ -18,11 +18,10 @@ import numpy as np
 
 import dualcay
 from derive.codegen import catalogue
-from derive.codegen.package import Facts, module_texts, shared_texts
+from derive.codegen.build import print_package
 from derive.codegen.targets import TARGETS
 from derive.maps.chart import Chart
 from derive.output import files
-from derive.proof import prove
 from tests.support.packages import Otherwise
 from tests.support.signatures import components_first, components_last
 
@@ -34,11 +33,7 @@ def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -
     """Build the package, for one table or all, with options of Meson; install it in the subfolder ``site``."""
     native, source = TARGETS["native"], place / "source"
     without_test = Otherwise(native, companions=native.further)  # the C target has the same differential test
-    texts = dict(shared_texts(native))
-    for chart in charts:
-        proved = prove(chart)
-        facts = Facts(proved)
-        texts |= module_texts(facts, without_test)
+    texts = print_package([*charts], without_test).texts
     modules = (name for name in texts if name.endswith(".c"))
     for name in [name for name in modules if only and not name.startswith(f"{only}/")]:
         del texts[name]

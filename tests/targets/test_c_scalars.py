@@ -21,8 +21,8 @@ import numpy as np
 import pytest
 import sympy
 
+from derive.codegen.build import print_package
 from derive.codegen.lowered import lower_chart
-from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
@@ -30,7 +30,6 @@ from derive.codegen.validation.c_text import prefix
 from derive.codegen.validation.formulas import ALGEBRAIC, Formulas, evaluated
 from derive.maps import Cayley
 from derive.output import files
-from derive.proof import prove
 from tests.support.packages import Otherwise
 from tests.support.residues import Degree, Lifting, Residue, degree_of
 
@@ -52,13 +51,7 @@ def headers(shared) -> Path:
     """Return the folder of the charts' headers, printed without validation."""
 
     def write(place: Path) -> None:
-        target = Otherwise(C, companions=C.further)
-        texts = dict(shared_texts(target))
-        for chart in CHARTS:
-            proved = prove(chart)
-            facts = Facts(proved)
-            texts |= module_texts(facts, target)
-        files.write(place, texts)
+        files.write(place, print_package(CHARTS, Otherwise(C, companions=C.further)).texts)
 
     return shared("c_scalars", write)
 

@@ -18,7 +18,7 @@ from ...algebra import Dual, Tensor, Vector
 from ..programs.program import Call, Program, Statement
 from ..programs.trace import Trace
 from ..programs.value import Number, Value
-from .scalars import SCALARS, SQUARES
+from .scalar_programs import SCALARS, SQUARES
 
 Numbers = tuple[Number, ...]
 Results = Iterable[Number] | Mapping[str, Number]

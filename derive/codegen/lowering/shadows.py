@@ -112,7 +112,7 @@ def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
 
 
 def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Number) -> tuple[Number, ...]:
-    """Return the vector turned along u: the coefficient r becomes rk, and the dual part contains the slope drk/dr."""
+    """Return the vector on another branch, rk u, from the axis and the turn; its dual part needs drk/dr."""
     size, u, size_du, moment = axis
     length, slope, _ = trace.ask("turned", (size, cosine, sine))
     length_du = point.name("rko", size_du * slope)

@@ -14,7 +14,7 @@ FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class Assignment:
     """Assignment ``name = op(*args)``; an ``inline`` step is used once and printed inside its only reader."""
 
     name: str
@@ -54,7 +54,7 @@ class Call:
         return tuple(found)
 
 
-Statement = Step | Call
+Statement = Assignment | Call
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,9 +83,9 @@ class Program:
         return "m" if functions or any(call.context for call in self.calls) else ""
 
     @property
-    def steps(self) -> tuple[Step, ...]:
+    def steps(self) -> tuple[Assignment, ...]:
         """Return the operations, without the calls."""
-        return tuple(statement for statement in self.statements if isinstance(statement, Step))
+        return tuple(statement for statement in self.statements if isinstance(statement, Assignment))
 
     @property
     def calls(self) -> tuple[Call, ...]:

@@ -5,12 +5,13 @@ A helper holds the steps that all of its callers need, and no others: callers co
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from .program import Call, Program, Statement, Step
+from .program import Assignment, Call, Program, Statement
 
 LEAST_SAVING = 10
 """Least number of printed lines that a helper saves."""
@@ -29,11 +30,11 @@ Steps = Mapping[str, Any]
 
 
 def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], dict[str, Program]]:
-    """Return helper programs ``shared1``, ``shared2``, …, and the programs that call them."""
+    """Return helper programs, named by their results, and the programs that call them."""
     helpers = dict[str, Program]()
     found = {name: _with_inline_zero(program) for name, program in programs.items()}
     for back in (False, True):
-        while candidates := list(_candidates(_with_room(found, programs), f"shared{len(helpers) + 1}", back)):
+        while candidates := list(_candidates(_with_room(found, programs), {*programs, *helpers}, back)):
             _, helper, callers = max(candidates, key=lambda made: made[0])
             helpers[helper.name] = helper
             found |= callers
@@ -50,12 +51,12 @@ def _with_inline_zero(program: Program) -> Program:
     """Mark each ``x - x`` that is read once as inline, to match programs that do not name this zero."""
     reads = Counter([*(arg for statement in program.statements for arg in statement.args), *program.outputs])
     zeros = {s: replace(s, inline=True) for s in program.steps if s.op == "sub" and s.args[0] == s.args[1]}
-    once = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
-    return replace(program, statements=tuple(once.get(s, s) if isinstance(s, Step) else s for s in program.statements))
+    once: dict[Statement, Statement] = {step: inline for step, inline in zeros.items() if reads[step.name] == 1}
+    return replace(program, statements=tuple(once.get(statement, statement) for statement in program.statements))
 
 
 def _candidates(
-    programs: Mapping[str, Program], name: str, back: bool
+    programs: Mapping[str, Program], taken: set[str], back: bool
 ) -> Iterator[tuple[int, Program, dict[str, Program]]]:
     """Yield the saved lines, helper and callers for each set of programs that share a step; see `_closed`."""
     written = {key: _written_out(program) for key, program in programs.items()}
@@ -70,19 +71,17 @@ def _candidates(
         saved = (len(group) - 1) * len(shared) - len(group) - HEAD
         if saved < LEAST_SAVING:
             continue
-        helper = _helper(name, programs[group[0]], shared, [programs[key] for key in group])
+        helper = _helper(taken, programs[group[0]], shared, [programs[key] for key in group])
         if max(len(helper.inputs), len(helper.outputs)) <= MOST_PASSED:
             yield saved, helper, {key: _caller(programs[key], helper, shared) for key in group}
 
 
 def _written_out(program: Program) -> Steps:
-    inlined: dict[Any, Any] = {}
+    inlined, named = dict[Any, Any](), dict[str, Any]()
     for step in program.steps:
-        inlined[step.name] = step.op, tuple(inlined.get(arg, arg) for arg in step.args)
-        if not step.inline:
-            inlined[step.name], written = step.name, inlined[step.name]
-            inlined[step.name, "step"] = written
-    return {key[0]: written for key, written in inlined.items() if isinstance(key, tuple)}
+        found = step.op, tuple(inlined.get(arg, arg) for arg in step.args)
+        (inlined if step.inline else named)[step.name] = found
+    return named
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
@@ -96,7 +95,7 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
         before, after = set[Any](statement.args), set[Any](_assigned(statement))
         if back:
             before, after = after, before
-        if isinstance(statement, Step) and statement.name in moved and not before & outside:
+        if isinstance(statement, Assignment) and statement.name in moved and not before & outside:
             inside |= after
             kept |= shared & {statement.name}
         elif before & (outside | inside):
@@ -106,10 +105,11 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
 
 def _assigned(statement: Statement) -> tuple[str, ...]:
     """Return the names that a statement assigns."""
-    return (statement.name,) if isinstance(statement, Step) else tuple(name for name in statement.names if name != "_")
+    names = (statement.name,) if isinstance(statement, Assignment) else statement.names
+    return tuple(name for name in names if name != "_")
 
 
-def _moved(program: Program, shared: set[str]) -> list[Step]:
+def _moved(program: Program, shared: set[str]) -> list[Assignment]:
     """Return the steps of shared names, with the inline steps inside them."""
     needed, found = set[Any](shared), []
     inline = {step.name for step in program.steps if step.inline}
@@ -120,13 +120,20 @@ def _moved(program: Program, shared: set[str]) -> list[Step]:
     return found[::-1]
 
 
-def _helper(name: str, program: Program, shared: set[str], callers: Sequence[Program]) -> Program:
+def _helper(taken: set[str], program: Program, shared: set[str], callers: Sequence[Program]) -> Program:
     moved = _moved(program, shared)
     made = {step.name for step in moved}
     given = dict.fromkeys(arg for step in moved for arg in step.args if isinstance(arg, str) and arg not in made)
     read = set[Any]().union(*(_read_elsewhere(caller, shared) for caller in callers))
     outputs = tuple(step.name for step in moved if step.name in shared & read)
-    return Program(name, tuple((letter, (letter,)) for letter in given), tuple(moved), outputs)
+    return Program(_name(outputs, taken), tuple((letter, (letter,)) for letter in given), tuple(moved), outputs)
+
+
+def _name(outputs: Sequence[str], taken: set[str]) -> str:
+    """Return a name that tells the first and the last result: ``s_and_w``, ``p_to_h``, ``p_to_h_2``."""
+    name = ("_and_" if len(outputs) == 2 else "_to_").join(dict.fromkeys((outputs[0], outputs[-1])))
+    numbered = itertools.chain([name], (f"{name}_{number}" for number in itertools.count(2)))
+    return next(free for free in numbered if free not in taken)
 
 
 def _read_elsewhere(program: Program, shared: set[str]) -> set[Any]:

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
-from .program import Call, Operand, Program, Statement, Step
+from .program import Assignment, Call, Operand, Program, Statement
 from .value import Folding, Number, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
@@ -186,7 +186,9 @@ class Trace(Folding):
         if value in self._calls:
             names = tuple(str(label(result)) if result in read else "_" for result in self._results[value])
             return replace(self._calls[value], names=names, args=args)
-        return None if value.op in ("input", "result") else Step(str(label(value)), value.op, args, not value.name)
+        if value.op in ("input", "result"):
+            return None
+        return Assignment(str(label(value)), value.op, args, inline=not value.name)
 
 
 def _order(number: Number) -> tuple[int, Number]:
@@ -217,7 +219,7 @@ def _run(trace: Trace, program: Program, given: Sequence[Number]) -> list[Number
     programs = {called.name: called for called in program.called}
     for statement in program.statements:
         args = [known.get(arg, arg) for arg in statement.args]
-        if isinstance(statement, Step):
+        if isinstance(statement, Assignment):
             made = getattr(trace, METHODS.get(statement.op, statement.op))(*args)
             known[statement.name] = made if statement.inline else trace.name(trace.free_name(statement.name), made)
             if statement.name in program.corrected:

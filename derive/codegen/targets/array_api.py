@@ -27,7 +27,6 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     machinery = Machinery(out=False, silent=False)
-    unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> dict[str, Data]:
         """Return the data of all shared files, with the exponential's scalars for the rules of differentiation."""

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 
 from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
-from ..lowered import Lowered, geometry, lower_chart, printed_geometry
-from ..lowering.scalars import SCALARS, table_names
-from ..package import Data, Facts, numbers
+from ..lowered import ChartPrograms, geometry, printed_geometry
+from ..lowering.scalar_programs import SCALARS, table_names
+from ..package import Data, Facts, cited
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
@@ -72,20 +72,20 @@ def level(program: Program) -> int:
     return max((*own, *map(level, program.called)), default=0)
 
 
-def levels(lowered: Lowered) -> dict[str, int]:
+def levels(chart: ChartPrograms) -> dict[str, int]:
     """Return the level of ``math.h`` that every geometry program of a chart needs, including its scalars."""
     found: dict[str, int] = {}
-    for name, program in printed_geometry(lowered.table).items():
-        scalars = (lowered.scalars[call.function] for call in program.calls if call.function in lowered.scalars)
+    for name, program in printed_geometry(chart.table).items():
+        scalars = (chart.scalars[call.function] for call in program.calls if call.function in chart.scalars)
         called = (found[other.name] for other in program.called)
         found[name] = max((level(program), *map(level, scalars), *called))
     return found
 
 
-def scalars(lowered: Lowered) -> Mapping[str, Program]:
+def scalars(chart: ChartPrograms) -> Mapping[str, Program]:
     """Return the scalars of a chart, and placeholders for the others that geometry names."""
-    named = {call.function for program in geometry(lowered.table).values() for call in program.calls}
-    return {**lowered.scalars, **{name: IDLE[name] for name in sorted(named - lowered.scalars.keys())}}
+    named = {call.function for program in geometry(chart.table).values() for call in program.calls}
+    return {**chart.scalars, **{name: IDLE[name] for name in sorted(named - chart.scalars.keys())}}
 
 
 def shared_geometry(table: Table) -> Data:
@@ -94,7 +94,7 @@ def shared_geometry(table: Table) -> Data:
     names = tuple(f"{v.name}{place}" for place in range(1, v.size + 1))
     copy = Program("copy", ((v.name, names),), (), names)
     return {
-        "equations": {name: numbers(found) for name, found in EQUATIONS.items()},
+        "equations": {name: cited(found) for name, found in EQUATIONS.items()},
         "copy": c99.core(copy, [v.called("to")], {}),
         "cores": [c99.core(program, _made(program, table), {}) for program in printed_geometry(table).values()],
         "functions": {name: interface(row, table) for name, row in table.public.items()},
@@ -109,20 +109,20 @@ def _made(program: Program, table: Table) -> tuple[Array, ...]:
     return table.kernels[program.name].results if program.name in table.kernels else made
 
 
-def own_geometry(facts: Facts, lowered: Lowered, known: Mapping[str, Program]) -> Data:
+def own_geometry(facts: Facts, programs: ChartPrograms, known: Mapping[str, Program]) -> Data:
     """Return the data for the template of a chart's header, without scalars that are already ``known``."""
     chart = facts.chart
-    prefix = c_text.prefix(chart, lowered.table)
+    prefix = c_text.prefix(chart, programs.table)
     decimals = dict(zip(table_names(chart), itertools.chain(*facts.returns), strict=True))
-    new = [program for name, program in scalars(lowered).items() if name not in known]
+    new = [program for name, program in scalars(programs).items() if name not in known]
     return {
         "name": chart.name,
         "prefix": prefix,
         "macro": prefix.upper(),
         "branches": chart.branches,
         "singular": facts.singular,
-        "aliases": lowered.table.aliases(chart),
-        "levels": levels(lowered),
+        "aliases": programs.table.aliases(chart),
+        "levels": levels(programs),
         "scalars": [(level(program), c99.scalar(program, decimals)) for program in new],
     }
 
@@ -136,7 +136,6 @@ class C:
     comment = "//"
     tables: Sequence[Table] = (POSES, ROTATIONS)
     imports_bases = False
-    unproved = "rounding errors; the compiler, which is tested; code for other compilers or types behind #if"
 
     def shared(self) -> Mapping[str, Data]:
         return {
@@ -148,13 +147,12 @@ class C:
 
     def module(self, facts: Facts) -> Data:
         found = {name: getattr(facts, name) for name in ("domain", "singular_angles", "turns")}
-        return {**own_geometry(facts, facts.lowered, {}), **found, "order": facts.chart.order}
+        return {**own_geometry(facts, facts.lowered.poses, {}), **found, "order": facts.chart.order}
 
     def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the header of the chart for rotations."""
-        chart, lowered = facts.chart, lower_chart(facts.chart, ROTATIONS)
-        data = own_geometry(facts, lowered, scalars(facts.lowered))
-        return {inside(ROTATIONS, f"{chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
+        data = own_geometry(facts, facts.lowered.rotations, scalars(facts.lowered.poses))
+        return {inside(ROTATIONS, f"{facts.chart.name}.h"): (inside(ROTATIONS, "chart.h"), data)}
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the header of the chart for rotations, and one test of all headers."""

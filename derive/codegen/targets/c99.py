@@ -1,6 +1,6 @@
 """Printer of programs as C functions: straight-line code, valid as C99 and as C++.
 
-A kernel function works on components that lie a stride apart: component i of ``v`` is ``v_at[i * v_by]``. Its program
+Component i of ``v`` is ``v_at[i * v_by]``: a kernel function works on components that lie a stride apart. Its program
 calls functions of the chart (``DUALCAY_CHART``), which take numbers and write results through pointers.
 """
 
@@ -10,8 +10,8 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from ..lowering.scalars import SCALARS
-from ..programs.program import FUNCTIONS, Call, Program, Step
+from ..lowering.scalar_programs import SCALARS
+from ..programs.program import FUNCTIONS, Assignment, Call, Program
 from ..rows import Array
 from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, Texts, fill, items, renamed
 
@@ -31,7 +31,7 @@ OPERATORS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
+class CFunction:
     """C function for its template; all loads come first in its text, so that results may overlap arguments."""
 
     name: str
@@ -48,7 +48,7 @@ C99 = Dialect(OPERATORS, {name: f"dualcay_{name}" for name in FUNCTIONS}, _EXACT
 """C dialect: an integer constant beside a real operand converts exactly to the real type."""
 
 
-def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> Printed:
+def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> CFunction:
     """Return the core of a geometry program, which stores its results in the arrays ``made``.
 
     Its parameters are the arguments, the numbers of the chart's table without decimals in ``table``, and the arrays.
@@ -72,7 +72,7 @@ def core(program: Program, made: Sequence[Array], table: Mapping[str, str]) -> P
     return _printed(program, given, read, lines)
 
 
-def scalar(program: Program, table: Mapping[str, str]) -> Printed:
+def scalar(program: Program, table: Mapping[str, str]) -> CFunction:
     """Return a scalar program as a function; its parameters are numbers, then pointers to results."""
     program, row = _lower_case(program), SCALARS[program.name]
     numbers = [name for _, names in program.inputs for name in names if name not in table]
@@ -82,11 +82,11 @@ def scalar(program: Program, table: Mapping[str, str]) -> Printed:
     return _printed(program, [*(f"{REAL} {name}" for name in numbers), *pointers], numbers, lines)
 
 
-def _printed(program: Program, given: Sequence[str], read: Sequence[str], lines: Sequence[str]) -> Printed:
+def _printed(program: Program, given: Sequence[str], read: Sequence[str], lines: Sequence[str]) -> CFunction:
     """Return a function; cast unread parameters to void, because compilers would warn."""
     text = "\n".join(lines)
     unused = [f"{_INDENT}(void){name};" for name in read if not re.search(rf"\b{name}\b", text)]
-    return Printed(program.name, filled(given), "\n".join([*unused, text]))
+    return CFunction(program.name, filled(given), "\n".join([*unused, text]))
 
 
 def _lower_case(program: Program) -> Program:
@@ -132,7 +132,7 @@ def _statements(
     arrays |= {call.result: f"{call.result}, 1" for call in program.calls if call.result}
     statements, outputs = C99.statements(program, lists)
     for statement, texts in statements:
-        if isinstance(statement, Step):
+        if isinstance(statement, Assignment):
             kind = "int" if statement.op in _CONDITIONS else REAL
             yield from _wrap(f"const {kind} {statement.name}", str(texts[0]))
         elif not statement.result:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from ..programs.program import Call, Operand, Program, Statement, Step
+from ..programs.program import Assignment, Call, Operand, Program, Statement
 
 WIDTH = 120
 ATOM = 9
@@ -62,7 +62,7 @@ class Dialect:
     literal: Callable[[int], str] = str
     passed: Callable[[str], str] = str
 
-    def expression(self, step: Step, inlined: Mapping[str, Text]) -> Text:
+    def expression(self, step: Assignment, inlined: Mapping[str, Text]) -> Text:
         """Return the right-hand side of a step, with inlined operands written out."""
         args = [self.operand(arg, inlined) for arg in step.args]
         if step.op in self.calls:
@@ -138,7 +138,7 @@ class Lists:
         self.returned = last if isinstance(last, Call) and last.result and last.names == program.outputs else None
 
     def unpacked(self, names: Sequence[str], argument: str) -> Iterator[str]:
-        """Yield an assignment to the names that are read, if there are any."""
+        """Yield the line that unpacks a list into the names that are read; nothing if none is."""
         if self.read.intersection(names):
             shown = [name if name in self.read else "_" for name in names]
             yield unpacked(shown, argument)
@@ -173,7 +173,7 @@ def renamed(program: Program, names: Mapping[str, str]) -> Program:
         return tuple(names.get(operand, operand) for operand in operands)
 
     def statement(old: Statement) -> Statement:
-        if isinstance(old, Step):
+        if isinstance(old, Assignment):
             return replace(old, name=names.get(old.name, old.name), args=new(old.args))
         (result,), truths = new([old.result]), frozenset(new(old.truths))
         return replace(old, names=new(old.names), args=new(old.args), truths=truths, result=result)

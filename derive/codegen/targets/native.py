@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from ... import about
-from ..lowered import geometry, lower_chart
+from ..lowered import geometry
 from ..package import Data, Facts, fingerprint
 from ..programs.program import Program
 from ..rows import Function, inside
@@ -28,7 +28,7 @@ MOST_AXES = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Operand:
+class LoopArray:
     """Array of a loop: its name, its component axes, and the index of its first component step."""
 
     name: str
@@ -61,11 +61,11 @@ def loop(row: Function, program: Program) -> Data:
     }
 
 
-def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[Operand]:
+def _operands(arrays: list[tuple[str, tuple[int, ...]]]) -> Iterator[LoopArray]:
     """Yield the arrays; among the steps, batch steps of all arrays precede component steps."""
     place = len(arrays)
     for name, shape in arrays:
-        yield Operand(name, shape, place)
+        yield LoopArray(name, shape, place)
         place += len(shape)
 
 
@@ -83,7 +83,6 @@ class Native(C):
 
     name = "native"
     entry = "meson.build"
-    unproved = "rounding errors; the compiler and the loops around proved cores, which are tested"
 
     def shared(self) -> Mapping[str, Data]:
         headers = {name: data for name, data in super().shared().items() if name.endswith(".h")}
@@ -108,12 +107,12 @@ class Native(C):
     def further(self, facts: Facts) -> dict[str, tuple[str, Data]]:
         """Return the headers of the chart for further tables, and the extension modules for all tables."""
         found = super().further(facts)
-        for table in self.tables:
+        for programs in (facts.lowered.poses, facts.lowered.rotations):
             data = {
                 "name": facts.chart.name,
-                "prefix": c_text.prefix(facts.chart, table),
-                "programs": fingerprint(facts, lower_chart(facts.chart, table)),
-                "up": "../" * bool(table.name),
+                "prefix": c_text.prefix(facts.chart, programs.table),
+                "programs": fingerprint(facts, programs),
+                "up": "../" * bool(programs.table.name),
             }
-            found[inside(table, f"{facts.chart.name}.c")] = ("module.c", data)
+            found[inside(programs.table, f"{facts.chart.name}.c")] = ("module.c", data)
         return found

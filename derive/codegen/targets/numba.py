@@ -22,7 +22,7 @@ from ..rows import Function, Table
 from ..validation import Library
 from . import infix
 from .expression import WIDTH, Lists, items
-from .python import Printed, PythonTarget, formula_of
+from .python import PythonFunction, PythonTarget, formula_of
 
 MOST_OUTPUTS = 9
 """Largest number of stores in a loop that LLVM still vectorizes."""
@@ -53,10 +53,10 @@ def loops(row: Function, program: Program) -> Loops:
     return Loops(row, parameters, rows, _call(program, range(len(sizes)), "    ", ""))
 
 
-def _printed(program: Program, formula: str = "") -> Printed:
+def _printed(program: Program, formula: str = "") -> PythonFunction:
     """Return a function whose arguments are tuples of components, numbers, or the table."""
     body = infix.body(program, dialect=DIALECT, alone=True, ask=_ask, first=_first(program))
-    return Printed(program.name, tuple(argument for argument, _ in program.inputs), body, formula)
+    return PythonFunction(program.name, tuple(argument for argument, _ in program.inputs), body, formula)
 
 
 def _ask(call: Call, arguments: str) -> str:
@@ -90,7 +90,7 @@ def _call(program: Program, group: Sequence[int], indent: str, suffix: str) -> s
     return "\n".join([*lines, f"{indent})", *stores])
 
 
-def _called(programs: Sequence[Printed]) -> list[str]:
+def _called(programs: Sequence[PythonFunction]) -> list[str]:
     """Return the functions of ``_compiled`` that the programs call."""
     text = "".join(program.forms for program in programs)
     names = ("atan2", "expm1", "log1p", "number", "sqrt", "tan", "where")
@@ -103,7 +103,6 @@ class Numba(PythonTarget):
     name = "numba"
     options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
-    unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> dict[str, Data]:
         rows = [row for table in self.tables for _, row in sorted(table.public.items()) if row.constants]
@@ -121,7 +120,7 @@ class Numba(PythonTarget):
         }
 
     def programs(self, facts: Facts) -> Data:
-        programs = facts.lowered.scalars.items()
+        programs = facts.lowered.poses.scalars.items()
         scalars = [_printed(program, formula_of(name, facts.chart)) for name, program in programs]
         return {"scalars": scalars, "calls": _called(scalars)}
 

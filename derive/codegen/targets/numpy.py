@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..lowered import Lowered, lower_chart
+from ..lowered import lower_chart
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
 from ..signatures import POSES
@@ -23,7 +23,6 @@ class Numpy(PythonTarget):
     tools = ("dask", "interop")
     imports_bases = True
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
-    unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
 
     def shared(self) -> dict[str, Data]:
         tables = {
@@ -35,19 +34,19 @@ class Numpy(PythonTarget):
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
         base = facts.chart.base
-        own = {"scalars": [], "helpers": []} if base else printed_scalars(facts.chart, facts.lowered.scalars)
+        own = {"scalars": [], "helpers": []} if base else printed_scalars(facts.chart, facts.lowered.poses.scalars)
         inherited = lower_chart(base, POSES).scalars.values() if base else ()
         return {
             **own,
             "names": items((f"_{program.name}" for program in own["scalars"]), " " * 8),
-            "programs": fingerprint(facts, facts.lowered),
+            "programs": fingerprint(facts, facts.lowered.poses),
             "base": base.name if base else None,
             "factor": facts.chart.factor,
             "constant": tuple(p.name for p in inherited if not all(isinstance(output, str) for output in p.outputs)),
         }
 
-    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
-        return {"programs": fingerprint(facts, lowered)}
+    def rotations(self, facts: Facts) -> Data:
+        return {"programs": fingerprint(facts, facts.lowered.rotations)}
 
 
 def signature(row: Function) -> str:

@@ -14,9 +14,9 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import DEFINITIONS, Chart
 from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
-from ..lowered import Lowered, lower_chart, printed_geometry, shared_with_poses
-from ..lowering.scalars import FORMULAS
-from ..package import Data, Facts, comment, numbers
+from ..lowered import printed_geometry, shared_with_poses
+from ..lowering.scalar_programs import FORMULAS
+from ..package import Data, Facts, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
@@ -31,7 +31,7 @@ CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}
 
 
 @dataclass(frozen=True, slots=True)
-class Printed:
+class PythonFunction:
     """Program for its template: parameters, text of the body, and its formula as a comment."""
 
     name: str
@@ -54,7 +54,6 @@ class PythonTarget:
     tools: tuple[str, ...] = ()
     """Public modules that hold no chart, such as those that import further libraries."""
     name: str
-    unproved: str
     options: str
     """Keyword parameters of functions that return one array, with types and defaults."""
 
@@ -96,7 +95,7 @@ class PythonTarget:
         """Return the data for a table's geometry; rotations import programs that equal programs of poses."""
         same = shared_with_poses(table)
         programs = [
-            Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+            PythonFunction(name, _parameters(program, name in table.kernels), infix.body(program))
             for name, program in printed_geometry(table).items()
             if name not in same
         ]
@@ -113,7 +112,7 @@ class PythonTarget:
             "placed": ", ".join(name for name in self.keywords if name != "parallel"),
             "makes": "out" in self.keywords,
             "definitions": DEFINITIONS,
-            "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
+            "equations": {name: cited(equations) for name, equations in EQUATIONS.items()},
             "rotations": table is not POSES,
             "up": ".." if table.name else ".",
             "n": jacobian[0],
@@ -122,9 +121,9 @@ class PythonTarget:
 
     def programs(self, facts: Facts) -> Data:
         """Return the data for a chart's template, with its scalar programs."""
-        return printed_scalars(facts.chart, facts.lowered.scalars)
+        return printed_scalars(facts.chart, facts.lowered.poses.scalars)
 
-    def rotations(self, facts: Facts, lowered: Lowered) -> Data:
+    def rotations(self, facts: Facts) -> Data:
         """Return data for the template of a rotation module, in addition to `described`."""
         return {}
 
@@ -134,8 +133,7 @@ class PythonTarget:
 
     def companions(self, facts: Facts) -> Mapping[str, tuple[str, Data]]:
         """Return the module of the chart for rotations, which uses scalar programs of the module for poses."""
-        lowered = lower_chart(facts.chart, ROTATIONS)
-        data = {**described(facts, ROTATIONS), "name": facts.chart.name, **self.rotations(facts, lowered)}
+        data = {**described(facts, ROTATIONS), "name": facts.chart.name, **self.rotations(facts)}
         return {inside(ROTATIONS, f"{facts.chart.name}.py"): (inside(ROTATIONS, "chart.py"), data)}
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
@@ -200,7 +198,7 @@ def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
     return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
 
 
-def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[Printed]]:
+def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[PythonFunction]]:
     """Return scalar programs of a chart as plain functions of numbers, and the helpers that they call."""
     helpers, programs = with_helpers(scalars)
     called = Counter(call.function for program in programs.values() for call in program.calls)
@@ -211,10 +209,10 @@ def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, l
     }
 
 
-def _printed(program: Program, formula: str) -> Printed:
+def _printed(program: Program, formula: str) -> PythonFunction:
     parameters = tuple(part for _, parts in program.inputs for part in parts)
     body = infix.body(program, alone=True, ask=lambda call, passed: f"_{call.function}(m, {passed})")
-    return Printed(program.name, parameters, body, formula)
+    return PythonFunction(program.name, parameters, body, formula)
 
 
 def formula_of(scalar: str, chart: Chart) -> str:
@@ -222,4 +220,4 @@ def formula_of(scalar: str, chart: Chart) -> str:
     general, of_order, maps = FORMULAS[scalar]
     texts = [shown(general), *([shown(of_order, chart.cayley)] if of_order and chart.cayley else [])]
     equations = dict.fromkeys(number for name in maps for number in getattr(chart, name).equations)
-    return comment([*texts[:-1], texts[-1] + (f"; CP23 {numbers(equations)}" if equations else "")], "#")
+    return comment([*texts[:-1], texts[-1] + (f"; CP23 {cited(equations)}" if equations else "")], "#")

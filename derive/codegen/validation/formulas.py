@@ -20,7 +20,7 @@ from ...maps.elementary import evaluate
 from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
 from ...proof import Ring, root_of
-from ..lowering.scalars import scalar_program
+from ..lowering.scalar_programs import scalar_program
 from ..rows import Function, Table
 from ..signatures import POSES
 from .vectors import Flat, Vectors, dual, flat

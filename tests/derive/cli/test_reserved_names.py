@@ -24,7 +24,7 @@ CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
     ("name", "reason"),
     [
         *((name, "with a leading underscore") for name in FILES),
-        *((name, "in packages of kernels: take another") for name in WITHIN),
+        *((name, "is reserved in packages of kernels") for name in WITHIN),
         *((name, "would hide that of C") for name in ("math", "Time", "Python")),
         ("rotation", "the folder of rotations"),
         *((name, "is the name of the chart of phi = ") for name in CHARTS),

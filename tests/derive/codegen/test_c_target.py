@@ -9,9 +9,9 @@ import pytest
 from click.testing import CliRunner
 
 from derive.cli.commands import cli
-from derive.codegen import ValidationFailed, check, generate
+from derive.codegen import ValidationFailed, check_charts, generate
 from derive.codegen.lowered import geometry, lower_chart
-from derive.codegen.lowering.scalars import SCALARS
+from derive.codegen.lowering.scalar_programs import SCALARS
 from derive.codegen.package import notices
 from derive.codegen.programs.trace import Trace
 from derive.codegen.rows import inside
@@ -190,10 +190,10 @@ def test_unknown_or_missing_function_is_an_error(texts, file, old, new, message)
 
 def test_a_folder_is_checked_as_a_whole(tmp_path, texts, without_validation):
     generate([3, 4], "c", tmp_path)
-    assert check(tmp_path, [3], "c") == []
+    assert check_charts(tmp_path, [Cayley(3)], "c") == []
     (tmp_path / "test_cayley4.c").write_text(texts["test_cayley4.c"].replace("0x1", "0x2", 1))
     (tmp_path / "differential.h").unlink()
-    assert {(found.path.name, found.kind) for found in check(tmp_path, [3], "c")} == {
+    assert {(found.path.name, found.kind) for found in check_charts(tmp_path, [Cayley(3)], "c")} == {
         ("test_cayley4.c", "stale"), ("differential.h", "missing"),
     }  # fmt: skip
 
@@ -219,7 +219,7 @@ def test_half_written_headers_fail_to_compile_and_name_the_command(staged, first
 
 def test_a_half_written_package_is_stale(staged):
     (staged / "dualcay.h").write_text(notices([Cayley(3), Cayley(4)], C)["dualcay.h"])
-    assert [(d.path.name, d.kind) for d in check(staged, [3], "c")] == [("dualcay.h", "stale")]
+    assert [(d.path.name, d.kind) for d in check_charts(staged, [Cayley(3)], "c")] == [("dualcay.h", "stale")]
 
 
 # --- validation ---------------------------------------------------------------------------------------------------

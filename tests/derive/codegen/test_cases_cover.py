@@ -11,7 +11,7 @@ from typing import Any
 import mpmath
 import pytest
 
-from derive.codegen.lowered import Lowered, geometry, lower_chart
+from derive.codegen.lowered import ChartPrograms, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.signatures import FUNCTIONS, POSES
 from derive.codegen.validation import decimals, samples
@@ -36,7 +36,7 @@ class Watched:
 
     def __init__(self, chart: Cayley) -> None:
         self.chart = chart
-        self.lowered: Lowered = lower_chart(chart)
+        self.lowered: ChartPrograms = lower_chart(chart)
         self.programs = geometry()
         self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from derive.codegen import package
-from derive.codegen.lowered import geometry
+from derive.codegen.lowered import geometry, lower
 from derive.codegen.package import Facts, fingerprint
 from derive.codegen.programs.program import Call, Program
 from derive.maps import Cayley
@@ -18,8 +18,7 @@ from derive.proof import prove
 
 @pytest.fixture(scope="module")
 def facts() -> Facts:
-    proved = prove(Cayley(3))
-    return Facts(proved)
+    return Facts(lower(prove(Cayley(3))))
 
 
 CHANGES: dict[str, Callable[[Program], Program]] = {
@@ -34,17 +33,17 @@ CHANGES: dict[str, Callable[[Program], Program]] = {
 
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_fingerprint_changes_with_a_scalar_program(facts: Facts, change: Callable[[Program], Program]) -> None:
-    lowered = facts.lowered
+    lowered = facts.lowered.poses
     name, program = next(iter(lowered.scalars.items()))
     changed = replace(lowered, scalars={**lowered.scalars, name: change(program)})
     assert fingerprint(facts, changed) != fingerprint(facts, lowered)
 
 
 def test_fingerprint_changes_with_a_call_in_the_geometry(facts: Facts, monkeypatch: pytest.MonkeyPatch) -> None:
-    known = geometry(facts.lowered.table)
+    known = geometry(facts.lowered.poses.table)
     name, program = next((name, p) for name, p in known.items() if any(isinstance(s, Call) for s in p.statements))
     place, call = next((i, s) for i, s in enumerate(program.statements) if isinstance(s, Call))
-    seen = {fingerprint(facts, facts.lowered)}
+    seen = {fingerprint(facts, facts.lowered.poses)}
     for asked in (
         replace(call, function="pose"), replace(call, args=("other",)), replace(call, rest=not call.rest),
         replace(call, names=call.names[::-1]), replace(call, truths=frozenset({*call.truths, "more"})),
@@ -52,12 +51,12 @@ def test_fingerprint_changes_with_a_call_in_the_geometry(facts: Facts, monkeypat
         statements = (*program.statements[:place], asked, *program.statements[place + 1 :])
         changed = {**known, name: replace(program, statements=statements)}
         monkeypatch.setattr(package, "geometry", lambda table, changed=changed: changed)
-        seen.add(fingerprint(facts, facts.lowered))
+        seen.add(fingerprint(facts, facts.lowered.poses))
     assert len(seen) == 6
 
 
 def test_fingerprint_changes_with_arrays_and_tables_of_branches(facts: Facts) -> None:
-    lowered = facts.lowered
+    lowered = facts.lowered.poses
     row = lowered.table.kernels["pose"]
     rows = [replace(row, arguments=row.results), replace(row, results=row.arguments), replace(row, constants=("c",))]
     tables = [replace(lowered.table, kernels={**lowered.table.kernels, "pose": changed}) for changed in rows]

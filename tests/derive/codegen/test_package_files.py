@@ -11,21 +11,20 @@ from pathlib import Path
 import pytest
 
 from derive import about
-from derive.codegen.package import LICENCE, Facts, module_texts, notices, shared_texts
+from derive.codegen.build import print_package
+from derive.codegen.package import LICENCE, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
-from derive.proof import prove
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
-FACTS = Facts(prove(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
     """Yield name and text of a package's files, then of the notices that replace some of them during writing."""
     row = TARGETS[target]
-    yield from (shared_texts(row) | module_texts(FACTS, row)).items()
+    yield from print_package([CHART], row).texts.items()
     yield from notices([CHART], row).items()
 
 
@@ -64,8 +63,9 @@ def test_version_is_in_the_header_of_one_file(target: str) -> None:
 @pytest.mark.parametrize("target", TARGETS)
 def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
     row = TARGETS[target]
-    assert any(name.startswith("rotation/") and "geometry" in name for name in shared_texts(row))
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in module_texts(FACTS, row))
+    printed = print_package([CHART], row)
+    assert any(name.startswith("rotation/") and "geometry" in name for name in printed.shared)
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in printed.modules[0].texts)
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -13,8 +13,8 @@ import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
+from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.package import Facts, module_texts, shared_texts
 from derive.codegen.signatures import PUBLIC
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.float_cases import cases
@@ -23,7 +23,6 @@ from derive.maps import PhiError, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw
 from derive.output import files
-from derive.proof import prove
 from tests.support import families, sampling
 from tests.support.oracle import Oracle
 
@@ -48,10 +47,8 @@ class Folded(Oracle):
 @pytest.fixture(scope="module")
 def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """Return the printed kernels without validation, which generation would add."""
-    target, proved = TARGETS["numpy"], prove(parameterization(TEXT, "folded"))
     folder = tmp_path_factory.mktemp("phi")
-    text = module_texts(Facts(proved), target)
-    files.write(folder / "of_phi", {**shared_texts(target), **text})
+    files.write(folder / "of_phi", print_package([parameterization(TEXT, "folded")], TARGETS["numpy"]).texts)
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(folder)
         return importlib.import_module("of_phi.folded")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.package import Facts, module_texts, shared_texts
+from derive.codegen.build import print_package
 from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation import validate
@@ -17,16 +17,13 @@ from derive.codegen.validation.loading import loaded, module_of
 from derive.maps import parameterization
 from derive.maps.real_constants import BITS, LEVELS, polynomial
 from derive.output import files
-from derive.proof import prove
 
 
 @pytest.mark.parametrize("phi", ["pi*alpha/4", pytest.param("alpha*(pi + alpha**2)/4", marks=pytest.mark.thorough)])
 def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
     """Require small integers in the split of π: powers of a long integer overflow float32 and spoil v = 0."""
-    chart, target = parameterization(phi, "mine"), TARGETS["numpy"]
-    proved = prove(chart)
-    text = module_texts(Facts(proved), target)
-    files.write(tmp_path / "of_mine", {**shared_texts(target), **text})
+    chart = parameterization(phi, "mine")
+    files.write(tmp_path / "of_mine", print_package([chart], TARGETS["numpy"]).texts)
     assert validate(tmp_path / "of_mine", chart, geometry=True) > 500
     v = np.linspace(0, 1, 12, dtype=np.float32).reshape(2, 6)[::-1]
     with loaded(tmp_path / "of_mine") as package:

@@ -9,13 +9,14 @@ import os
 import re
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 
 import derive
 from derive import about
-from derive.codegen import ValidationFailed, check, publish, signatures
+from derive.codegen import ValidationFailed, catalogue, check_charts, publish, signatures
 from derive.codegen import build as road
 from derive.codegen.package import notices
 from derive.codegen.rows import Function
@@ -202,7 +203,7 @@ def test_generated_folder_works_without_the_toolkit(tmp_path: Path, without_vali
 
 @pytest.mark.smoke
 def test_committed_kernels_are_current():
-    assert check(publish.home("numpy")) == []
+    assert check_charts(publish.place(None, "numpy"), catalogue.committed(), "numpy") == []
 
 
 def test_check_regenerates_further_modules_by_their_header(package, tmp_path: Path):
@@ -211,7 +212,7 @@ def test_check_regenerates_further_modules_by_their_header(package, tmp_path: Pa
     path.write_text(path.read_text() + "# touched\n")
     (tmp_path / "cayley3.py").unlink()
     lines: list[str] = []
-    found = check(tmp_path, orders=[3], progress=lines.append)
+    found = check_charts(tmp_path, [Cayley(3)], "numpy", lambda _: nullcontext(lines.append))
     assert lines == [f"cayley{n}: {stage}" for n in (3, 4) for stage in ("proving", "printing")]
     assert [(d.path.name, d.kind) for d in found] == [("cayley3.py", "missing"), ("cayley4.py", "stale")]
 
@@ -222,14 +223,15 @@ def test_module_with_header_of_another_target_is_foreign(package, tmp_path: Path
     text = path.read_text()
     path.write_text(text.replace("-n 4 --target numpy", "-n 4 --target numba"))
     assert path.read_text() != text
-    assert [(d.path.name, d.kind) for d in check(tmp_path, orders=[3])] == 2 * [("cayley4.py", "foreign")]
+    found = check_charts(tmp_path, [Cayley(3)], "numpy")
+    assert [(d.path.name, d.kind) for d in found] == 2 * [("cayley4.py", "foreign")]
 
 
 def test_default_folder_exists_only_in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    with pytest.raises(ValueError, match="name an output folder: only numpy kernels have a place, in a checkout"):
+    with pytest.raises(ValueError, match="only NumPy kernels have a default one, and only in a checkout"):
         derive.generate([2], target="c")
     monkeypatch.setattr(about, "checkout", lambda: None)
-    with pytest.raises(ValueError, match="name an output folder"):
+    with pytest.raises(ValueError, match="name a folder"):
         derive.generate([2])
     assert not any(tmp_path.iterdir())
 

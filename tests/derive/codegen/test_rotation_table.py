@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from derive.codegen import ValidationFailed, catalogue
+from derive.codegen.build import print_package
 from derive.codegen.lowered import geometry
 from derive.codegen.lowering.point import narrowed
-from derive.codegen.lowering.scalars import SQUARES
-from derive.codegen.package import Facts, module_texts, shared_texts
+from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
@@ -19,7 +19,6 @@ from derive.codegen.validation import formulas as exact
 from derive.codegen.validation.batches import batches
 from derive.maps import Cayley
 from derive.output import files
-from derive.proof import prove
 
 ONLY_OF_POSES = {"pose", "from_pose", "transform_line", "transform_line_jacobians"}
 
@@ -81,9 +80,7 @@ def test_function_without_expected_values_is_not_generated(name: str, monkeypatc
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
-    chart, target = Cayley(1), TARGETS["numpy"]
-    facts = Facts(prove(chart))
-    return shared_texts(target) | module_texts(facts, target)
+    return print_package([Cayley(1)], TARGETS["numpy"]).texts
 
 
 GEOMETRY, INTERFACE = "rotation/_geometry.py", "rotation/_interface.py"

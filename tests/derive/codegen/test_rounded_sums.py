@@ -11,7 +11,7 @@ import mpmath
 import pytest
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.lowering.scalars import SQUARES, scalar_program
+from derive.codegen.lowering.scalar_programs import SQUARES, scalar_program
 from derive.codegen.programs.program import Program
 from derive.codegen.programs.trace import Trace
 from derive.codegen.targets import infix

@@ -8,8 +8,12 @@ from derive.codegen import catalogue
 from derive.codegen.lowered import lower_chart
 from derive.codegen.programs.program import Call, Program
 from derive.codegen.programs.shared import with_helpers
+from derive.maps import parameterization
 
-CHARTS = {chart.name: chart for chart in catalogue.committed() if not chart.base}
+OWN = parameterization("2*sinh(alpha/2)", "own")
+"""Chart with two helpers from ``aa`` to ``w``, whose names must differ."""
+
+CHARTS = {chart.name: chart for chart in (*catalogue.committed(), OWN) if not chart.base}
 
 
 def computed(program: Program, helpers: dict[str, Program], known: dict[object, int]) -> tuple[list[object], set[int]]:
@@ -37,6 +41,7 @@ def test_callers_of_helpers_compute_the_same_values_and_no_others(name: str) -> 
         assert computed(callers[key], helpers, known) == computed(program, {}, known)
 
 
-def test_small_angle_series_of_the_exponential_is_printed_once() -> None:
+def test_small_angle_series_of_the_exponential_is_printed_once_and_helpers_are_named_by_results() -> None:
     helpers, callers = with_helpers(lower_chart(CHARTS["exponential"]).scalars)
+    assert list(helpers) == ["near_to_alpha", "C01_to_h", "s_and_w", "f_to_h"]
     assert sum("C7" in {step.name for step in program.steps} for program in (helpers | callers).values()) == 1

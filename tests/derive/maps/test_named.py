@@ -8,7 +8,7 @@ import sympy
 
 from derive.about import FAMILIES
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.lowering.scalars import scalar_programs
+from derive.codegen.lowering.scalar_programs import scalar_programs
 from derive.maps import Cayley, families, family, parameterization
 from derive.maps.any_phi.expressions import parsed
 from derive.maps.any_phi.parameterization import recognized

@@ -8,12 +8,11 @@ from typing import Any, cast
 
 import pytest
 
-from derive.codegen.build import print_module
-from derive.codegen.lowering.scalars import FORMULAS
+from derive.codegen.build import print_package
+from derive.codegen.lowering.scalar_programs import FORMULAS
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.python import formula_of
 from derive.maps import Cayley, cayley, chart, family, parameterization
-from derive.output.progress import no_op
 from derive.proof import ProofFailed, prove, shown
 from derive.proof.texts import MARKED, compared, shown_with
 
@@ -68,7 +67,7 @@ def test_generation_refuses_a_wrong_map_of_an_order(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(cayley, "_definitions", wrong)
     for n in (1, 3, 12):
         with pytest.raises(ProofFailed, match=rf"not proved: R = .*\[n = {n}\].*; dcay_n = .*\[n = {n}\]"):
-            print_module(Cayley(n), TARGETS["numpy"], no_op)
+            print_package([Cayley(n)], TARGETS["numpy"])
 
 
 def test_proof_refuses_a_wrong_map_of_every_chart(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -96,7 +95,7 @@ def test_generation_refuses_a_wrong_comment(
     altered = general.replace(right, wrong), of_order.replace(right, wrong), maps
     monkeypatch.setitem(cast(dict[str, Any], FORMULAS), scalar, altered)
     with pytest.raises(ProofFailed, match="not proved: "):
-        print_module(Cayley(9), TARGETS["numpy"], no_op)
+        print_package([Cayley(9)], TARGETS["numpy"])
 
 
 def test_formulas_need_marks_and_known_names() -> None:
