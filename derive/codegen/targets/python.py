@@ -19,7 +19,7 @@ from ..package import Data, Facts, comment, numbers
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES, ROTATIONS
+from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
 from ..validation import NUMPY, Library, Machinery, replay, validate
 from . import infix
 
@@ -113,6 +113,8 @@ class PythonTarget:
             "makes": "out" in self.keywords,
             "definitions": DEFINITIONS,
             "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
+            "tables": f"{', '.join(SIDES)} = {', '.join(map(repr, SIDES.values()))}".replace("'", '"'),
+            "sides": {row.name: side for row in table.public.values() for side in SIDES if row.constants == SIDES[side]},
             "rotations": table is not POSES,
             "up": ".." if table.name else ".",
             "n": jacobian[0],
