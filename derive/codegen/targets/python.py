@@ -95,7 +95,7 @@ class PythonTarget:
         """Return the data for a table's geometry; rotations import programs that equal programs of poses."""
         same = shared_with_poses(table)
         programs = [
-            Printed(name, _parameters(program, name in table.kernels), infix.body(program))
+            printed_program(program, kernel=name in table.kernels)
             for name, program in printed_geometry(table).items()
             if name not in same
         ]
@@ -104,6 +104,7 @@ class PythonTarget:
     def interface(self, table: Table) -> Data:
         """Return the data for a table's interface."""
         jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+        names = {numbers: side for side, numbers in SIDES.items()}
         alone = [kind.partition(" = ")[2] for name, kind in self.keywords.items() if name != "axis"]
         return {
             "options": f"*, {self.options}",
@@ -114,7 +115,7 @@ class PythonTarget:
             "definitions": DEFINITIONS,
             "equations": {name: numbers(equations) for name, equations in EQUATIONS.items()},
             "tables": f"{', '.join(SIDES)} = {', '.join(map(repr, SIDES.values()))}".replace("'", '"'),
-            "sides": {row.name: side for row in table.public.values() for side in SIDES if row.constants == SIDES[side]},
+            "sides": {name: names[row.constants] for name, row in table.public.items() if row.constants},
             "rotations": table is not POSES,
             "up": ".." if table.name else ".",
             "n": jacobian[0],
@@ -194,11 +195,12 @@ def described(facts: Facts, table: Table) -> Data:
     return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 
 
-def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
-    """Return the parameters of a geometry program; every program that users call takes ``m`` and ``c``."""
+def printed_program(program: Program, kernel: bool = False) -> Printed:
+    """Return a geometry program as a plain function of numbers; every kernel takes ``m`` and ``c``."""
     context = "m, c" if kernel else program.context
     given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
-    return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
+    parameters = (*(f"{name}: Any" for name in context.split(", ") if name), *given)
+    return Printed(program.name, parameters, infix.body(program))
 
 
 def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[Printed]]:
