@@ -19,7 +19,7 @@ from ..lowered import geometry, printed_geometry, shared_with_poses
 from ..package import Data, Facts
 from ..programs.program import Call, Program
 from ..rows import Function, Table
-from ..validation import Library
+from ..validation import Library, runtime
 from . import infix
 from .expression import WIDTH, Lists, items
 from .python import Printed, PythonTarget, formula_of
@@ -103,6 +103,7 @@ class Numba(PythonTarget):
     name = "numba"
     options = "axis: int = -1, out: Array | None = None, parallel: bool = False"
     files = (*PythonTarget.files, "_compiled.py")
+    checks = (runtime.tools,)
     unproved = "what Numba and LLVM make of the source, with typed constants and selections; rounding errors"
 
     def shared(self) -> dict[str, Data]:

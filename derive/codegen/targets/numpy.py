@@ -9,7 +9,7 @@ from ..lowering.scalars import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
 from ..signatures import POSES
-from ..validation import Machinery
+from ..validation import Machinery, motions
 from .expression import items
 from .python import CLASSES, PythonTarget, printed_program, printed_scalars
 
@@ -28,6 +28,7 @@ class Numpy(PythonTarget):
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True
+    checks = (*PythonTarget.checks, *motions.CHECKS)
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
     unproved = "rounding errors, which are measured; NumPy itself; the recorder, which is tested"
 

@@ -20,7 +20,7 @@ from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
-from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
 from . import infix
 
 INTERFACE = "_interface.py"
@@ -47,6 +47,8 @@ class PythonTarget:
     comment = "#"
     machinery = Machinery()
     tables: Sequence[Table] = (POSES, ROTATIONS)
+    checks: Sequence[runtime.Check] = (runtime.tools, runtime.laws)
+    """Checks of run-time parts that are written by hand, on floats or, without a replay, on numbers of 50 digits."""
     imports_bases = False
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
@@ -144,7 +146,9 @@ class PythonTarget:
         return validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
+        libraries = self.libraries()
+        count = replay(folder, chart, self.machinery, libraries, self.tables, geometry=geometry)
+        return count + (runtime.check(folder, chart, self.checks, exact=not libraries) if geometry else 0)
 
     def libraries(self) -> Sequence[Library]:
         """Return the array libraries of a replay."""
