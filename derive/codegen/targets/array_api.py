@@ -27,7 +27,7 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     machinery = Machinery(out=False, silent=False)
-    checks = (*PythonTarget.checks, runtime.rules)
+    checks = (*PythonTarget.checks, runtime.steps, runtime.rules)
     unproved = "what array libraries do with arrays other than NumPy's arrays of objects; rounding errors"
 
     def shared(self) -> dict[str, Data]:

@@ -19,7 +19,7 @@ from .runtime import FAR, NEAR, RATES, Array, Case, Loaded, differences
 
 AXIS = np.array([0.36, 0.48, 0.8])
 SCREW, OTHER = np.array([*AXIS, 0.4, -0.2, 0.6]), np.array([*AXIS, -0.3, 0.5, 0.2])
-"""Twists of 1 rad/s about parallel axes: a motion has the twist (1 + t/5) SCREW, and OTHER gives its start."""
+"""Twists of 1 rad/s about parallel axes: a motion has the twist (1 + t²/10) SCREW, and OTHER gives its start."""
 
 STARTS = {("lie", "space"): 0.6, ("lie", "body"): 4.0, ("chart", "space"): 5.0, ("chart", "body"): 0.6}
 """Rotation angle at t = 0 by method and frame: below π, beyond π, and beyond the limit where v changes its branch."""
@@ -27,8 +27,8 @@ STARTS = {("lie", "space"): 0.6, ("lie", "body"): 4.0, ("chart", "space"): 5.0, 
 LIMIT = 3 * pi / 2
 """Angle where v changes its branch in a chart whose first singular angle is 2π."""
 
-TIMES = np.linspace(0, 4.3, 5)
-DELAY = 2.0**-10
+TIMES = np.linspace(0, 4.4, 5)
+DELAY = 2.0**-12
 SPREAD, NOISE = np.diag([1.0, 2, 3, 4, 5, 6]) + 0.5, np.diag([0.3, 0.1, 0.2, 0.4, 0.2, 0.1]) + 0.05
 
 FACTOR = Fraction(3, 2)
@@ -67,27 +67,31 @@ def adjoint(pose: Array) -> Array:
     return np.array([[m[2, 1], m[0, 2], m[1, 0], *m[:3, 3]] for m in moved]).T
 
 
+def twist(t: float) -> Array:
+    return (1 + t**2 / 10) * SCREW
+
+
 @dataclass(frozen=True)
 class Turning:
-    """Motion with the twist (1 + t/5) SCREW in a frame, from a pose with a rotation about the same axis."""
+    """Motion with the twist (1 + t²/10) SCREW in a frame, from a pose with a rotation about the same axis."""
 
     module: Any
     frame: str
     start: float
 
     def pose(self, t: float) -> Array:
-        moved, begun = exponential(SCREW, t + t * t / 10), exponential(OTHER, self.start)
+        moved, begun = exponential(SCREW, t + t**3 / 30), exponential(OTHER, self.start)
         return moved @ begun if self.frame == "space" else begun @ moved
 
     def angle(self, t: float) -> float:
         """Return the angle after all switches up to a time."""
-        return self.start + t + t * t / 10 - 2 * pi * int(np.sum(self.switches <= t))
+        return self.start + t + t**3 / 30 - 2 * pi * int(np.sum(self.switches <= t))
 
     @property
     def switches(self) -> Array:
-        """Return the times where t + t²/10 is the angle left to the limit; 0 for a start beyond it."""
-        left = np.maximum(LIMIT - self.start + 2 * pi * np.arange(2), 0)
-        times = 5 * (np.sqrt(1 + 0.4 * left) - 1)
+        """Return the times where t + t³/30 is the angle left to the limit; 0 for a start beyond it."""
+        left = np.maximum(LIMIT - self.start + 2 * pi * np.arange(3), 0)
+        times = np.array([max(np.roots([1 / 30, 0, 1, -angle]).real) for angle in left])
         return np.asarray(times[times <= TIMES[-1]])
 
     def vector(self, pose: Array, angle: float) -> Array:
@@ -119,7 +123,7 @@ def motion(at: Loaded) -> Iterator[Case]:
     module, propagate = at.module(), at.part("_propagate").propagate
     for (method, frame), start in STARTS.items():
         case, turning = f"propagate, {method}, {frame}", Turning(module, frame, start)
-        twists: Any = np.array([(1 + t / 5) * SCREW for t in TIMES]) if start == 4.0 else lambda t: (1 + t / 5) * SCREW
+        twists: Any = twist if start < 4 else np.array([twist(t) for t in TIMES])
         options = {"frame": frame, "method": method, "covariance": SPREAD, "noise": NOISE}
         found = propagate(module, turning.vector(turning.pose(0), start), twists, TIMES, **options)
         angles, poses = [turning.angle(t) for t in TIMES], np.array([turning.pose(t) for t in TIMES])
@@ -160,16 +164,16 @@ def branches(at: Loaded) -> Iterator[Case]:
         event = switching.switch_event(module)
         values = [event(0.0, np.array([*(tan(angle / (2 * order)) * AXIS), 0, 0, 0])[:n]) for angle in (LIMIT, 1.0)]
         yield f"switch_event of {n} components", values, [0, tan(0.5 / order) ** 2 - tan(LIMIT / 2 / order) ** 2]
-        for begin in (0.4, 0.4 + 2 * pi):
-            angles = np.concatenate([begin + 0.8 * np.arange(9), begin + 6.4 - 1.1 * np.arange(1, 12)])
-            angles[[5, 12]] = np.nan
-            turns, wanted = np.rint(angles / (2 * pi)), np.tan(angles / (2 * order))[:, None] * AXIS
-            given = np.tan((angles - 2 * pi * turns) / (2 * order))[:, None] * AXIS
-            given[0] = wanted[0]
-            branch = np.nan_to_num(np.where(angles < 2 * pi * turns, -turns, turns) % count)
-            found, k = switching.unwrap(module, np.pad(given, ((0, 0), (0, n - 3))), branch=True)
-            yield f"unwrap of {n} components from {begin:.1f} rad: vectors", found[:, :3], wanted
-            yield f"unwrap of {n} components from {begin:.1f} rad: branches", k, branch
+        turn = [0, 2.6, 5.2, 7.8, 10.4, 11, 13, 15.6, 14, 12.6, 9.7, 6.8, 3.9, 1.2, -0.4, -1.6, -4.3]
+        angles = np.add.outer(turn, [0.4, 6.7])
+        angles[[0, 5, 8], [0, 0, 1]] = np.nan
+        turns = np.rint(angles / (2 * pi))
+        wanted, given = (np.tan(a / (2 * order))[..., None] * AXIS for a in (angles, angles - 2 * pi * turns))
+        given[[1, 0], [0, 1]] = wanted[[1, 0], [0, 1]]  # the first ones
+        branch = np.nan_to_num(np.where(angles < 2 * pi * turns, -turns, turns) % count)
+        found, k = switching.unwrap(module, np.pad(given, ((0, 0), (0, 0), (0, n - 3))), branch=True)
+        yield f"unwrap of {n} components: vectors", found[..., :3], wanted
+        yield f"unwrap of {n} components: branches", k, branch
 
 
 def multiples(at: Loaded) -> Iterator[Case]:
@@ -178,6 +182,8 @@ def multiples(at: Loaded) -> Iterator[Case]:
     factor = FACTOR.numerator, FACTOR.denominator
     chart = at.part("_multiple").multiple(module.CHART, module.__name__, *factor, constant=(), programs="")
     kernels = at.part("_interface").PoseKernels(chart)
+    limit = K * np.array([*(tan(LIMIT / (2 * at.chart.order)) * AXIS), 0, 0, 0])
+    yield "switch_event of a multiple of the chart", at.part("_switching").switch_event(kernels)(0.0, limit), 0
     angle, line = module.to_screw(NEAR)
     values = {
         "v": FAR, "v2": FAR, "v1": NEAR, "v0": NEAR, "v_dot": RATES[0], "v_ddot": RATES[1], "omega": RATES[0],
@@ -198,13 +204,13 @@ def multiples(at: Loaded) -> Iterator[Case]:
 def other_libraries(at: Loaded) -> Iterator[Case]:
     """Cases of ``interop``: orders of twists, the Cayley map of 4x4 matrices, quaternions of ROS and SciPy."""
     module, interop, n, v = at.module(), at.part("interop"), at.chart.order, np.array(NEAR)
-    twist, pose, q = np.array(RATES[0]), module.pose(NEAR), module.quaternion(NEAR)
-    swapped = np.concatenate([twist[3:], twist[:3]])
+    omega, pose, q = np.array(RATES[0]), module.pose(NEAR), module.quaternion(NEAR)
+    swapped = np.concatenate([omega[3:], omega[:3]])
     matrix = module.adjoint(v)
-    yield "to_linear_angular", interop.to_linear_angular(twist), swapped
-    yield "from_linear_angular", interop.from_linear_angular(swapped), twist
+    yield "to_linear_angular", interop.to_linear_angular(omega), swapped
+    yield "from_linear_angular", interop.from_linear_angular(swapped), omega
     turned = interop.to_linear_angular_matrix(matrix)
-    yield "to_linear_angular_matrix", turned @ swapped, np.roll(matrix @ twist, 3)
+    yield "to_linear_angular_matrix", turned @ swapped, np.roll(matrix @ omega, 3)
     yield "from_linear_angular_matrix", interop.from_linear_angular_matrix(turned), matrix
     for scale in (1.0, 2.0 * n):
         vector = interop.to_cayley_4x4(scale * v, scale)
@@ -226,4 +232,16 @@ def other_libraries(at: Loaded) -> Iterator[Case]:
         yield f"from_{name}", getattr(interop, f"from_{name}")(module, there), wanted
 
 
-CHECKS = dual_quaternions, motion, branches, multiples, other_libraries
+def random(at: Loaded) -> Iterator[Case]:
+    """Cases of ``random``: bounds of angles and translations, and the mean trace 0 of uniform rotations."""
+    module, rotations = at.module(), at.module(ROTATIONS)
+    v = module.random(100, max_angle=1.0, max_translation=2.0, rng=1)
+    sizes = np.linalg.norm([module.to_exponential(v)[:, :3], module.pose(v)[:, :3, 3]], axis=-1).max(axis=-1)
+    turned = np.linalg.norm(rotations.to_exponential(rotations.random(100, max_angle=1.0, rng=1)), axis=-1).max()
+    yield "random: bounds", [0.9 < size < 1 for size in (*sizes / (1, 2), turned)], [True] * 3
+    traces = [np.trace(rotations.tensor(rotations.random(4000, rng=1)), axis1=-2, axis2=-1).mean()]
+    traces += [np.trace(module.pose(module.random(4000, rng=1))[:, :3, :3], axis1=-2, axis2=-1).mean()]
+    yield "random: mean traces near 0", [abs(trace) < 0.1 for trace in traces], [True] * 2
+
+
+CHECKS = dual_quaternions, motion, branches, multiples, other_libraries, random

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...maps.chart import Chart
+from ..lowering.scalars import SCALARS
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS, SIDES
 from .batches import ValidationFailed
@@ -120,24 +121,29 @@ def tools(at: Loaded) -> Iterator[Case]:
     _tools = at.part("_tools")
     for table in (POSES, ROTATIONS):
         module, n = at.module(table), 6 if table is POSES else 3
-        v, v_dot = (at.array([row[:n] for row in rows]) for rows in ((FAR, NEAR), RATES))
+        v, v_dot = (at.array([[row[:n] for row in rows]]) for rows in ((FAR, NEAR), RATES))
         spread = at.array(np.diag(np.arange(1.0, n + 1)) + np.ones((n, n)))
         J = differences(module.principal, v)
         expected = module.principal(v), times(J, v_dot), J @ spread @ J.swapaxes(-1, -2)
-        found = module.switch(v, v_dot, np.stack([spread, spread]))
-        columns = module.switch(v.T, v_dot.T, np.stack([spread, spread], axis=-1), axis=0)
+        given = v, v_dot, np.broadcast_to(spread, J.shape)
+        found = module.switch(*given)
+        columns = module.switch(*(_components_first(array, 2) for array in given), axis=0)
         for name, one, other, wanted in zip(("vector", "rate", "covariance"), found, columns, expected, strict=True):
             yield f"switch of {n} components: {name}", one, wanted
-            yield f"switch of {n} components: {name}, axis 0", np.moveaxis(np.asarray(other), -1, 0), wanted
+            yield f"switch of {n} components: {name}, axis 0", other, _components_first(wanted, 2)
         other, moved = _doubled_shadow(module), 2 * module.shadow(v)
         yield f"convert of {n} components", _tools.convert(v, module, other), moved
         J = differences(lambda v, module=module: 2 * module.shadow(v), v)  # type: ignore[misc]
         yield f"convert_jacobian of {n} components", _tools.convert_jacobian(v, module, other), J
-        columns = _tools.convert_jacobian(v.T, module, other, axis=0)
-        yield f"convert_jacobian of {n} components, axis 0", np.moveaxis(columns, -1, 0), J
+        columns = _tools.convert_jacobian(_components_first(v, 2), module, other, axis=0)
+        yield f"convert_jacobian of {n} components, axis 0", columns, _components_first(J, 2)
     module = at.module()
     v, v_dot = at.array(FAR), at.array(RATES[0])
     yield "matrix6 of the tangent operator", times(_tools.matrix6(module.tangent(v)), v_dot), module.twist(v, v_dot)
+
+
+def _components_first(array: Array, leading: int) -> Array:
+    return np.moveaxis(array, range(leading), range(-leading, 0))
 
 
 def _doubled_shadow(module: Any) -> Any:
@@ -182,6 +188,26 @@ RULED = {
     "twist": SIDES["SPACE"], "body_twist": SIDES["BODY"], "rate": SIDES["SPACE_INV"], "body_rate": SIDES["BODY_INV"],
 }  # fmt: skip
 """Functions with a rule for JAX, and the tables of their kernels."""
+
+
+def steps(at: Loaded) -> Iterator[Case]:
+    """Cases of the scalars of exp(δ) beside the rules: values and slopes, errors times 10¹⁶."""
+    programs, m = at.part("_jax").STEPS.scalars, at.part("_runtime").Objects(np, np.empty(0, object))
+    formulas: dict[str, Callable[[Any], Any]] = {
+        "f": lambda x: mpmath.sinc(mpmath.sqrt(x)),
+        "g": lambda x: mpmath.sinc(mpmath.sqrt(x) / 2) ** 2 / 2,
+        "h": lambda x: (1 - mpmath.sinc(mpmath.sqrt(x))) / x,
+        "fi": lambda x: mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2),
+        "hi": lambda x: (2 - mpmath.sqrt(x) * mpmath.cot(mpmath.sqrt(x) / 2)) / x,
+    }
+    for x in map(mpmath.mpf, (1, 5, 8, 20, 60)):
+        for name, program in vars(programs).items():
+            row = SCALARS[name]
+            shares = [mpmath.mpf(share) for share in ((0.5, 0.375, 0.125) if len(row.arguments) == 3 else (1,))]
+            found = program(m, *(Decimal(x * share) for share in shares))
+            values = [2 * mpmath.diff(formulas[r[:-1]], x) if r.endswith("y") else formulas[r](x) for r in row.results]
+            errors = [(Decimal(1) * a - Decimal(b)) * 10**16 for a, b in zip(found, values, strict=True)]
+            yield f"{name} of exp(δ) at x = {x}, for JAX", errors, np.zeros(len(errors))
 
 
 def rules(at: Loaded) -> Iterator[Case]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-LONGEST_STEP = 0.05
+LONGEST_STEP = 0.04
 
 
 class RungeKutta:
