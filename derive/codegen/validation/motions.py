@@ -135,11 +135,11 @@ def motion(at: Loaded) -> Iterator[Case]:
         yield f"{case}: branches", found.branch, [-int(a > pi) % at.chart.branches for a in angles]
         yield f"{case}: covariances", found.covariance, [turning.covariance(t) for t in TIMES]
         t = TIMES[1:-1]
-        before, now, after = (
-            np.array([turning.vector(turning.pose(s + h), turning.angle(s)) for s in t]) for h in (-DELAY, 0, DELAY)
-        )
-        yield f"{case}: first derivatives", found(t, 1), (after - before) / (2 * DELAY)
-        yield f"{case}: second derivatives", found(t, 2), (after - 2 * now + before) / DELAY**2
+        rate = module.rate if frame == "space" else module.body_rate
+        before, after = ([turning.vector(turning.pose(s + h), turning.angle(s)) for s in t] for h in (-DELAY, DELAY))
+        slopes = [rate(v, [twist(s + h) for s in t]) for v, h in ((before, -DELAY), (after, DELAY))]
+        yield f"{case}: first derivatives", found(t, 1), np.subtract(after, before) / (2 * DELAY)
+        yield f"{case}: second derivatives", found(t, 2), np.subtract(*slopes[::-1]) / (2 * DELAY)
         v0, moved = np.array(FAR) / 4, exponential(SCREW, 0.7)
         found, begun = propagate(module, v0, lambda t: SCREW, [0, 0.7], frame=frame, method=method), module.pose(v0)
         yield f"{case}: any start", found.pose[-1], moved @ begun if frame == "space" else begun @ moved
