@@ -20,7 +20,7 @@ CHART = Cayley(3)
 ALTERED = {
     "scalars of a step": ("numpy", "_derived.py", "w = 2 * r", "w = 3 * r", "propagate, lie, space: poses"),
     "order of a product": (
-        "numpy", "_stepping.py", 'centre) if frame == "space"', 'centre) if frame == "body"', "propagate, lie, space: poses",
+        "numpy", "_stepping.py", 'centre) if frame == "space"', 'centre) if frame == "body"', "propagate, lie, space",
     ),
     "start beyond the limit": (
         "numpy", "_propagate.py", "(math.pi < angle and not switched)", "(math.pi < angle)",
