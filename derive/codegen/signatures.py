@@ -53,6 +53,8 @@ ANGLE = _array("angle", (2,), 1, 1, real=())
 SPACE, BODY = ("1",), ("-1",)
 """Side of T: 1 selects T (space), −1 its transpose (body). The constants of T⁻¹ are the side and half the side."""
 SPACE_INV, BODY_INV = ("1", "0.5"), ("-1", "-0.5")
+SIDES = {"SPACE": SPACE, "BODY": BODY, "SPACE_INV": SPACE_INV, "BODY_INV": BODY_INV}
+"""Sides by their names in the run-time parts."""
 
 CHECK, SCALAR_FIRST = "check", "scalar_first"
 """Keywords: ``check`` asks for valid arguments, ``scalar_first`` places the scalar of a quaternion."""

@@ -33,6 +33,11 @@ POWERS = {
 }  # fmt: skip
 """Powers of K that divide the scalars of the base chart; each slope adds two."""
 
+FURTHER_POWERS = {
+    "x": -2, "y": -2, "v11": -2, "v22": -2, "v33": -2, "r": -1, "fe": -1, "b": 1, "gain": -1, "rk": -1,
+}  # fmt: skip
+"""Powers of K that divide other numbers of the base chart; angles, turns and quaternions have none."""
+
 
 def divided(value: Coefficient, factor: Fraction, m: Arithmetic, power: int = 1) -> Coefficient:
     """Return ``value/factor^power``, by integers that every number type holds exactly."""

@@ -16,7 +16,8 @@ import pkgutil
 import re
 from typing import TYPE_CHECKING, Any
 
-from ._motion import Motion, MotionError, propagate
+from ._motion import Motion, MotionError
+from ._propagate import propagate
 from ._switching import switch_event, unwrap
 from ._tools import convert, convert_jacobian, matrix6
 

@@ -130,7 +130,7 @@ def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[
     valid = np.isfinite(angle) & np.any(axis != 0, axis=-1)
     steps = _continued(angle, axis, own, valid) - own if len(array) else own
     found = module.inverse(module.inverse(array))
-    count = module.KERNELS._chart.branches
+    count = module.CHART.branches
     for step in map(int, np.unique(steps[valid])):
         chosen = valid & (steps == step)
         if step % count if count else step:

@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
-from scipy.spatial.transform import Rotation
 
+from ._derived import pose_of, tensor_of
 from ._kernel import Array
-from ._stepping import Form, Problem, Step, largest_angle, pose_of
+from ._stepping import Form, Problem, Step, displaced, largest_angle
 from ._tools import matrix6
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
@@ -55,7 +55,7 @@ class Trajectory:
         for place in np.unique(places):
             y[:, places == place] = self.steps[place].local(t[places == place])
         centres, starts = (table[places].T for table in self._tables)
-        q = np.array(pose_of(self.problem.frame, self.form.quaternion(y), centres))
+        q = np.array(displaced(np, self.problem.frame, self.form.quaternion(y), centres))
         return np.asarray((q * np.where(np.sum(q[:4] * starts[:4], axis=0) < 0, -1, 1)).T)
 
     @cached_property
@@ -96,7 +96,7 @@ class Trajectory:
         other = q[:, 0] * np.where(changes % 2, -1, 1) < 0
         module = self.problem.module
         v = np.where(other[:, None], module.from_quaternion(q, -1), module.from_quaternion(q))
-        count = module.KERNELS._chart.branches
+        count = module.CHART.branches
         return v, poses(q), -other.astype(int) % count if count else -other.astype(int)
 
     def derivative(self, t: Array, order: int) -> Array:
@@ -148,7 +148,8 @@ class Trajectory:
         knots = np.union1d(t, [self.begin, *(step.end for step in self.steps if step.end <= t[-1])])
         half = np.diff(knots) / 2
         times = knots[:-1, None] + half[:, None] * (1 + NODES)
-        moved = matrix6(adjoint(poses(self.quaternions(times.ravel())), self.problem.frame == "space"))
+        tensors = np.stack(tensor_of([*self.quaternions(times.ravel()).T]), axis=-1).reshape(-1, 2, 3, 3)
+        moved = matrix6(tensors.swapaxes(-1, -2) if self.problem.frame == "space" else tensors)
         parts = (moved @ noise @ moved.swapaxes(-1, -2)).reshape(*times.shape, 6, 6)
         sums = np.cumsum(np.einsum("i,j,ijkl->ikl", half, WEIGHTS, parts), axis=0)
         return np.concatenate([np.zeros((1, 6, 6)), sums])[np.searchsorted(knots, t)]
@@ -157,15 +158,5 @@ class Trajectory:
 def poses(q: Array) -> Array:
     """Return homogeneous matrices (T, 4, 4) of unit dual quaternions (T, 8)."""
     matrices = np.tile(np.eye(4), (len(q), 1, 1))
-    matrices[:, :3, :3] = Rotation.from_quat(q[:, :4], scalar_first=True).as_matrix()
-    scalar, vector, dual_scalar, dual = q[:, :1], q[:, 1:4], q[:, 4:5], q[:, 5:]
-    matrices[:, :3, 3] = 2 * (scalar * dual - dual_scalar * vector + np.cross(vector, dual))
+    matrices[:, :3] = np.stack(pose_of([*q.T]), axis=-1).reshape(-1, 3, 4)
     return matrices
-
-
-def adjoint(pose: Array, inverse: bool) -> Array:
-    """Return the dual tensors (T, 2, 3, 3) of poses or of their inverses."""
-    rotation, translation = pose[:, :3, :3], pose[:, :3, 3]
-    moment = np.cross(translation[:, None, :], rotation.swapaxes(-1, -2)).swapaxes(-1, -2)
-    tensor = np.stack([rotation, moment], axis=1)
-    return np.asarray(tensor.swapaxes(-1, -2)) if inverse else tensor

@@ -6,16 +6,17 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import pi
-from types import SimpleNamespace
 from typing import Any, Protocol
 
 import numpy as np
 from scipy import integrate
 
+from ._derived import LOCAL, normalized, product
 from ._geometry import KERNELS
+from ._interface import BODY_INV, SPACE_INV
 from ._kernel import Array
 from ._motion import MotionError
-from ._runtime import Floats
+from ._runtime import FLOAT, Floats, constants
 from ._switching import switch_angle
 
 Twist = Callable[[float], Sequence[float]]
@@ -26,7 +27,7 @@ INTEGRATORS = "RK23", "RK45", "DOP853"
 LARGEST_TURN = 1.0
 """Rotation angle within a step (rad), if the angular velocity keeps its value at the beginning of the step."""
 
-SIDES = {"space": (1.0, 0.5), "body": (-1.0, -0.5)}
+TABLES = {"space": constants(SPACE_INV, FLOAT), "body": constants(BODY_INV, FLOAT)}
 """Table of the program ``rate`` by frame."""
 
 
@@ -74,19 +75,14 @@ class Form(Protocol):
 class LieForm:
     """Local vector ``tan(α/4) u`` of the displacement within a step; it restarts at zero after each."""
 
-    scalars = SimpleNamespace(
-        tangent_inv_scalars=lambda m, x: ((1 - x) / 2, 1, -1, 0),
-        quaternion_scalars=lambda m, x: ((1 - x) / (1 + x), 2 / (1 + x), -4 / (1 + x) ** 2, -4 / (1 + x) ** 2),
-    )
-
     def __init__(self, problem: Problem) -> None:
-        self.problem, self.table, self.program = problem, SIDES[problem.frame], KERNELS["rate"].plain
+        self.problem, self.table, self.program = problem, TABLES[problem.frame], KERNELS["rate"].plain
 
     def rate(self, y: Array, omega: Sequence[float]) -> Any:
-        return self.program(Floats, self.scalars, y.tolist(), omega, self.table)
+        return self.program(Floats, LOCAL, y.tolist(), omega, self.table)
 
     def quaternion(self, y: Any) -> Any:
-        return KERNELS["quaternion"].plain(Floats, self.scalars, y)
+        return KERNELS["quaternion"].plain(Floats, LOCAL, y)
 
     def restart(self, y: Array) -> None:
         return None
@@ -154,7 +150,7 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
             raise MotionError(f"no step is small enough at t = {solver.t:.9g}: {message}", solver.t)
         last = omega  # a step ends with an evaluation at its end; dense output may evaluate elsewhere
         yield Step(solver.t_old, solver.t, solver.dense_output(), centre, start)
-        pose = pose_of(problem.frame, form.quaternion(solver.y.tolist()), centre)
+        pose = displaced(Floats, problem.frame, form.quaternion(solver.y.tolist()), centre)
         start = [-part for part in pose] if sum(a * b for a, b in zip(pose[:4], start[:4])) < 0 else pose
         moved = form.restart(solver.y)
         if moved is None:
@@ -165,29 +161,7 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
         omega = last
 
 
-def pose_of(frame: str, local: Any, centre: Any) -> list[Any]:
-    """Return the unit dual quaternion of a local displacement of a centre, components first."""
-    return normalized(product(local, centre) if frame == "space" else product(centre, local))
-
-
-def product(a: Any, b: Any) -> list[Any]:
-    """Return the product of two dual quaternions, components first."""
-    crossed = zip(hamilton(a[:4], b[4:]), hamilton(a[4:], b[:4]))
-    return [*hamilton(a[:4], b[:4]), *(one + other for one, other in crossed)]
-
-
-def hamilton(a: Any, b: Any) -> tuple[Any, ...]:
-    """Return the product of two quaternions."""
-    (a0, a1, a2, a3), (b0, b1, b2, b3) = a, b
-    return (
-        a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3, a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
-        a0 * b2 + a2 * b0 + a3 * b1 - a1 * b3, a0 * b3 + a3 * b0 + a1 * b2 - a2 * b1,
-    )  # fmt: skip
-
-
-def normalized(q: Sequence[Any]) -> list[Any]:
-    """Return the unit dual quaternion nearest to q, which is a unit one but for rounding."""
-    real, dual = q[:4], q[4:]
-    square = sum(a * a for a in real)
-    along, size = sum(a * b for a, b in zip(real, dual)) / square, square**0.5
-    return [*(a / size for a in real), *((b - along * a) / size for a, b in zip(real, dual))]
+def displaced(m: Any, frame: str, local: Any, centre: Any) -> Sequence[Any]:
+    """Return the unit dual quaternion of a local displacement of a centre, components first; ``m`` has the root."""
+    pose: Sequence[Any] = normalized(m, product(local, centre) if frame == "space" else product(centre, local))
+    return pose

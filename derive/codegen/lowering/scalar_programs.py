@@ -11,6 +11,7 @@ import sympy
 
 from ...algebra import Quaternion
 from ...maps.chart import Chart
+from ...maps.multiple import FURTHER_POWERS, POWERS
 from ...maps.phi_error import SYMBOLIC_ONLY, PhiError
 from ...maps.real_constants import number, plus
 from ..programs.program import Constant, Program
@@ -160,6 +161,16 @@ SCALARS: Mapping[str, Scalar] = {
 def table_names(chart: Chart) -> tuple[str, ...]:
     """Return the names of the components of the table of returns."""
     return tuple(f"{column}{j}" for j in range(1, len(chart.returns()) + 1) for column in TABLE)
+
+
+def powers_of_factor(name: str) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Return the powers of K that divide the arguments, then the results, of a scalar program of a multiple K w."""
+    row, powers = SCALARS[name], POWERS | FURTHER_POWERS
+    length = powers["r"] if "r" in row.arguments else 0  # a slope is a derivative by r, if r is given, else by an angle
+    first = powers.get(row.results[0], 0)
+    powers |= {"slope": first - length, "bend": first - 2 * length}
+    arguments = (argument for argument in row.arguments if argument != "table")
+    return tuple(-powers.get(argument, 0) for argument in arguments), tuple(powers.get(r, 0) for r in row.results)
 
 
 def scalar_programs(chart: Chart) -> dict[str, Program]:

@@ -11,7 +11,7 @@ import numpy as np
 from ..lowered import lower_chart
 from ..lowering.retraction import EXPONENTIAL
 from ..package import Data
-from ..validation import Library, Machinery
+from ..validation import Library, Machinery, runtime
 from .python import PythonTarget, printed_scalars
 
 STRICT = "array_api_strict"
@@ -27,6 +27,7 @@ class ArrayApi(PythonTarget):
     name = "array-api"
     options = "axis: int = -1"
     machinery = Machinery(out=False, silent=False)
+    checks = (*PythonTarget.checks, runtime.steps, runtime.rules)
 
     def shared(self) -> dict[str, Data]:
         """Return the data of all shared files, with the exponential's scalars for the rules of differentiation."""

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from ..lowered import lower_chart
+from ..lowered import geometry, lower_chart
+from ..lowering.dual_quaternions import LOCAL, PROGRAMS
+from ..lowering.point import traced
+from ..lowering.scalar_programs import SCALARS, powers_of_factor
 from ..package import Data, Facts, fingerprint
 from ..rows import Function
 from ..signatures import POSES
-from ..validation import Machinery
+from ..validation import Machinery, motions
 from .expression import items
-from .python import CLASSES, PythonTarget, printed_scalars
+from .python import CLASSES, PythonTarget, printed_program, printed_scalars
+
+STEP_KERNELS = ("quaternion", "rate")
+"""Kernels of the chart `LOCAL` that steps of a motion run."""
 
 
 class Numpy(PythonTarget):
@@ -18,10 +24,11 @@ class Numpy(PythonTarget):
     options = "axis: int = -1, out: Array | None = None"
     files = (
         *PythonTarget.files, "_kernel.py", "_motion.py", "_multiple.py", "_native.py", "_other_vectors.py",
-        "_program.py", "_recorder.py", "_stepping.py", "_switching.py", "_trajectory.py", "interop.py",
+        "_program.py", "_propagate.py", "_recorder.py", "_stepping.py", "_switching.py", "_trajectory.py", "interop.py",
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True
+    checks = (*PythonTarget.checks, *motions.CHECKS)
     machinery = Machinery(few="_runtime.POINTWISE_MAX", block="_kernel.BLOCK")
 
     def shared(self) -> dict[str, Data]:
@@ -29,7 +36,7 @@ class Numpy(PythonTarget):
             CLASSES[table]: {name: signature(row) for name, row in sorted(table.public.items())}
             for table in self.tables
         }
-        return {**super().shared(), "dask.py": {"tables": tables}}
+        return {**super().shared(), "dask.py": {"tables": tables}, "_derived.py": derived()}
 
     def programs(self, facts: Facts) -> Data:
         """Return the scalar programs; for a multiple, its base, factor, and base programs with constant results."""
@@ -47,6 +54,18 @@ class Numpy(PythonTarget):
 
     def rotations(self, facts: Facts) -> Data:
         return {"programs": fingerprint(facts, facts.lowered.rotations)}
+
+
+def derived() -> Data:
+    """Return the data for the formulas of run-time parts, with the scalars of the chart `LOCAL` that its steps call."""
+    called = {call.function for name in STEP_KERNELS for call in geometry()[name].calls}
+    scalars = {name: program for name, program in lower_chart(LOCAL).scalars.items() if name in called}
+    return {
+        "programs": [printed_program(traced(recipe)) for recipe in PROGRAMS],
+        "title": LOCAL.parameter,
+        **printed_scalars(LOCAL, scalars),
+        "powers": {name: powers_of_factor(name) for name in SCALARS},
+    }
 
 
 def signature(row: Function) -> str:

@@ -20,8 +20,8 @@ from ..package import Data, Facts, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
-from ..signatures import JACOBIAN, POSES, ROTATIONS
-from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
+from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
 from . import infix
 
 INTERFACE = "_interface.py"
@@ -48,6 +48,8 @@ class PythonTarget:
     comment = "#"
     machinery = Machinery()
     tables: Sequence[Table] = (POSES, ROTATIONS)
+    checks: Sequence[runtime.Check] = (runtime.tools, runtime.laws)
+    """Checks of run-time parts that are written by hand, on floats or, without a replay, on numbers of 50 digits."""
     imports_bases = False
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
@@ -95,7 +97,7 @@ class PythonTarget:
         """Return the data for a table's geometry; rotations import programs that equal programs of poses."""
         same = shared_with_poses(table)
         programs = [
-            PythonFunction(name, _parameters(program, name in table.kernels), infix.body(program))
+            printed_program(program, kernel=name in table.kernels)
             for name, program in printed_geometry(table).items()
             if name not in same
         ]
@@ -104,6 +106,7 @@ class PythonTarget:
     def interface(self, table: Table) -> Data:
         """Return the data for a table's interface."""
         jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
+        names = {numbers: side for side, numbers in SIDES.items()}
         alone = [kind.partition(" = ")[2] for name, kind in self.keywords.items() if name != "axis"]
         return {
             "options": f"*, {self.options}",
@@ -113,6 +116,8 @@ class PythonTarget:
             "makes": "out" in self.keywords,
             "definitions": DEFINITIONS,
             "equations": {name: cited(equations) for name, equations in EQUATIONS.items()},
+            "tables": f"{', '.join(SIDES)} = {', '.join(map(repr, SIDES.values()))}".replace("'", '"'),
+            "sides": {name: names[row.constants] for name, row in table.public.items() if row.constants},
             "rotations": table is not POSES,
             "up": ".." if table.name else ".",
             "n": jacobian[0],
@@ -140,7 +145,9 @@ class PythonTarget:
         return validate(folder, chart, geometry, self.tables)
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        return replay(folder, chart, self.machinery, self.libraries(), self.tables, geometry=geometry)
+        libraries = self.libraries()
+        count = replay(folder, chart, self.machinery, libraries, self.tables, geometry=geometry)
+        return count + (runtime.check(folder, chart, self.checks, exact=not libraries) if geometry else 0)
 
     def libraries(self) -> Sequence[Library]:
         """Return the array libraries of a replay."""
@@ -191,11 +198,12 @@ def described(facts: Facts, table: Table) -> Data:
     return {**found, "aliases": table.aliases(facts.chart), "singular": facts.singular}
 
 
-def _parameters(program: Program, kernel: bool) -> tuple[str, ...]:
-    """Return the parameters of a geometry program; every program that users call takes ``m`` and ``c``."""
+def printed_program(program: Program, kernel: bool = False) -> PythonFunction:
+    """Return a geometry program as a plain function of numbers; every kernel takes ``m`` and ``c``."""
     context = "m, c" if kernel else program.context
     given = (f"{name}: {'Any' if parts == (name,) else 'Components'}" for name, parts in program.inputs)
-    return (*(f"{name}: Any" for name in context.split(", ") if name), *given)
+    parameters = (*(f"{name}: Any" for name in context.split(", ") if name), *given)
+    return PythonFunction(program.name, parameters, infix.body(program))
 
 
 def printed_scalars(chart: Chart, scalars: Mapping[str, Program]) -> dict[str, list[PythonFunction]]:

@@ -15,6 +15,9 @@ c_text        run a C header on exact numbers, in both call forms and all array 
 c_interpreter preprocessor, parser and translator for the subset of C used in headers
 compiled      compile and run the differential test of a C header
 replay        call a package on floats, one by one and in arrays
+runtime       run-time parts that are written by hand, on a few cases with independent values
+motions       the same for parts of the NumPy target
+stand_ins     short replacements of SciPy and JAX
 ============= ==========================================================================================
 """
 

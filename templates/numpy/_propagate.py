@@ -1,0 +1,200 @@
+"""Motion of a pose under a given twist: the Poisson–Darboux problem, solved for v at given times."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._kernel import Array
+from ._motion import Motion, MotionError
+
+if TYPE_CHECKING:
+    from ._stepping import Step
+
+Progress = Callable[[float], object]
+
+
+def propagate(
+    module: Any, v0: ArrayLike, twist: Callable[[float], ArrayLike] | ArrayLike, t: ArrayLike, *, frame: str = "space",
+    method: str = "lie", rtol: float = 1e-10, atol: float = 1e-12, covariance: ArrayLike | None = None,
+    noise: ArrayLike | None = None, max_step: float = math.inf, progress: Progress | bool | None = None,
+    integrator: str = "DOP853",
+) -> Motion:  # fmt: skip
+    """Integrate ``Ṙ = skew(ω) R``, or ``Ṙ = R skew(ω)`` in the body frame, for a given dual twist ω; CP23 (70), (74).
+
+    v changes its branch halfway between π and the first singular angle of the chart. A v0 beyond this angle is
+    replaced by its principal vector, and the first time is then a switch. Charts that are singular at the angle π
+    have no other branch: there v jumps from one end of its axis to the other, while the poses stay accurate.
+
+    Parameters
+    ----------
+    module : module
+        Kernel module of poses, such as ``cayley2``.
+    v0 : array, shape (6,)
+        Vector of the chart at the first time.
+    twist : callable, or array of shape (T, 6)
+        Twist [ω, v] (rad/s, length/s): a function of time (s), or samples at the times t, joined by a cubic spline.
+    t : array, shape (T,)
+        Times (s), increasing, at least two.
+    frame : {"space", "body"}
+        Frame of the twist.
+    method : {"lie", "chart"}
+        ``"lie"`` integrates the displacement within each step and multiplies the poses. ``"chart"`` integrates v
+        and switches its branch between steps; charts that are singular at π take a new centre instead.
+    rtol, atol : float
+        Relative and absolute tolerance of a step.
+    covariance : array, shape (6, 6), optional
+        Covariance of v0, symmetric and positive semidefinite; 0 if only ``noise`` is given.
+    noise : array, shape (6, 6), optional
+        Spectral density of white noise of the twist, in the frame of the twist (twist² s).
+    max_step : float
+        Largest step (s). Set it if a twist has short events that longer steps could pass.
+    progress : callable or bool, optional
+        Function of the part of the time that is done, from 0 to 1; True writes percents to stderr.
+    integrator : {"DOP853", "RK45", "RK23"}
+        Runge–Kutta method of SciPy.
+
+    Returns
+    -------
+    Motion
+        Vectors, poses, branches and covariances at the times t, and a function of time.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If an argument is wrong; the message names it.
+    MotionError
+        If the twist is not finite at a later time, or needs steps that are too small.
+    ImportError
+        If SciPy is missing.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from dualcay import cayley2, exponential, propagate
+    >>> omega = np.array([0.3, 0.4, 0, 0, 0, 0.1])
+    >>> motion = propagate(cayley2, np.zeros(6), lambda t: omega, [0, 10, 20])
+    >>> np.allclose(motion.pose, exponential.pose(np.outer([0, 10, 20], omega)), rtol=0, atol=1e-9)
+    True
+    >>> motion.switches.round(3)  # after a turn by 3π/2, |ω| = 0.5; the next is after 7π/2
+    array([9.425])
+    """
+    try:
+        from ._stepping import FORMS, INTEGRATORS, Problem, largest_angle, steps
+        from ._trajectory import Trajectory
+    except ModuleNotFoundError as error:
+        raise ImportError('dualcay.propagate needs SciPy: pip install "dualcay[motion]"') from error
+    if not hasattr(module, "from_exponential") or len(module.identity()) != 6:
+        raise TypeError(f"module must be a kernel module of poses, as cayley2 is, got {module!r}")
+    for name, value, allowed in (("frame", frame, ("space", "body")), ("method", method, tuple(FORMS)),
+                                 ("integrator", integrator, INTEGRATORS)):  # fmt: skip
+        if value not in allowed:
+            raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, got {value!r}")
+    for name, number in (("rtol", rtol), ("atol", atol), ("max_step", max_step)):
+        if not number > 0:
+            raise ValueError(f"{name} must be positive, got {number!r}")
+    times, v = _times(t), _finite("v0", v0, (6,))
+    spread, density = (None if P is None else _covariance(name, P)
+                       for name, P in (("covariance", covariance), ("noise", noise)))  # fmt: skip
+    function, slope = _twist(twist, times)
+    angle = _angle(module, v)
+    problem = Problem(module, function, frame, integrator, rtol, atol, max_step)
+    form, switched = FORMS[method](problem), angle > largest_angle(module)
+    q = module.quaternion(v)
+    start = (-q if (q[0] < 0) != (math.pi < angle and not switched) else q).tolist()
+    restarted = form.restart(v)
+    local, centre = (np.zeros(6), start) if restarted is None else (restarted, [1.0, *[0.0] * 7])
+    found: list[Step] = []
+
+    def motion() -> Motion:
+        path = Trajectory(problem, form, found, times[0], start, switched, slope)
+        known = times[times <= path.end]
+        P = None
+        if spread is not None or density is not None:
+            P = path.covariances(known, v, np.zeros((6, 6)) if spread is None else spread, density)
+        vectors, poses, branches = path.vectors(known)
+        return Motion(known, vectors, poses, branches, path.switches, P, path)
+
+    report = _percents if progress is True else progress or (lambda part: None)
+    try:
+        for step in steps(problem, form, local, centre, start, (times[0], times[-1])):
+            found.append(step)
+            report(float((step.end - times[0]) / (times[-1] - times[0])))
+    except MotionError as error:
+        error.motion = motion()
+        raise
+    return motion()
+
+
+def _percents(part: float) -> None:
+    """Write progress to stderr, and a line break at the end."""
+    sys.stderr.write(f"\r{part:4.0%}" + "\n" * (part >= 1))
+
+
+def _finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
+    """Return an argument as an array of floats, after a check of its shape and values."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name} must hold real numbers, got dtype {array.dtype}")
+    if array.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite, got {array[~np.isfinite(array)][0]} in it")
+    return array.astype(float)
+
+
+def _times(t: ArrayLike) -> Array:
+    shape = np.shape(t)
+    if len(shape) != 1 or shape[0] < 2:
+        raise ValueError(f"t must have shape (T,) with at least two times, got {shape}")
+    times = _finite("t", t, shape)
+    wrong = np.flatnonzero(np.diff(times) <= 0)
+    if wrong.size:
+        former, later = times[wrong[0] : wrong[0] + 2]
+        raise ValueError(f"t must increase, got {later:g} after {former:g}")
+    return times
+
+
+def _covariance(name: str, value: ArrayLike) -> Array:
+    """Return a matrix after a check that it is a covariance, but for rounding errors."""
+    P = _finite(name, value, (6, 6))
+    bound = 1e-12 * abs(P).max()
+    if abs(P - P.T).max() > bound:
+        raise ValueError(f"{name} must be symmetric, got entries that differ by {abs(P - P.T).max():g}")
+    least = np.linalg.eigvalsh(P)[0]
+    if least < -6 * bound:
+        raise ValueError(f"{name} must be positive semidefinite, got the eigenvalue {least:g}")
+    return P
+
+
+def _angle(module: Any, v: Array) -> float:
+    """Return the rotation angle of v on its own branch, after a check that the chart is regular there."""
+    angle = float(np.linalg.norm(module.to_exponential(v)[:3]))
+    for singular in module.singular_angles():
+        if not abs(angle - singular) > 1e-9:
+            raise ValueError(f"v0 must not be on the singular set of the chart, got the rotation angle {angle:.9g}")
+    return angle
+
+
+def _twist(twist: Any, t: Array) -> tuple[Callable[[float], Sequence[float]], Any]:
+    """Return the twist as a function that gives six finite floats, and its derivative if it is a spline."""
+    if not callable(twist):
+        from scipy.interpolate import CubicSpline
+
+        spline = CubicSpline(t, _finite("twist", twist, (len(t), 6)))
+        return (lambda time: spline(time).tolist()), spline.derivative()
+    _finite("twist at the first time", twist(t[0]), (6,))
+
+    def checked(time: float) -> Sequence[float]:
+        value = twist(time)
+        omega: Sequence[float] = value if isinstance(value, (list, tuple)) else np.asarray(value).tolist()
+        if not math.isfinite(sum(omega)):
+            raise MotionError(f"twist must be finite, got {omega} at t = {time:.9g}", time)
+        return omega
+
+    return checked, None
