@@ -1,4 +1,4 @@
-"""Scripts of Gappa that bound the rounding errors of emitted C programs, read back from the text on disk.
+"""Scripts of Gappa that bound the rounding errors of emitted C programs, from the transcripts of their text on disk.
 
 A script holds a straight-line program twice: with every operation rounded to double, and in real arithmetic. Arguments
 have |v| ≤ 1 and a translation of length at most 1.

@@ -7,9 +7,10 @@ rests on the text on disk and on the interpreter that executes it.
 from __future__ import annotations
 
 import operator
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from itertools import count, islice
+from itertools import chain, count, islice
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -99,12 +100,23 @@ class Transcript:
         return tuple(Written(name, self) for name in names)
 
     def definition(self, name: str) -> str:
-        """Return the program as a definition of Coq, a function to tuples of numbers of K."""
+        """Return the program as a definition of Coq; a step used once stands where it is used."""
         lines = [f"Definition {name} ({' '.join(self.parameters)} : K) : {product(len(self.results))} :="]
+        uses = Counter(chain(self.results, *(step.operands for step in self.steps)))
+        texts = dict(zip(self.parameters, self.parameters, strict=True))
+
+        def write(operand: Operand) -> str:
+            return texts[operand] if isinstance(operand, str) else constant(operand)
+
         for step in self.steps:
+            text = step.text(write)
+            if len(step.names) == 1 and uses[step.names[0]] < 2:
+                texts[step.names[0]] = f"({text})"
+                continue
             pattern = step.names[0] if len(step.names) == 1 else f"'({', '.join(step.names)})"
-            lines.append(f"  let {pattern} := {step.text(_of_coq)} in")
-        return "\n".join([*lines, f"  ({', '.join(map(_of_coq, self.results))})."])
+            lines.append(f"  let {pattern} := {text} in")
+            texts |= zip(step.names, step.names, strict=True)
+        return "\n".join([*lines, f"  ({', '.join(map(write, self.results))})."])
 
     def values(self, inputs: Mapping[str, Any], sqrt: Callable[[Any], Any] = np.sqrt) -> dict[Any, Any]:
         """Return the values of all steps on any numbers, by name."""
@@ -126,10 +138,6 @@ def _operand(number: Any) -> Operand:
 def product(count: int) -> str:
     """Return the type of tuples of numbers."""
     return f"({' * '.join(['K'] * count)})%type"
-
-
-def _of_coq(operand: Operand) -> str:
-    return operand if isinstance(operand, str) else constant(operand)
 
 
 def constant(value: Fraction | int) -> str:

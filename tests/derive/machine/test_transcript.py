@@ -63,13 +63,19 @@ def test_python_and_c_give_one_term(tmp_path: Path) -> None:
     read = Transcript(lambda v: (Fraction(-1, 2) * v[1] / 2, -v[0]), [("a", "b")])
     assert (made.steps, made.results) == (read.steps, read.results)
     assert made.place == "toy.h:8"
-    assert made.definition("f").splitlines() == [
-        "Definition f (a b : K) : (K * K)%type :=",
-        "  let t1 := (- ((1 / 2))) * b in",
-        "  let t2 := t1 / 2 in",
-        "  let t3 := - (a) in",
-        "  (t2, t3).",
-    ]
+    head = "Definition f (a b : K) : (K * K)%type :="
+    assert made.definition("f").splitlines() == [head, "  ((((- ((1 / 2))) * b) / 2), (- (a)))."]
+
+
+def test_what_is_used_twice_is_a_let_and_what_is_unused_is_left_out() -> None:
+    def program(a: Any) -> list[Any]:
+        s, w = a.transcript.enter("scalars", [a + 1], 2)
+        product, _ = s * 3, w * w
+        return [product * product, w]
+
+    head = "Definition f (a : K) : (K * K)%type :="
+    lets = ["  let '(t2, t3) := scalars ((a + 1)) in", "  let t4 := t2 * (1 + 2 * 1) in"]
+    assert Transcript(program, ["a"]).definition("f").splitlines() == [head, *lets, "  ((t4 * t4), t3)."]
 
 
 @pytest.mark.parametrize(
