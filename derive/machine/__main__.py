@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from .checker import CLOSED, assumed, compiled, find, rechecked
-from .controls import controls, refused
+from .coq_controls import controls, refused
 from .statements import FOLDER, MachineError, statements
 
 BUILD = FOLDER.parent / "build" / "machine"

@@ -12,23 +12,18 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..codegen.build import print_package
 from ..codegen.signatures import PUBLIC
-from ..codegen.targets import TARGETS
-from ..maps import Cayley
-from ..output import files
-from .checker import CLOSED, Coq, compiled, find
-from .definitions import GEOMETRY
+from .checker import CLOSED, PROCESSES, Coq, compiled, find
+from .coq_definitions import GEOMETRY
+from .emitted import printed
 from .goals import ORDERS, Goal, goals
 from .statements import MachineError
-from .terms import ReadError
 
 ROOT = Path(__file__).parents[2]
-PROCESSES = 2
 
 
 @dataclass(frozen=True)
-class Outcome:
+class ProofTime:
     """Goal with the seconds that Coq took; ``reason`` is empty if the goal is proved."""
 
     goal: Goal
@@ -36,19 +31,19 @@ class Outcome:
     reason: str = ""
 
 
-def prove(goal: Goal, coq: Coq) -> Outcome:
+def prove(goal: Goal, coq: Coq) -> ProofTime:
     """Prove a goal where the proofs are compiled; a program that differs raises `MachineError`."""
     path, begun = coq.build / f"{goal.name}.v", time.monotonic()
     path.write_text(goal.text, encoding="utf-8")
     try:
         done = coq.run("coqc", "-q", path.name)
     except MachineError as error:
-        return Outcome(goal, time.monotonic() - begun, f"not covered: {error}")
+        return ProofTime(goal, time.monotonic() - begun, f"not covered: {error}")
     if done.returncode:
         raise MachineError(_difference(goal, done.stderr))
     if done.stdout.count(CLOSED) != goal.text.count("Print Assumptions"):
         raise MachineError(f"{goal.name}: the proof rests on an axiom: {' '.join(done.stdout.split())}")
-    return Outcome(goal, time.monotonic() - begun)
+    return ProofTime(goal, time.monotonic() - begun)
 
 
 def _difference(goal: Goal, stderr: str) -> str:
@@ -60,9 +55,9 @@ def _difference(goal: Goal, stderr: str) -> str:
     return f"{goal.place}: {which} ({goal.target}) differs from its definition: {part}. Coq: {' '.join(stderr.split())}"
 
 
-def prove_all(numpy: Path, c: Path, coq: Coq, orders: Sequence[int] = ORDERS) -> list[Outcome]:
+def prove_all(numpy: Path, c: Path, coq: Coq, orders: Sequence[int] = ORDERS) -> list[ProofTime]:
     """Prove the programs of two folders of kernels, where the proofs are compiled; progress goes to stderr."""
-    every, outcomes = list(goals(numpy, c, orders)), list[Outcome]()
+    every, outcomes = list(goals(numpy, c, orders)), list[ProofTime]()
     with ThreadPoolExecutor(PROCESSES) as pool:
         for stage in ([g for g in every if not g.order], [g for g in every if g.order]):
             for outcome in pool.map(prove, stage, [coq] * len(stage)):
@@ -71,7 +66,7 @@ def prove_all(numpy: Path, c: Path, coq: Coq, orders: Sequence[int] = ORDERS) ->
     return outcomes
 
 
-def table(outcomes: Iterable[Outcome]) -> str:
+def table(outcomes: Iterable[ProofTime]) -> str:
     """Return function, order, target and seconds of each goal as lines of text, and what is not covered."""
     lines = [f"{'function':20} {'order':>5}  {'target':6} {'seconds':>7}"]
     for each in outcomes:
@@ -87,16 +82,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--c", type=Path, help="folder of C headers; by default they are printed to a temporary folder")
     chosen = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as scratch:
-        headers = Path(scratch) / "c"
         try:
             coq = find(Path(scratch) / "proofs")
-            if not chosen.c:
-                files.write(headers, print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
+            headers = chosen.c or printed(Path(scratch) / "c", ORDERS)
             list(compiled(coq))
-            outcomes = prove_all(chosen.numpy, chosen.c or headers, coq)
-        except (MachineError, ReadError) as error:
+            outcomes = prove_all(chosen.numpy, headers, coq)
+        except MachineError as error:
             print(f"error: {error}", file=sys.stderr)
-            return getattr(error, "code", 1)
+            return error.code
     print(table(outcomes))
     return 0
 

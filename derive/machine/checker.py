@@ -11,13 +11,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from .statements import FOLDER, MachineError, Statement, listed
+from .statements import FOLDER, CoqTheorem, MachineError, listed
 
 FIRST, LAST = (8, 16), (8, 20)
 """Versions of Coq that are accepted."""
 
 TIME_LIMIT = 240
 """Seconds for one file, forty times the time of most of them."""
+
+PROCESSES = 2
+"""Runs of Coq or Gappa at once."""
 
 CLOSED = "Closed under the global context"
 """Coq's words for a theorem without assumptions."""
@@ -78,7 +81,7 @@ def compiled(coq: Coq, folder: Path = FOLDER) -> Iterator[tuple[str, float]]:
         yield name, time.perf_counter() - begin
 
 
-def assumed(coq: Coq, found: Iterable[Statement]) -> dict[str, str]:
+def assumed(coq: Coq, found: Iterable[CoqTheorem]) -> dict[str, str]:
     """Return by theorem what `Print Assumptions` prints; refuse any assumption."""
     names = [f"{statement.file[:-2]}.{statement.name}" for statement in found]
     files = dict.fromkeys(name.split(".")[0] for name in names)

@@ -8,16 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 from pathlib import Path
-from typing import Any
 
-from .c_text import CText
-from .definitions import GEOMETRY, HALF, OPAQUE, SCALARS, Geometry, U, V, X
-from .python_text import PythonText
-from .terms import Program, number, product
+from ..codegen.validation.loading import loaded
+from .coq_definitions import GEOMETRY, HALF, SCALARS, GeometryDefinition, X
+from .emitted import CHeader, PythonModule, reading
+from .transcript import Transcript, product
 
+TARGETS = ("numpy", "c")
 ORDERS = (1, 2, 3, 5)
 """Orders of the Cayley map whose scalar programs are proved."""
 
@@ -30,7 +29,7 @@ Section Text.
 """
 
 
-def geometry_file(name: str, program: Program) -> str:
+def geometry_file(name: str, program: Transcript) -> str:
     """Return the file that proves a geometry program for any scalars."""
     goal = GEOMETRY[name]
     scalars = SCALARS[goal.scalars]
@@ -59,11 +58,11 @@ Print Assumptions {name}_text_right.
 _PARTS = "tensor_parts, vector_parts, quaternion_parts, pose_parts"
 
 
-def _components(goal: Geometry) -> str:
+def _components(goal: GeometryDefinition) -> str:
     return " ".join(f"(v{i} {part})" for part in ("v", "vo", *("u", "uo") * goal.second) for i in (1, 2, 3))
 
 
-def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
+def chart_file(target: str, scalars: str, order: int, program: Transcript) -> str:
     """Return the file that proves a scalar program of the Cayley map of an order, and the functions that call it."""
     goal = SCALARS[scalars]
     root = f"pow (1 + dot v v) {order // 2}" if order % 2 == 0 else f"sqrt (pow (1 + dot v v) {order})"
@@ -71,15 +70,17 @@ def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
     premises = "".join(f"{fill(each)} -> " for each in goal.premises)
     called, pattern = f"{scalars}_text {goal.given}", f"({', '.join(goal.results)})"
     users = {name: each for name, each in GEOMETRY.items() if each.scalars == scalars}
-    known = _names("H", len(goal.premises))
+    known = " ".join(f"H{i + 1}" for i in range(len(goal.premises)))
+    nested = reduce(lambda before, name: f"[{before} {name}]", goal.results)
+    split = " & ".join("ABC"[: len(goal.equations)])
     functions = "".join(
         f"""
   Theorem {name}_right v vo{_second(user)} {goal.numbers} : {premises}
     {name}_text K {scalars}_text {_components(user)} = {fill(user.at_order)}.
   Proof. (* {name} *)
     intros {known}. pose proof ({scalars}_text_right v vo {goal.numbers} {known}) as S.
-    destruct ({called}) as {_nested(goal.results)} eqn:E. destruct S as {_split(len(goal.equations))}.
-    rewrite ({name}_text_right K {scalars}_text v vo{_second(user)}{_half(user)} {' '.join(goal.results)} E){_by(user)}.
+    destruct ({called}) as {nested} eqn:E. destruct S as ({split}).
+    rewrite ({name}_text_right K {scalars}_text v vo{_second(user)}{_half(user)} {' '.join(goal.results)} E){user.by}.
     {fill(user.chart)}
   Qed.
 """
@@ -105,30 +106,12 @@ def chart_file(target: str, scalars: str, order: int, program: Program) -> str:
 """
 
 
-def _names(letter: str, count: int) -> str:
-    return " ".join(f"{letter}{i + 1}" for i in range(count))
-
-
-def _nested(names: Sequence[str]) -> str:
-    """Return the pattern of a tuple, which is a nest of pairs."""
-    first, *others = names
-    return first if not others else f"[{_nested(names[:-1])} {names[-1]}]"
-
-
-def _split(count: int) -> str:
-    return f"({' & '.join('ABC'[:count])})"
-
-
-def _second(goal: Geometry) -> str:
+def _second(goal: GeometryDefinition) -> str:
     return " u uo" if goal.second else ""
 
 
-def _half(goal: Geometry) -> str:
+def _half(goal: GeometryDefinition) -> str:
     return " half" if goal.premises == HALF else ""
-
-
-def _by(goal: Geometry) -> str:
-    return goal.by if goal.premises else ""
 
 
 def _written(equation: str) -> list[str]:
@@ -157,33 +140,15 @@ class Goal:
 
 
 def goals(numpy: Path, c: Path, orders: Sequence[int] = ORDERS) -> Iterator[Goal]:
-    """Read the programs of two folders of kernels and yield their goals, geometry programs first."""
-    python, interface = PythonText(numpy / "_geometry.py"), PythonText(numpy / "_interface.py")
-    headers = {order: CText(c / f"cayley{order}.h", f"dualcay_cayley{order}_") for order in orders}
-    for name, goal in GEOMETRY.items():
-        arguments = (V, U) if goal.second else (V,)
-        yield _geometry("numpy", name, _of_kernel(python, interface, name, arguments))
-        yield _geometry("c", name, headers[orders[-1]].program(name, arguments, OPAQUE))
-    for order in orders:
-        module = PythonText(numpy / f"cayley{order}.py")
-        for name, scalars in SCALARS.items():
-            yield _chart("numpy", name, order, module.program(f"_{name}", scalars.parameters, {}))
-            yield _chart("c", name, order, headers[order].program(name, scalars.parameters, {}))
-
-
-def _of_kernel(python: PythonText, interface: PythonText, name: str, arguments: Sequence[Any]) -> Program:
-    """Read a geometry program of the NumPy kernels; the interface passes some a table that selects the frame."""
-    if name not in python.functions:
-        name, method = name.removeprefix("body_"), name
-    else:
-        method = name
-    table = (tuple(number(Fraction(each)) for each in interface.table(method)),) if len(arguments) == 2 else ()
-    return python.program(name, [*arguments, *table], OPAQUE)
-
-
-def _geometry(target: str, name: str, program: Program) -> Goal:
-    return Goal(target, name, None, geometry_file(name, program), program.place)
-
-
-def _chart(target: str, name: str, order: int, program: Program) -> Goal:
-    return Goal(target, name, order, chart_file(target, name, order, program), program.place)
+    """Execute the programs of two folders of kernels and yield their goals, geometry programs first."""
+    with reading(numpy.name), loaded(numpy) as package:
+        modules = [PythonModule(numpy, package, f"cayley{order}") for order in orders]
+        headers = [CHeader(c / f"cayley{order}.h") for order in orders]
+        opaque = CHeader(headers[-1].path, opaque=True)
+        for name in GEOMETRY:
+            for target, made in zip(TARGETS, (modules[-1].geometry(name), opaque.geometry(name)), strict=True):
+                yield Goal(target, name, None, geometry_file(name, made), made.place)
+        for order, module, header in zip(orders, modules, headers, strict=True):
+            for name in SCALARS:
+                for target, made in zip(TARGETS, (module.scalars(name), header.scalars(name)), strict=True):
+                    yield Goal(target, name, order, chart_file(target, name, order, made), made.place)

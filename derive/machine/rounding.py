@@ -20,22 +20,18 @@ from pathlib import Path
 import mpmath
 import numpy as np
 
-from ..codegen.build import print_package
-from ..codegen.targets import TARGETS
-from ..maps import Cayley
-from ..output import files
-from .definitions import GEOMETRY, V
-from .gappa import EPS, claim, outputs, reach, read, require, rounded_up, run, script, value, values
+from .checker import PROCESSES
+from .coq_definitions import GEOMETRY, V
+from .emitted import CHeader, printed
+from .gappa import EPS, claim, outputs, reach, require, rounded_up, run, script
 from .statements import MachineError
-from .terms import Program, ReadError
+from .transcript import Transcript
 
 FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)
 """Functions and orders, the slowest first."""
 
 SAMPLES, DIGITS = 10_000, 40
 """Arguments of a measurement, and digits of the exact values, of which 16 are lost in the difference."""
-
-PROCESSES = 2
 
 
 @dataclass(frozen=True)
@@ -59,24 +55,25 @@ class Bound:
         return f"{start} {self.reason}" if self.bound is None else f"{start} {self.bound:9.2f} {self.measured:9.2f}"
 
 
-def measured(program: Program, order: int, count: int = SAMPLES) -> dict[int, float]:
+def read(folder: Path, function: str, order: int) -> Transcript:
+    """Return the transcript of a function of a C header with the scalar program that it calls."""
+    return CHeader(folder / f"cayley{order}.h").geometry(function)
+
+
+def measured(program: Transcript, order: int, count: int = SAMPLES) -> dict[int, float]:
     """Return the largest errors in eps at random arguments with |v| ≤ 1 and the largest dual parts, by output."""
     random = np.random.default_rng(order)
     directions = random.normal(size=(2, 3, count))
     real, dual = directions / np.linalg.norm(directions, axis=1, keepdims=True)
     length = random.random(count) * (1 - 1e-12)  # rounding of v stays below |v| = 1
-    dual *= value(reach(order), {"square": length * length}, np.sqrt) * (1 - 1e-12)
+    dual *= reach(order, length * length) * (1 - 1e-12)
     inputs = dict(zip(V, (*(real * length), *dual), strict=True))
-    rounded = values(program, inputs, np.sqrt)
     context = mpmath.MPContext()  # one for each thread
     context.dps = DIGITS
-    number, root = (np.vectorize(each, otypes=[object]) for each in (context.mpf, context.sqrt))
-    exact = values(program, {name: number(each) for name, each in inputs.items()}, root)
-
-    def error(term: str) -> float:
-        return float(np.max(abs(value(term, exact, root) - number(value(term, rounded, np.sqrt)))) / EPS)
-
-    return {i: error(program.results[i]) for i in outputs(program)}
+    number = np.vectorize(context.mpf, otypes=[object])
+    rounded, exact = program.values(inputs), program.values({name: number(each) for name, each in inputs.items()})
+    names = ((i, program.results[i]) for i in outputs(program))
+    return {i: float(np.max(abs(exact[name] - number(rounded[name]))) / EPS) for i, name in names}
 
 
 def found(folder: Path, function: str, order: int) -> list[Bound]:
@@ -84,10 +81,11 @@ def found(folder: Path, function: str, order: int) -> list[Bound]:
     program = read(folder, function, order)
     bounds, reason = run(script(program, order, dict.fromkeys(outputs(program), "in ?")))
     return [
-        Bound(function, order, i, rounded_up(bounds[i]), error)
-        if i in bounds
+        Bound(function, order, i, rounded_up(bounds[step]), error)
+        if step in bounds
         else Bound(function, order, i, None, error, f"not covered: {reason}")
         for i, error in measured(program, order).items()
+        for step in [str(program.results[i])]
     ]
 
 
@@ -103,7 +101,8 @@ def certify(folder: Path, bounds: Sequence[Bound]) -> None:
     claims = {each.output: claim(each.bound) for each in bounds if each.bound is not None}
     _, unproved = run(script(program, order, claims))
     if unproved:
-        raise MachineError(f"{program.place}: Gappa refuses bounds of {where}: {unproved}")
+        names = [each.name for each in bounds if f"{program.results[each.output]}_exact" in unproved]
+        raise MachineError(f"{program.place}: Gappa refuses bounds of {where}: {', '.join(names) or unproved}")
 
 
 def control(folder: Path, bound: Bound) -> None:
@@ -153,12 +152,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             known = load(options.check) if options.check else ()
             require()
-            if not options.c:
-                files.write(Path(scratch), print_package([Cayley(n) for n in ORDERS], TARGETS["c"]).texts)
-            bounds = every(options.c or Path(scratch), known)
-        except (MachineError, ReadError) as error:
+            bounds = every(options.c or printed(Path(scratch), ORDERS), known)
+        except MachineError as error:
             print(f"error: {error}", file=sys.stderr)
-            return getattr(error, "code", 1)
+            return error.code
     if options.output:
         lines = ",\n".join(json.dumps(asdict(each)) for each in bounds)
         options.output.write_text(f"[\n{lines}\n]\n", encoding="utf-8")

@@ -26,7 +26,7 @@ class MachineError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Statement:
+class CoqTheorem:
     """Theorem or lemma of a Coq file: its binders and claim, its proof script, and where it begins."""
 
     file: str
@@ -60,7 +60,7 @@ def listed(folder: Path = FOLDER) -> tuple[str, ...]:
     return names
 
 
-def statements(folder: Path = FOLDER) -> tuple[Statement, ...]:
+def statements(folder: Path = FOLDER) -> tuple[CoqTheorem, ...]:
     """Return all theorems and lemmas; their names must differ, and no file may leave a gap."""
     found = tuple(found for name in listed(folder) for found in _in_file(folder / name))
     places: dict[str, str] = {}
@@ -83,11 +83,11 @@ def without_comments(text: str) -> str:
     return "".join(kept)
 
 
-def _in_file(path: Path) -> Iterator[Statement]:
+def _in_file(path: Path) -> Iterator[CoqTheorem]:
     text = without_comments(path.read_text(encoding="utf-8"))
     if gap := _GAP.search(text):
         line = text.count("\n", 0, gap.start()) + 1
         raise MachineError(f"{path}:{line}: '{gap[0]}' leaves a gap in a proof; prove the statement instead")
     for match in _THEOREM.finditer(text):
         kind, name, claim, proof = match.groups()
-        yield Statement(path.name, kind, name, claim, proof, match.start())
+        yield CoqTheorem(path.name, kind, name, claim, proof, match.start())

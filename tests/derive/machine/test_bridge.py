@@ -5,21 +5,18 @@ from pathlib import Path
 
 import pytest
 
-from derive.codegen.build import print_package
-from derive.codegen.targets import TARGETS
 from derive.machine.bridge import main, prove, table
 from derive.machine.checker import compiled, find
+from derive.machine.emitted import printed
 from derive.machine.goals import goals
 from derive.machine.statements import MachineError
-from derive.maps import Cayley
-from derive.output import files
 
 NUMPY = Path(__file__).parents[3] / "generated" / "dualcay"
 
 
 @pytest.mark.coq
 def test_text_is_proved_and_a_flipped_sign_is_refused(tmp_path: Path) -> None:
-    files.write(tmp_path / "c", print_package([Cayley(1)], TARGETS["c"]).texts)
+    printed(tmp_path / "c", [1])
     kernels = shutil.copytree(NUMPY, tmp_path / "numpy")
     coq = find(tmp_path / "proofs")
     list(compiled(coq))
@@ -39,5 +36,5 @@ def test_text_is_proved_and_a_flipped_sign_is_refused(tmp_path: Path) -> None:
 def test_missing_coq_and_headers_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COQBIN", str(tmp_path))
     assert main(["--c", str(tmp_path)]) == 3
-    with pytest.raises(ValueError, match=r"cayley1.h"):
+    with pytest.raises(MachineError, match=r"cayley1.h"):
         list(goals(NUMPY, tmp_path, [1]))

@@ -55,8 +55,15 @@ class Unit:
         return [name for name in self.functions if name not in self.called | self.translator.referred]
 
 
-def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | None = None) -> Unit:
+def load(
+    text: str,
+    folder: Path | None = None,
+    defines: Mapping[str, str] | None = None,
+    instead: Mapping[str, Callable[..., Any]] | None = None,
+) -> Unit:
     """Read C text, whose quoted includes are files of a folder; a `CError` names any text outside the subset of C.
+
+    Functions named in ``instead`` are replaced by functions of Python when others call them.
 
     Examples
     --------
@@ -70,5 +77,6 @@ def load(text: str, folder: Path | None = None, defines: Mapping[str, str] | Non
     names |= {"CError": CError, "Fraction": Fraction, "Pointer": Pointer, "UNSET": UNSET}
     names |= {"remainder": _remainder, "called": called}
     exec(compile("\n".join(translator.lines), FILE, "exec", dont_inherit=True), names)
+    names |= {f"f_{name}": function for name, function in (instead or {}).items()}
     defined = {name: names[f"f_{name}"] for name, function in translator.functions.items() if function.defined}
     return Unit(source, translator, defined, called)

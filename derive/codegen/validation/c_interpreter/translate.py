@@ -81,7 +81,7 @@ class Translator:
         elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.FuncDecl):
             self._declare(node, defined=False)
         elif not isinstance(node, c_ast.Pragma):
-            raise refuse(node, f"{type(node).__name__} is not read here")
+            raise refuse(node, f"the interpreter of C reads no {type(node).__name__}")
 
     def _write(self, node: c_ast.Node, text: str) -> None:
         self.lines.append("    " * len(self.blocks) + text)
@@ -113,7 +113,7 @@ class Translator:
             return self._type(node.type) + "*" * (not isinstance(node, c_ast.Typename))
         names = tuple(getattr(node.type, "names", (type(node).__name__,)))
         if names not in self.types:
-            raise refuse(node, f"the type {' '.join(names)} is not read here: the one real type is double")
+            raise refuse(node, f"the interpreter of C reads no type {' '.join(names)}: the one real type is double")
         return self.types[names]
 
     def _variable(self, node: c_ast.Decl) -> None:
@@ -177,7 +177,7 @@ class Translator:
             case c_ast.EmptyStatement() | c_ast.Pragma():
                 pass
             case _:
-                raise refuse(node, f"{type(node).__name__} is not read here")
+                raise refuse(node, f"the interpreter of C reads no {type(node).__name__}")
 
     def _loop(self, node: c_ast.For) -> None:
         match node:
@@ -189,7 +189,7 @@ class Translator:
                 self._write(node, f"for c_{name} in range({self._integer(first)}, {self._integer(last)}):")
                 self._block(node, node.stmt, {name: Value("int", f"c_{name}")})
             case _:
-                raise refuse(node, "the one loop that is read here is for (size_t j = a; j < b; ++j)")
+                raise refuse(node, "the one loop that the interpreter of C reads is for (size_t j = a; j < b; ++j)")
 
     # --- expressions --------------------------------------------------------------------------------------------------
 
@@ -226,7 +226,7 @@ class Translator:
                 return Value(type_, converted(node, self._value(node.expr), type_))
             case c_ast.FuncCall():
                 return self._call(node)
-        raise refuse(node, f"{getattr(node, 'op', type(node).__name__)} is not read here")
+        raise refuse(node, f"the interpreter of C reads no {getattr(node, 'op', type(node).__name__)}")
 
     def _at(self, node: c_ast.Node, pointer: Value, index: str) -> Value:
         if not pointer.type.endswith("*"):
@@ -238,7 +238,7 @@ class Translator:
             return Value(f"{value.type}*", value.address)
         if node.op == "-" and not value.type.endswith("*"):
             return Value(value.type, f"(-{value.text})")
-        raise refuse(node, f"{node.op} of {value.type} is not read here")
+        raise refuse(node, f"the interpreter of C reads no {node.op} of {value.type}")
 
     def _binary(self, node: c_ast.BinaryOp, symbol: str, left: Value, right: Value) -> Value:
         types, text = {left.type, right.type}, f"({left.text} {symbol} {right.text})"
@@ -252,7 +252,7 @@ class Translator:
             return Value("real" if "real" in types else "int", text)
         if symbol in ("&", "|", "%") and types == {"int"}:
             return Value("int", f"remainder({left.text}, {right.text})" if symbol == "%" else text)
-        raise refuse(node, f"{left.type} {symbol} {right.type} is not read here")
+        raise refuse(node, f"the interpreter of C reads no {left.type} {symbol} {right.type}")
 
     def _call(self, node: c_ast.FuncCall) -> Value:
         name = getattr(node.name, "name", "")

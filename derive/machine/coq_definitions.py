@@ -11,7 +11,7 @@ X = "(dot (vdual v vo) (vdual v vo))"
 
 
 @dataclass(frozen=True)
-class Scalars:
+class ScalarDefinition:
     """Scalar program: names of its parameters and results, and its definition for the Cayley map of order n.
 
     ``given`` are the arguments in terms of v; ``numbers`` are the numbers that ``premises`` define, such as inverses.
@@ -28,7 +28,7 @@ class Scalars:
 
 
 @dataclass(frozen=True)
-class Geometry:
+class GeometryDefinition:
     """Geometry program: its scalar program, and its value for any scalars and for the Cayley map of order n.
 
     ``result`` names the components in messages. ``chart`` holds steps that prove the value of order n.
@@ -48,8 +48,8 @@ class Geometry:
 POWER = ("power * pow (1 + {X}) {n} = 1",)
 INVERSES = ("half * 2 = 1", "q {X} {n} * q_inverse = 1", "of_nat {n} * n_inverse = 1")
 
-SCALARS: Mapping[str, Scalars] = {
-    "quaternion_scalars": Scalars(
+SCALARS: Mapping[str, ScalarDefinition] = {
+    "quaternion_scalars": ScalarDefinition(
         ("x",), ("s", "w", "sy", "wy"), "(dot v v)", "root",
         ("root * root * pow (1 + {X}) {n} = 1", "re root * {root} = 1"),
         ("Dual s (sy * dot v vo) = p {X} {n} * root", "Dual w (wy * dot v vo) = q {X} {n} * root"),
@@ -57,17 +57,17 @@ SCALARS: Mapping[str, Scalars] = {
         "apply root_parts in H as (N & M & D). subst r'.",
         "all: cbn; known_root sqrt R.",
     ),
-    "pose_scalars": Scalars(
+    "pose_scalars": ScalarDefinition(
         ("v11", "v22", "v33"), ("f", "g", "h"), SQUARES, "power", POWER,
         tuple(f"{each} = cayley_{each} {{n}} (re power) v" for each in "fgh"),
         "intros [N ->]%inverse_parts_left. unfold cayley_f, cayley_g, cayley_h. rewrite parts_of_dot in *.",
     ),
-    "tangent_scalars": Scalars(
+    "tangent_scalars": ScalarDefinition(
         ("v11", "v22", "v33"), ("f", "g", "h", "fy", "gy", "hy"), SQUARES, "power", POWER,
         tuple(f"Dual {each} ({each}y * dot v vo) = cayley_{each} {{n}} power (vdual v vo)" for each in "fgh"),
         "intros [N ->]%inverse_parts_left. unfold cayley_f, cayley_g, cayley_h. rewrite parts_of_dot in *.",
     ),
-    "tangent_inv_scalars": Scalars(
+    "tangent_inv_scalars": ScalarDefinition(
         ("x",), ("fi", "hi", "fiy", "hiy"), "(dot v v)", "half q_inverse n_inverse", INVERSES,
         ("Dual fi (fiy * dot v vo) = p {X} {n} * q_inverse",
          "Dual hi (hiy * dot v vo) = d {X} {n} * (q_inverse * n_inverse)"),
@@ -86,7 +86,7 @@ _ROTATION = (
 )
 
 
-def _tangents() -> Iterator[tuple[str, Geometry]]:
+def _tangents() -> Iterator[tuple[str, GeometryDefinition]]:
     """Yield the tangent operators of both frames, and the maps between rates and twists."""
     for frame, of in ("", "({})"), ("body_", "(transpose ({}))"):
         for name, scalars, value, order, halves in (
@@ -95,26 +95,26 @@ def _tangents() -> Iterator[tuple[str, Geometry]]:
         ):
             sides = [of.format(value), of.format(order)]
             first, second = (f"tensor_parts {side}" for side in sides)
-            yield f"{frame}{name}", Geometry(scalars, "tangent", first, second, premises=halves)
+            yield f"{frame}{name}", GeometryDefinition(scalars, "tangent", first, second, premises=halves)
             name, result = ("rate", "v_dot") if halves else ("twist", "omega")
             first, second = (f"vector_parts (apply {side} (vdual u uo))" for side in sides)
-            yield f"{frame}{name}", Geometry(scalars, result, first, second, second=True, premises=halves)
+            yield f"{frame}{name}", GeometryDefinition(scalars, result, first, second, second=True, premises=halves)
 
 
-GEOMETRY: Mapping[str, Geometry] = {
-    "quaternion": Geometry(
+GEOMETRY: Mapping[str, GeometryDefinition] = {
+    "quaternion": GeometryDefinition(
         "quaternion_scalars", "q",
         "quaternion_parts (quaternion (Dual s (sy * dot v vo) : dual K) (Dual w (wy * dot v vo)) (vdual v vo))",
         "quaternion_parts (cayley_quaternion {n} root (vdual v vo))",
     ),
-    "tensor": Geometry(
+    "tensor": GeometryDefinition(
         "pose_scalars", "tensor", f"tensor_parts ({_ROTATION})", "tensor_parts (cayley_tensor {n} power (vdual v vo))",
         premises=(_UNIT,), proof="unfold tensor_parts. rewrite (twist K f g h v vo E1).",
         by=" by (rewrite A, B; destruct power; eapply cayley_unit, real_part_of_power, H1)",
         chart="destruct power as [power power']. destruct (cayley_slopes K {before} v vo power power' H1) as [F G]. "
         "unfold cayley_tensor. rewrite F, G. cbn [re] in *. rewrite <- A, <- B, <- C. easy.",
     ),
-    "pose": Geometry(
+    "pose": GeometryDefinition(
         "pose_scalars", "pose", "pose_parts (rotation f g v) (apply (tangent f g h v) vo)",
         "pose_parts (cayley_tensor {n} (re power) v) (apply (dcay {n} (re power) v) vo)",
         chart="unfold dcay, cayley_tensor. now rewrite A, B, C.",
@@ -122,5 +122,3 @@ GEOMETRY: Mapping[str, Geometry] = {
     **dict(_tangents()),
 }  # fmt: skip
 """Geometry programs that are proved. R = Q + ε skew(ρ) Q of a pose is the tensor, by the theorem `twist`."""
-
-OPAQUE = {name: scalars.results for name, scalars in SCALARS.items()}

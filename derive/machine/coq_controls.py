@@ -13,29 +13,26 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from .checker import Coq
-from .statements import FOLDER, MachineError, Statement, statements, without_comments
+from .checker import PROCESSES, Coq
+from .statements import FOLDER, CoqTheorem, MachineError, statements, without_comments
 
 FILE = "controls.txt"
 """Controls, one per line."""
-
-PROCESSES = 2
-"""Runs of Coq at once."""
 
 _LINE = re.compile(r"([\w']+): (.+) ==> (.*)")
 _KNOWN = re.compile(r"^Constant (?:\w+\.)*([\w']+)", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
-class Control:
+class CoqControl:
     """Theorem and its altered form."""
 
-    theorem: Statement
-    altered: Statement
+    theorem: CoqTheorem
+    altered: CoqTheorem
     line: int
 
 
-def controls(folder: Path = FOLDER) -> tuple[Control, ...]:
+def controls(folder: Path = FOLDER) -> tuple[CoqControl, ...]:
     """Return all controls; every theorem needs one, and each old text must occur in its theorem."""
     found = {statement.name: statement for statement in statements(folder)}
     result = []
@@ -46,7 +43,7 @@ def controls(folder: Path = FOLDER) -> tuple[Control, ...]:
             form = "theorem: old text ==> new text"
             raise MachineError(f"{folder / FILE}:{number}: not a line  {form}  of a theorem: {line}")
         claim = " ".join(theorem.claim.split()).replace(match[2], match[3], 1)
-        result.append(Control(theorem, replace(theorem, claim=claim), number))
+        result.append(CoqControl(theorem, replace(theorem, claim=claim), number))
     without = {name for name, theorem in found.items() if theorem.kind == "Theorem"} - {c.theorem.name for c in result}
     if without:
         raise MachineError(f"{folder / FILE}: no control for theorem {min(without)}")
@@ -63,7 +60,7 @@ def refused(coq: Coq, folder: Path = FOLDER) -> int:
     return len(found)
 
 
-def _refuse(coq: Coq, folder: Path, batch: Sequence[Control]) -> None:
+def _refuse(coq: Coq, folder: Path, batch: Sequence[CoqControl]) -> None:
     text = without_comments((folder / batch[0].theorem.file).read_text(encoding="utf-8"))
     for index, control in sorted(enumerate(batch), key=lambda item: item[1].theorem.start, reverse=True):
         start, altered = control.theorem.start, control.altered
