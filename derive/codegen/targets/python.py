@@ -21,6 +21,7 @@ from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS
 from ..validation import NUMPY, Library, Machinery, replay, validate
+from ..validation.calls import require_calls
 from . import infix
 
 INTERFACE = "_interface.py"
@@ -152,6 +153,7 @@ class PythonTarget:
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         for table in self.tables:
+            require_calls(table)
             self.require_interface(texts, table)
 
     def require_interface(self, texts: Mapping[str, str], table: Table = POSES) -> None:
