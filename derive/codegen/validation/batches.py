@@ -57,10 +57,9 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
     algebraic = is_algebraic(chart)
     with mpmath.workdps(decimals.DIGITS):
         exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if algebraic else []
-        close = [*samples.at_numbers(chart, table), *(() if algebraic else samples.algebraic_at_numbers(chart, table))]
         closely = [
             Batch(cases[0].row, branch, tuple(map(_decimal, cases)), decimals.tolerance(chart, cases[0].row.remainder))
-            for branch, cases in grouped(close)
+            for branch, cases in grouped(samples.at_numbers(chart, table))
         ]
     require("a call", table.public, (batch.function for batch in exactly + closely))
     if algebraic:

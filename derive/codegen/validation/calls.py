@@ -97,15 +97,13 @@ def grouped(cases: Iterable[C]) -> list[tuple[tuple[int, ...], tuple[C, ...]]]:
 
 
 def selecting(chart: Vectors, drawn: Iterable[Drawn]) -> Iterator[Case]:
-    """Yield the calls, each once, of all functions of poses that take drawn arguments."""
+    """Yield the calls of all functions of poses that select a branch or an angle on drawn arguments."""
     rows = [row for row in POSES.public.values() if row.name in MAPS]
-    seen = set()
-    for given in drawn:
-        for row in (row for row in rows if kind_of(row) == given.kind and row.name not in given.without):
-            call = row.name, given.branch, given.arguments
-            if call not in seen and (given.regular or row.results[0].shape != JACOBIAN.shape):
-                seen.add(call)
-                yield Case(row, *call[1:], partial(value, chart, row, *call[1:]))
+    for kind, arguments, branch, regular, without in drawn:
+        for row in rows:
+            derivative = row.results[0].shape == JACOBIAN.shape
+            if kind_of(row) == kind and row.name not in without and (regular or not derivative):
+                yield Case(row, branch, arguments, partial(value, chart, row, branch, arguments))
 
 
 def algebraic(chart: Vectors, points: Sequence[Sequence[Flat]]) -> Iterator[Case]:
@@ -116,10 +114,7 @@ def algebraic(chart: Vectors, points: Sequence[Sequence[Flat]]) -> Iterator[Case
 
 
 def restricted(cases: Iterable[Case], table: Table) -> Iterator[Case]:
-    """Yield calls of functions of poses as calls of a table: functions of rotations take and return the real parts.
-
-    Only the first of several calls with equal real parts is kept.
-    """
+    """Yield calls of functions of poses as calls of a table, each once: functions of rotations map the real parts."""
     seen = set()
     for case in cases:
         row = table.sources.get(case.function)
@@ -135,16 +130,12 @@ def _part(row: Function, case: Case) -> Flat:
 # --- arguments at a screw -----------------------------------------------------------------------------------------
 
 
-def exactly(values: Iterable[Any]) -> Flat:
-    """Return components unrounded."""
-    return tuple(values)
-
-
 Rounding = Callable[[Iterable[Any]], Flat]
+"""Function that rounds the components of an array."""
 
 
 def at_screw(
-    chart: Vectors, screw: Screw, branch: int, short: Rounding = exactly, regular: bool = True
+    chart: Vectors, screw: Screw, branch: int, short: Rounding = tuple, regular: bool = True
 ) -> Iterator[Drawn]:
     """Yield the quaternions, the matrices and the vectors of a pose, with v on a branch and the way back."""
     q, v, there = flat(quaternion_from_screw(screw)), *(short(flat(chart.at(screw, k))) for k in (0, branch))
@@ -152,11 +143,9 @@ def at_screw(
     yield Drawn(Kind.QUATERNION, (tuple(-c for c in q),), branch or None)  # None is the default of the interface
     yield from of_tensor(tensor_from_screw(screw), branch)
     yield Drawn(Kind.TURN, (v,), branch, regular)
-    if branch and not screw.angle.re:  # w = 0 up to rounding on another branch, where the axis has either sign
-        yield Drawn(Kind.VECTOR, (there,), without=("to_screw",))
-    else:
-        yield Drawn(Kind.VECTOR, (there,))
-        yield Drawn(Kind.TURN, (there,), chart.back(branch))
+    decided = not branch or bool(screw.angle.re)  # else w = 0 up to rounding, and the axis has either sign
+    yield Drawn(Kind.VECTOR, (there,), without=() if decided else ("to_screw",))
+    yield from [Drawn(Kind.TURN, (there,), chart.back(branch))] * decided
     if not branch:
         yield Drawn(Kind.SCREW, (short((screw.angle.re, screw.angle.du)), short(flat(screw.axis))))
         yield Drawn(Kind.LOGARITHM, (short(flat(screw.axis * screw.angle)),))

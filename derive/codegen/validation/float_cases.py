@@ -117,13 +117,9 @@ def _seeded(chart: Vectors) -> tuple[Case, ...]:
     return (*algebraic(chart, points), *selecting(chart, _drawn(chart, draw)))
 
 
-def nearby(value: Any) -> Any:
-    """Return the nearest number on the grid of floats, a multiple of 1/`GRID`."""
-    return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
-
-
 def _short(values: Iterable[Any]) -> Flat:
-    return tuple(map(nearby, values))
+    """Return the nearest numbers on the grid of floats, the multiples of 1/`GRID`."""
+    return tuple(mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID for value in values)
 
 
 def _drawn(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
@@ -136,7 +132,7 @@ def _drawn(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
         yield Drawn(Kind.PAIR, (v2, v), regular=regular)
         yield Drawn(Kind.STEP, (v, delta))
         yield from [Drawn(Kind.STEP, (v, _short(c / SHORTER for c in delta)), regular=True)] * regular
-        yield Drawn(Kind.WAY, (v, v2, (nearby(draw.uniform(0, 1)),)))
+        yield Drawn(Kind.WAY, (v, v2, _short([draw.uniform(0, 1)])))
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws
         for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # perhaps none

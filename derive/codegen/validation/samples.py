@@ -13,7 +13,7 @@ from ...algebra import Dual, Tensor, Vector
 from ...maps import Formula
 from ...maps.chart import Chart
 from ...maps.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
-from ...proof import Ring, root_of
+from ...proof import Ring, is_algebraic, root_of
 from ..lowering.scalars import scalar_program
 from ..rows import Function, Table
 from ..signatures import POSES
@@ -21,7 +21,7 @@ from .calls import Case, Drawn, Kind, algebraic, at_screw, of_tensor, restricted
 from .expected_values import ALGEBRAIC, BY_QUATERNION, Formulas, evaluated
 from .inverse_maps import MAPS, reached
 from .screws import covering, half_turns, steep, translation
-from .vectors import Vectors, flat, is_whole, vectors_of
+from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 
 SEED = 2011
 
@@ -101,14 +101,24 @@ def margin(chart: Vectors) -> float:
 
 
 def at_numbers(chart: Chart, table: Table) -> Iterator[Case]:
-    """Yield calls of all functions that select a branch or an angle."""
+    """Yield calls of all functions that select a branch or an angle and, without exact calls, of algebraic ones."""
     at = vectors_of(chart)
     yield from restricted((*_seeded(at), *selecting(at, _undecided(at, table))), table)
 
 
 @lru_cache(maxsize=1)  # the table of rotations reuses the calls of poses
-def _seeded(chart: Vectors) -> tuple[Case, ...]:
-    return tuple(selecting(chart, _regimes(chart, random.Random(SEED))))
+def _seeded(chart: Vectors) -> Sequence[Case]:
+    found = list(selecting(chart, _regimes(chart, random.Random(SEED))))
+    return found if is_algebraic(chart.chart) else [*found, *algebraic(chart, list(_points(chart)))]
+
+
+def _points(chart: Vectors) -> Iterator[Sequence[Flat]]:
+    """Yield the identity and seeded vectors, each with two further arguments."""
+    draw = random.Random(SEED)
+    for size in (mpmath.mpf(0), *(chart.size(mpmath.mpf(share) * chart.first_pole) for share in SIZES)):
+        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
+        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
+        yield (*(u * (size / u.magnitude())), *rest[0]), *rest[1:]
 
 
 def _regimes(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
@@ -236,15 +246,3 @@ def _half_turns_of(chart: Vectors, re: Vector) -> int:
     angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else mpmath.inf
     inside = angle < (1 - EDGE_MARGIN) * chart.edge
     return int(mpmath.nint(angle / mpmath.pi)) if inside and is_whole(angle / mpmath.pi) else 0
-
-
-def algebraic_at_numbers(chart: Chart, table: Table) -> Iterator[Case]:
-    """Yield calls of every algebraic function at seeded vectors and the identity, for charts without exact cases."""
-    draw, at = random.Random(SEED), vectors_of(chart)
-    points = []
-    for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):
-        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
-        re = u * (size / u.magnitude())
-        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
-        points.append(((*re, *rest[0]), *rest[1:]))
-    yield from restricted(algebraic(at, points), table)

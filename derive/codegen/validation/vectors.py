@@ -238,8 +238,10 @@ def axial(v: Vector) -> tuple[Dual, Vector]:
 
 
 def along(axis: Vector, size: Dual) -> Vector:
-    """Return the axis times a size; 0 for size 0, where the axis may be NaN."""
-    v: Vector = axis * size if size.re or size.du else Vector.dual(*(3 * (size.re,),) * 2)
+    """Return the axis times a size; without an axis, NaN, or 0 for size 0."""
+    if mpmath.isnan(axis.c1.re):
+        return axis if size.re or size.du else Vector.dual(*(3 * (size.re,),) * 2)
+    v: Vector = axis * size
     return v
 
 

@@ -23,7 +23,7 @@ from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS, python
 from derive.codegen.validation import float_cases, samples, validate
 from derive.codegen.validation.batches import batches
-from derive.codegen.validation.calls import Case, Kind, kind_of
+from derive.codegen.validation.calls import Kind, kind_of, restricted
 from derive.codegen.validation.expected_values import ALGEBRAIC
 from derive.codegen.validation.inverse_maps import MAPS
 from derive.maps import Cayley
@@ -122,13 +122,11 @@ def test_function_whose_arguments_are_not_drawn_is_not_generated(target, monkeyp
     (Kind.TURN, "shadow, shadow_jacobian", "shadow, shadow_jacobian"),
 ])  # fmt: skip
 def test_chart_without_a_call_of_a_function_is_not_generated(kind, names, of_rotations, monkeypatch):
-    for module, attribute in ((samples, "_seeded"), (samples, "_undecided"), (float_cases, "_seeded")):
-        original = getattr(module, attribute)
+    def without(cases, table):
+        return restricted((case for case in cases if kind_of(case.row) != kind), table)
 
-        def without(*given, original=original):
-            return [c for c in original(*given) if kind != (kind_of(c.row) if isinstance(c, Case) else c.kind)]
-
-        monkeypatch.setattr(module, attribute, without)
+    for module in (samples, float_cases):
+        monkeypatch.setattr(module, "restricted", without)
     for table, missing in ((POSES, names), (ROTATIONS, of_rotations)):
         with pytest.raises(ValueError, match=rf"functions without a call cannot be generated: {missing}$"):
             batches.__wrapped__(Cayley(3), table)
