@@ -27,7 +27,7 @@ from derive.codegen.rows import Function, Table, inside
 from derive.codegen.targets import TARGETS
 from derive.codegen.targets.c import levels
 from derive.codegen.validation.c_text import prefix
-from derive.codegen.validation.formulas import ALGEBRAIC, Formulas, evaluated
+from derive.codegen.validation.expected_values import ALGEBRAIC, Formulas, evaluated
 from derive.maps import Cayley
 from derive.output import files
 from tests.support.packages import Otherwise

@@ -23,7 +23,8 @@ from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
 from ..validation import c_text, compiled
-from ..validation.float_cases import Case, cases
+from ..validation.calls import require_calls
+from ..validation.float_cases import FloatCase, cases
 from . import c99
 
 GEOMETRY = "geometry.h"
@@ -163,8 +164,9 @@ class C:
         return {**self.further(facts), f"test_{chart.name}.c": ("test_chart.c", test)}
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
-        """Require both forms of every public function in the geometry of its table, and no other function."""
+        """Require calls and, in the geometry of its table, both forms of every public function, and no other."""
         for table in self.tables:
+            require_calls(table)
             where = inside(table, GEOMETRY)
             found = re.findall(r"^DUALCAY_FUNCTION void DUALCAY_NAME\((\w+?)(_rows)?\)\(", texts[where], re.MULTILINE)
             table.require_complete(where, [name for name, rows in found if not rows])
@@ -200,12 +202,12 @@ def differential_tables(chart: Chart, table: Table = POSES) -> Iterator[Data]:
             "name": name,
             "count": len(found),
             "arguments": [Values(array, [_hexadecimal(case.arguments[i]) for case in found], []) for i, array in given],
-            "branches": [case.branch for case in found if case.branch is not None],
+            "branches": [case.branch or 0 for case in found] if row.branch else [],
             "results": list(_results(row.results, found)),
         }
 
 
-def _results(arrays: Sequence[Array], found: Sequence[Case]) -> Iterator[Values]:
+def _results(arrays: Sequence[Array], found: Sequence[FloatCase]) -> Iterator[Values]:
     start = scale = 0
     for array in arrays:
         end, last = start + array.size, scale + len(array.parts)

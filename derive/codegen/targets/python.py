@@ -22,6 +22,7 @@ from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
 from ..signatures import JACOBIAN, POSES, ROTATIONS, SIDES
 from ..validation import NUMPY, Library, Machinery, replay, runtime, validate
+from ..validation.calls import require_calls
 from . import infix
 
 INTERFACE = "_interface.py"
@@ -158,6 +159,7 @@ class PythonTarget:
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         for table in self.tables:
+            require_calls(table)
             self.require_interface(texts, table)
 
     def require_interface(self, texts: Mapping[str, str], table: Table = POSES) -> None:

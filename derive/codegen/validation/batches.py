@@ -1,8 +1,8 @@
-"""Cases of a chart, grouped by function and branch, and the comparison of results with expected values."""
+"""Calls of a chart, grouped by function and branch, and the comparison of results with expected values."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
@@ -13,8 +13,8 @@ from ...maps.chart import Chart
 from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
-from . import decimals, formulas, samples
-from .formulas import Expectation
+from . import decimals, samples
+from .calls import Case, grouped, require
 
 
 class ValidationFailed(Exception):
@@ -27,7 +27,7 @@ class Batch:
 
     row: Function
     branch: tuple[int, ...]
-    cases: tuple[Expectation, ...]
+    cases: tuple[Case, ...]
     tolerance: Any = None
 
     @property
@@ -47,21 +47,24 @@ class Batch:
 
 @lru_cache(maxsize=4)
 def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
-    """Return the cases of every public function of a table.
+    """Return the calls of every public function of a table.
 
     Raises
     ------
     ValueError
-        If a function has no case, or lacks the exact case that its row requires in an algebraic chart.
+        If a function has no call, or lacks the exact one that its row requires in an algebraic chart.
     """
     algebraic = is_algebraic(chart)
     with mpmath.workdps(decimals.DIGITS):
-        exactly = [_batch((case,), table) for case in formulas.expectations(chart, table)] if algebraic else []
-        close = [*samples.by_function(chart, table), *(() if algebraic else samples.algebraic(chart, table))]
-        closely = [_batch(tuple(map(_decimal, batch)), table, chart) for batch in close]
-    _require("an expectation", table.public, exactly + closely)
+        exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if algebraic else []
+        closely = [
+            Batch(cases[0].row, branch, tuple(map(_decimal, cases)), decimals.tolerance(chart, cases[0].row.remainder))
+            for branch, cases in grouped(samples.at_numbers(chart, table))
+        ]
+    require("a call", table.public, (batch.function for batch in exactly + closely))
     if algebraic:
-        _require("an exact expectation", (name for name, row in table.public.items() if row.exact), exactly)
+        exact = [name for name, row in table.public.items() if row.exact]
+        require("an exact call", exact, (batch.function for batch in exactly))
     return (*exactly, *closely)
 
 
@@ -83,20 +86,6 @@ def compare(where: str, found: Any, expected: Sequence[Any], agree: Callable[[An
             raise ValidationFailed(f"{where}, component {index}: {got} is not {wanted}")
 
 
-def _require(kind: str, names: Iterable[str], found: Iterable[Batch]) -> None:
-    missing = sorted(set(names) - {batch.function for batch in found})
-    if missing:
-        raise ValueError(f"functions without {kind} cannot be generated: {', '.join(missing)}")
-
-
-def _batch(cases: tuple[Expectation, ...], table: Table, chart: Chart | None = None) -> Batch:
-    """Return a batch of exact cases or, if a chart is given, of 50-digit cases."""
-    function, *branch = cases[0].function.split()
-    row = table.functions[function]
-    tolerance = decimals.tolerance(chart, row.remainder) if chart else None
-    return Batch(row, tuple(map(int, branch)), cases, tolerance)
-
-
-def _decimal(case: Expectation) -> Expectation:
+def _decimal(case: Case) -> Case:
     arguments = tuple(tuple(map(decimals.Decimal, argument)) for argument in case.arguments)
-    return Expectation(case.function, arguments, lambda: tuple(map(decimals.Decimal, case.result)))
+    return Case(case.row, case.branch, arguments, lambda: tuple(map(decimals.Decimal, case.result)))

@@ -9,7 +9,7 @@ and one over all further arguments, each as a whole. A vector computed from an a
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
@@ -18,12 +18,12 @@ import mpmath
 
 from ...algebra import Vector
 from ...maps.chart import Chart
-from ...maps.pose import Screw, polar, pose_from_tensor, quaternion_from_screw, tensor_from_screw
+from ...maps.pose import polar
 from ..lowered import geometry
-from ..rows import Function, Table
+from ..rows import Table
 from ..signatures import POSES
+from .calls import Case, Drawn, Kind, algebraic, at_screw, require, restricted, selecting
 from .decimals import DIGITS
-from .formulas import ALGEBRAIC, arguments_of, rows_of_pose
 from .inverse_maps import value
 from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
@@ -44,8 +44,6 @@ SMALL = 2.0**-8
 ORDINARY = 4
 """Number of screws for derivatives: the first ones from `covering`, which are far from every selection."""
 
-JACOBIANS = ("compose_jacobians", "between_jacobians", "retract_jacobians", "body_retract_jacobians")
-
 SHORTER = 2
 """Divisor of steps whose Jacobians are tested: near the edge, Jacobians amplify the rounding of α."""
 
@@ -54,22 +52,10 @@ EDGE_MARGIN = 0.1
 
 
 @dataclass(frozen=True)
-class Case:
-    """Function call with its arguments and branch, and the result by the formula."""
+class FloatCase(Case):
+    """Call in floats, with the error scales of its result in a chart."""
 
     chart: Vectors
-    row: Function
-    branch: int | None
-    arguments: tuple[Flat, ...]
-
-    @property
-    def function(self) -> str:
-        return self.row.name
-
-    @cached_property
-    def result(self) -> Flat:
-        with mpmath.workdps(DIGITS):
-            return value(self.chart, self.row, self.branch, self.arguments)
 
     @cached_property
     def scales(self) -> tuple[float, ...]:
@@ -105,70 +91,49 @@ class Case:
         return [tuple((b - a) / STEP for a, b in zip(result, there, strict=True))]
 
 
-Call = tuple[str, int | None, tuple[Flat, ...]]
-"""Name of a pose function, branch and arguments."""
-
-
 @lru_cache(maxsize=8)
-def cases(chart: Chart, table: Table = POSES) -> Sequence[Case]:
-    """Return cases of every function of a table, in the order of its rows."""
+def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
+    """Return calls of every public function of a table, in the order of its rows.
+
+    Raises
+    ------
+    ValueError
+        If a function has no call with a finite result.
+    """
     with mpmath.workdps(DIGITS):
         at = vectors_of(chart)
-        calls = ((table.sources.get(name), branch, given) for name, branch, given in _calls(at, random.Random(SEED)))
-        found = [Case(at, row, branch, row.restricted(given)) for row, branch, given in calls if row]
+        found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in restricted(_seeded(at), table)]
         found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge
+    require("a call in floats", table.public, (case.function for case in found))
     names = list(table.functions)
     return tuple(sorted(found, key=lambda case: names.index(case.function)))
 
 
-def nearby(value: Any) -> Any:
-    """Return the nearest number on the grid of floats, a multiple of 1/`GRID`."""
-    return mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID
-
-
-def _short(values: Flat) -> Flat:
-    return tuple(map(nearby, values))
-
-
-def _calls(chart: Vectors, draw: random.Random) -> Iterator[Call]:
-    """Yield calls at seeded vectors, with Re|v| well below the first singular point, and at seeded screws."""
+@lru_cache(maxsize=1)  # the table of rotations reuses the calls of poses
+def _seeded(chart: Vectors) -> tuple[Case, ...]:
+    draw = random.Random(SEED)
     size = chart.component(COMPONENT_MAX * chart.slope(0), chart.first_pole)
-    for _ in range(POINTS):
-        drawn = [tuple(nearby(draw.uniform(-most, most)) for _ in range(6)) for most in (size, 2, 2)]
-        for name in ALGEBRAIC:
-            yield name, None, arguments_of(POSES.functions[name], drawn)
+    points = [[_short(draw.uniform(-most, most) for _ in range(6)) for most in (size, 2, 2)] for _ in range(POINTS)]
+    return (*algebraic(chart, points), *selecting(chart, _drawn(chart, draw)))
+
+
+def _short(values: Iterable[Any]) -> Flat:
+    """Return the nearest numbers on the grid of floats, the multiples of 1/`GRID`."""
+    return tuple(mpmath.mpf(int(mpmath.nint(value * GRID))) / GRID for value in values)
+
+
+def _drawn(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
+    """Yield arguments at seeded screws on the principal branch, and at one of them on each other branch."""
     screws = list(covering(draw, SMALL))
-    for screw, other in zip(screws, [*screws[1:], screws[0]], strict=True):
-        v, v2 = (_short(flat(chart.at(s))) for s in (screw, other))
-        delta = tuple(nearby(draw.uniform(-1, 1)) for _ in range(6))
-        yield "from_screw", None, (_short((screw.angle.re, screw.angle.du)), _short(flat(screw.axis)))
-        for name in ("to_screw", "angle", "to_exponential", "principal"):
-            yield name, None, (v,)
-        yield "from_exponential", None, (_short(flat(screw.axis * screw.angle)),)
-        yield "interpolate", None, (v, v2, (nearby(draw.uniform(0, 1)),))
-        derivatives = screw in screws[:ORDINARY]
-        for name in ("compose", "between", "local", "body_local", *JACOBIANS[:2] * derivatives):
-            yield name, None, (v2, v)
-        for name in ("retract", "body_retract"):
-            yield name, None, (v, delta)
-        for name in JACOBIANS[2:] * derivatives:
-            yield name, None, (v, tuple(nearby(c / SHORTER) for c in delta))
-        yield from _on_branch(screw, 0, v)
+    for place, (screw, other) in enumerate(zip(screws, [*screws[1:], screws[0]], strict=True)):
+        regular, (v, v2) = place < ORDINARY, (_short(flat(chart.at(s))) for s in (screw, other))
+        delta = _short(draw.uniform(-1, 1) for _ in range(6))
+        yield from at_screw(chart, screw, 0, _short)
+        yield Drawn(Kind.PAIR, (v2, v), regular=regular)
+        yield Drawn(Kind.STEP, (v, delta))
+        yield from [Drawn(Kind.STEP, (v, _short(c / SHORTER for c in delta)), regular=True)] * regular
+        yield Drawn(Kind.WAY, (v, v2, _short([draw.uniform(0, 1)])))
     for branch in chart.tried[1:]:
         turned = screws[branch % len(screws) :] + screws
         for screw in [s for s in turned if chart.finite(s, branch, EDGE_MARGIN)][:1]:  # perhaps none
-            v, v_k = (_short(flat(chart.at(screw, k))) for k in (0, branch))
-            yield from _on_branch(screw, branch, v)
-            for name in ("principal", "to_screw", "angle", "to_exponential"):
-                yield name, None, (v_k,)
-            yield "shadow", chart.back(branch), (v_k,)
-
-
-def _on_branch(screw: Screw, k: int, v: Flat) -> Iterator[Call]:
-    q, R = flat(quaternion_from_screw(screw)), tensor_from_screw(screw)
-    yield "from_quaternion", k, (q,)
-    yield "from_quaternion", k, (tuple(-c for c in q),)
-    yield "from_tensor", k, (flat(R),)
-    yield "from_pose", k, (rows_of_pose(pose_from_tensor(R)),)
-    for name in ("shadow", "shadow_jacobian"):
-        yield name, k, (v,)
+            yield from at_screw(chart, screw, branch, _short)

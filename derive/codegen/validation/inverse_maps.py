@@ -13,8 +13,8 @@ from ...algebra.functions import atan2
 from ...maps.exponential import quaternion_exponential
 from ...maps.pose import Pose, Screw, orientation, polar, tensor_from_pose
 from ..rows import Function
-from .formulas import ALGEBRAIC, Formulas, evaluated, matrix6
-from .vectors import Flat, Vectors, dual, flat, screw_of_quaternion
+from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
+from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion
 
 ZERO: Flat = (mpmath.mpf(0),) * 6
 
@@ -29,7 +29,7 @@ def reached(chart: Vectors, angle: Dual) -> Dual:
 
 
 def _vector(screw: Screw) -> Vector:
-    return screw.axis * screw.angle
+    return along(screw.axis, screw.angle)
 
 
 def _numbers(screw: Screw) -> Flat:
@@ -38,7 +38,7 @@ def _numbers(screw: Screw) -> Flat:
 
 def _own_screw(chart: Vectors, v: Flat) -> Screw:
     """Return the screw of v: the axis of v, and the angle on the branch of v."""
-    length, u = polar(dual(v))
+    length, u = axial(dual(v))
     return Screw(chart.angle(length), u)
 
 
@@ -54,8 +54,8 @@ def _from_pose(chart: Vectors, branch: int, pose: Flat) -> Flat:
 
 
 def _from_exponential(chart: Vectors, branch: int, w: Flat) -> Flat:
-    angle, u = polar(dual(w))
-    return flat(u * chart.size(reached(chart, angle)))
+    angle, u = axial(dual(w))
+    return flat(along(u, chart.size(reached(chart, angle))))
 
 
 def _shadow(chart: Vectors, branch: int, v: Flat) -> Flat:

@@ -27,8 +27,9 @@ from ...maps.chart import Chart
 from ..rows import Function, Table
 from ..signatures import POSES
 from .batches import ValidationFailed
+from .calls import grouped
 from .decimals import DIGITS
-from .float_cases import Case, cases
+from .float_cases import FloatCase, cases
 from .loading import loaded, module_of
 from .run import own_functions
 
@@ -120,7 +121,7 @@ class Group:
 
     row: Function
     branch: tuple[int, ...]
-    cases: tuple[Case, ...]
+    cases: tuple[FloatCase, ...]
 
     @cached_property
     def arguments(self) -> list[Array]:
@@ -140,11 +141,8 @@ class Group:
 def _groups(chart: Chart, table: Table, geometry: bool) -> list[Group]:
     """Return the cases of all functions and branches; without ``geometry``, `own_functions` on branches 0 and 1."""
     names = table.public if geometry else own_functions(chart, table)
-    found: dict[tuple[str, int | None], list[Case]] = {}
-    for case in cases(chart, table):
-        if case.function in names and (geometry or case.branch in (None, 0, 1)):
-            found.setdefault((case.function, case.branch), []).append(case)
-    return [Group(g[0].row, () if k is None else (k,), tuple(g[:CASES_MAX])) for (_, k), g in found.items()]
+    called = (c for c in cases(chart, table) if c.function in names and (geometry or c.branch in (None, 0, 1)))
+    return [Group(found[0].row, branch, found[:CASES_MAX]) for branch, found in grouped(called)]
 
 
 @dataclass

@@ -1,35 +1,35 @@
-"""Seeded cases of a chart with expected values to 50 digits, which cover all sides of every selection."""
+"""Calls on symbols, and seeded calls on numbers of 50 digits that cover all sides of every selection."""
 
 from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
-from typing import Any
 
 import mpmath
 
 from ...algebra import Dual, Tensor, Vector
+from ...maps import Formula
 from ...maps.chart import Chart
-from ...maps.pose import (
-    Pose,
-    Screw,
-    orientation,
-    pose_from_tensor,
-    quaternion_from_screw,
-    tensor_from_pose,
-    tensor_from_screw,
-)
+from ...maps.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
+from ...proof import Ring, is_algebraic, root_of
+from ..lowering.scalar_programs import scalar_program
 from ..rows import Function, Table
 from ..signatures import POSES
-from .decimals import DIGITS
-from .formulas import ALGEBRAIC, Expectation, arguments_of, rows_of_pose
-from .inverse_maps import MAPS, reached, value
+from .calls import Case, Drawn, Kind, algebraic, at_screw, of_tensor, restricted, selecting
+from .expected_values import ALGEBRAIC, BY_QUATERNION, Formulas, evaluated
+from .inverse_maps import MAPS, reached
 from .screws import covering, half_turns, steep, translation
 from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 
 SEED = 2011
+
+ROOTS_MAX = 2
+"""Largest number of square roots in an inverse map that is compared exactly; more would take too long."""
+
+LETTERS = ("v", "w", "z")
+"""Letters of the symbols of each argument of a function; the first argument is the vector v of the ring."""
 
 SMALL = 1e-21 / 7
 """Size of the small quaternion components: their rows of 4 q qᵀ keep 28 digits.
@@ -62,19 +62,37 @@ STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size 
 POLE_DISTANCE = mpmath.mpf(1) / 64
 """Distance in angle from the edge, small enough for `SMALL_STEP` to cross the edge in one direction."""
 
-STEP_NAMES, STEP_JACOBIANS = ("retract", "body_retract"), ("retract_jacobians", "body_retract_jacobians")
+
+# --- on symbols ---------------------------------------------------------------------------------------------------
 
 
-def _computed(function: Callable[..., Flat], *arguments: Any) -> Flat:
-    """Return the value of a function, computed with 50 digits."""
-    with mpmath.workdps(DIGITS):
-        return function(*arguments)
+def on_symbols(chart: Chart, table: Table) -> Iterator[Case]:
+    """Yield a call of every algebraic function of a table, and of `from_quaternion` if it needs few roots."""
+    for name in filter(table.sources.__contains__, ALGEBRAIC):
+        maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
+        yield (case := _on_symbols(chart, table.sources[name], *maps))
+        if name in BY_QUATERNION and _goes_back_by_roots(chart):
+            yield Case(table.functions[f"from_{name}"], None, (case.result,), partial(tuple, case.arguments[0]))
 
 
-def _by(chart: Vectors, name: str, *arguments: Flat) -> Expectation:
-    """Return the case of a map at given arguments; ``name`` is the map, followed by a space and the branch if any."""
-    function, branch = (*name.split(), "0")[:2]
-    return Expectation(name, arguments, partial(_computed, MAPS[function], chart, int(branch), *arguments))
+def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Case:
+    root = root_of(coefficient for formula in formulas for coefficient in formula.coefficients)
+    pairs = list(zip(LETTERS, row.arguments))
+    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in pairs]
+    further = (name for group, (_, array) in zip(names, pairs) for name in group[3 * array.vector :])
+    ring = Ring(further, root, vectors="".join(letter for letter, array in pairs if array.vector))
+    arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
+    zero = 0 * arguments[0][0]
+    return Case(row, None, arguments, lambda: evaluated(row, Formulas(chart, ring), arguments, zero))
+
+
+def _goes_back_by_roots(chart: Chart) -> bool:
+    """Tell whether the inverse map takes at most `ROOTS_MAX` square roots and no trigonometry."""
+    operations = scalar_program("gain_unit", chart).operations
+    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX
+
+
+# --- at numbers ---------------------------------------------------------------------------------------------------
 
 
 def margin(chart: Vectors) -> float:
@@ -82,190 +100,129 @@ def margin(chart: Vectors) -> float:
     return float(EDGE_MARGIN ** (1 / 3)) if chart.is_folded else EDGE_MARGIN
 
 
-def by_function(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
-    """Yield the cases of all inverse maps, screws, shadows and group functions, one tuple for each branch."""
-    found: dict[str, list[Expectation]] = {}
+def at_numbers(chart: Chart, table: Table) -> Iterator[Case]:
+    """Yield calls of all functions that select a branch or an angle and, without exact calls, of algebraic ones."""
     at = vectors_of(chart)
-    for case in _restricted((*_seeded(at), *_undecided(at, table)), table):
-        found.setdefault(case.function, []).append(case)
-    yield from map(tuple, found.values())
+    yield from restricted((*_seeded(at), *selecting(at, _undecided(at, table))), table)
 
 
-def _restricted(cases: Iterable[Expectation], table: Table) -> Iterator[Expectation]:
-    """Yield cases of poses in the form that the functions of a table take.
-
-    Functions of rotations take the real parts. Only the first of several cases with equal real parts is kept.
-    """
-    seen = set()
-    for case in cases:
-        source, *branch = case.function.split()
-        if table is POSES:
-            yield case
-        elif row := table.sources.get(source):
-            function, arguments = " ".join((row.name, *branch)), row.restricted(case.arguments)
-            if (function, arguments) not in seen:
-                seen.add((function, arguments))
-                yield Expectation(function, arguments, partial(_part, row, case))
+@lru_cache(maxsize=1)  # the table of rotations reuses the calls of poses
+def _seeded(chart: Vectors) -> Sequence[Case]:
+    found = list(selecting(chart, _regimes(chart, random.Random(SEED))))
+    return found if is_algebraic(chart.chart) else [*found, *algebraic(chart, list(_points(chart)))]
 
 
-def _part(row: Function, case: Expectation) -> Flat:
-    return row.part(case.result)
+def _points(chart: Vectors) -> Iterator[Sequence[Flat]]:
+    """Yield the identity and seeded vectors, each with two further arguments."""
+    draw = random.Random(SEED)
+    for size in (mpmath.mpf(0), *(chart.size(mpmath.mpf(share) * chart.first_pole) for share in SIZES)):
+        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
+        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
+        yield (*(u * (size / u.magnitude())), *rest[0]), *rest[1:]
 
 
-@lru_cache(maxsize=1)  # the table of rotations reuses the cases of poses
-def _seeded(chart: Vectors) -> tuple[Expectation, ...]:
-    return tuple(_cases(chart, random.Random(SEED)))
-
-
-def _cases(chart: Vectors, draw: random.Random) -> Iterator[Expectation]:
-    """Yield cases at all screws and exact half turns on the principal branch, and at some of them on other branches."""
+def _regimes(chart: Vectors, draw: random.Random) -> Iterator[Drawn]:
+    """Yield arguments at all screws and exact half turns on the principal branch, and at some on other branches."""
     yield from _identity(chart)
     small = SMALL if chart.edge > mpmath.pi else SMALL_AT_EDGE
     screws, halves = list(covering(draw, small)), list(half_turns(draw))
     still, other_still = translation(draw), translation(draw)
     given = [screw for screw in (*screws, still, other_still) if chart.finite(screw, 0, margin(chart))]
     for screw, other in zip(given, [*given[1:], given[0]]):
-        yield from _principal(chart, screw, other)
+        yield from at_screw(chart, screw, 0)
+        yield from _pair(chart, screw, other)
     for branch in chart.tried:
-        some = [screws[3 * branch % 8]] if branch else [*screws, still]
-        # on another branch a translation has w = 0 up to rounding, so the sign of its axis is undefined
-        for screw in (*some, still) if branch else some:
+        for screw in (screws[3 * branch % 8], still) if branch else ():
             if chart.finite(screw, branch, margin(chart)):
-                yield from _branch(chart, screw, branch)
-                yield from _back(chart, screw, branch) if screw in some else ()
+                yield from _further(chart, screw, branch)
         yield from _half_turns(chart, halves, branch)
     for screw in steep(draw, small, 1 / 3):
         if chart.finite(screw, 0, margin(chart)):
-            yield from _from_rotation(tensor_from_screw(screw), 0, flat(chart.at(screw)))
+            yield from of_tensor(tensor_from_screw(screw), 0)
     yield from _far_steps(chart, screws[0], still)
     yield from _steps_to_pole(chart, screws[0])
     yield from _near_ties(chart, screws[0])
 
 
-def _principal(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Expectation]:
-    """Yield cases of maps of one or two vectors that take no branch argument."""
-    principal = chart.at(screw)
-    yield Expectation("from_screw", ((screw.angle.re, screw.angle.du), flat(screw.axis)), flat(principal))
-    q = quaternion_from_screw(screw)
-    yield Expectation("from_quaternion", (tuple(-c for c in flat(q)),), flat(principal))
-    product = quaternion_from_screw(other) * q
-    vectors = (flat(chart.at(other)), flat(principal))
-    yield from _coordinates(chart, screw)
-    yield Expectation("compose", vectors, flat(chart.of_quaternion(product)))
-    for name in ("between", "local", "body_local", *STEP_NAMES):  # any dual vector is a step
-        yield _by(chart, name, *vectors)
+def _pair(chart: Vectors, screw: Screw, other: Screw) -> Iterator[Drawn]:
+    """Yield two vectors, also as a vector and a step, as any dual vector is; ways between them; angles beyond π."""
+    regular = all(chart.finite(s, 0, JACOBIAN_MARGIN) for s in (screw, other))
+    principal, v2 = flat(chart.at(screw)), flat(chart.at(other))
+    yield Drawn(Kind.PAIR, (v2, principal), regular=regular)
+    yield Drawn(Kind.STEP, (v2, principal), regular=regular)
     further = Screw(screw.angle / 3, screw.axis)  # on the same axis: interpolation through whole turns
     for end, t in ((other, "0.3"), (screw, "0.7"), (further, "0.8"), (further, "-4.3")):
-        yield _by(chart, "interpolate", flat(principal), flat(chart.at(end)), (mpmath.mpf(t),))
-    if all(chart.finite(s, 0, JACOBIAN_MARGIN) for s in (screw, other)):
-        for name in ("compose_jacobians", "between_jacobians", *STEP_JACOBIANS):
-            yield _by(chart, name, *vectors)
-
-
-def _coordinates(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
-    """Yield cases of ``to_exponential``, and of ``from_exponential`` with whole turns added to the angle."""
-    yield _by(chart, "to_exponential", flat(chart.at(screw)))
+        yield Drawn(Kind.WAY, (principal, flat(chart.at(end)), (mpmath.mpf(t),)))
     beyond = 3 if mpmath.isinf(chart.edge) else int(chart.edge / (2 * mpmath.pi)) + 1
-    for turns in (0, 1, beyond):
+    for turns in (1, beyond):
         angle = screw.angle + 2 * mpmath.pi * turns
         if chart.finite(Screw(reached(chart, angle), screw.axis), 0, JACOBIAN_MARGIN):
-            yield _by(chart, "from_exponential", flat(screw.axis * angle))
+            yield Drawn(Kind.LOGARITHM, (flat(screw.axis * angle),))
 
 
-def _back(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
-    """Yield cases that lead from v on a branch, perhaps opposite to the axis, to its screw and its principal v."""
+def _further(chart: Vectors, screw: Screw, branch: int) -> Iterator[Drawn]:
+    """Yield arguments on another branch, with a step that stays on it."""
+    clear = screw.angle.re > JACOBIAN_MARGIN and all(chart.finite(screw, k, JACOBIAN_MARGIN) for k in (0, branch))
+    yield from at_screw(chart, screw, branch, regular=clear)
     v = flat(chart.at(screw, branch))
-    yield Expectation("to_screw", (v,), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
-    yield Expectation(f"shadow {chart.back(branch)}", (v,), flat(chart.at(screw)))
-    if branch:
-        yield _by(chart, "interpolate", v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),))
+    yield Drawn(Kind.STEP, (v, SMALL_STEP), regular=True)
+    if screw.angle.re:
+        yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, SMALL_STEP), (mpmath.mpf("0.5"),)))
 
 
-def _branch(chart: Vectors, screw: Screw, branch: int) -> Iterator[Expectation]:
-    v, principal = flat(chart.at(screw, branch)), flat(chart.at(screw))
-    yield Expectation(f"from_quaternion {branch}", (flat(quaternion_from_screw(screw)),), v)
-    yield from _from_rotation(tensor_from_screw(screw), branch, v)
-    yield Expectation(f"shadow {branch}", (principal,), v)
-    yield Expectation("principal", (v,), principal)
-    for name in ("angle", "to_exponential"):
-        yield _by(chart, name, v)
-    if screw.angle.re > JACOBIAN_MARGIN and all(chart.finite(screw, k, JACOBIAN_MARGIN) for k in (0, branch)):
-        yield _by(chart, f"shadow_jacobian {branch}", principal)
-    for name in (*STEP_NAMES, *STEP_JACOBIANS) if branch else ():
-        yield _by(chart, name, v, SMALL_STEP)
-
-
-def _from_rotation(R: Tensor, branch: int, v: Flat) -> Iterator[Expectation]:
-    yield Expectation(f"from_tensor {branch}", (flat(R),), v)
-    yield Expectation(f"from_pose {branch}", (rows_of_pose(pose_from_tensor(R)),), v)
-
-
-def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Expectation]:
-    """Yield cases at exact half turns: all half turns on the principal branch, one on each other branch.
+def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Drawn]:
+    """Yield exact half turns: all of them on the principal branch, one on each other branch.
 
     Axes u and −u then give one rotation, the scalar part is exactly 0, and the rotation matrix is symmetric. Maps from
     quaternions keep the sign of the vector part; maps from matrices make its first non-zero component positive.
     """
     for screw in [screws[branch % len(screws)]] if branch else screws:
-        if not chart.finite(screw, branch, margin(chart)):
-            continue
-        u, moment, d = screw.axis.re, screw.axis.du, screw.angle.du
-        opposite = Screw(Dual(screw.angle.re, -d), -screw.axis)
-        for sign, equal in ((1, screw), (-1, opposite)):
-            q = tuple(sign * c for c in (0, *u, -d / 2, *moment))
-            yield Expectation(f"from_quaternion {branch}", (q,), flat(chart.at(equal, branch)))
-        R = tensor_from_pose(Pose(Tensor.dyad(u, u) * 2 - Tensor.identity(), d * u + 2 * u.cross(moment)))
-        positive = screw if orientation(*u) > 0 else opposite
-        yield from _from_rotation(R, branch, flat(chart.at(positive, branch)))
+        if chart.finite(screw, branch, margin(chart)):
+            u, moment, d = screw.axis.re, screw.axis.du, screw.angle.du
+            for sign in (1, -1):
+                yield Drawn(Kind.QUATERNION, (tuple(sign * c for c in (0, *u, -d / 2, *moment)),), branch)
+            Q = Tensor.dyad(u, u) * 2 - Tensor.identity()
+            yield from of_tensor(tensor_from_pose(Pose(Q, d * u + 2 * u.cross(moment))), branch)
 
 
-def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+def _near_ties(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
     """Yield vectors just before and just beyond the angles (2k − 1)π between branches, at a distance of `NEAR_TIE`."""
-    for halves in chart.odd_half_turns():
-        for behind, step in ((-1, -NEAR_TIE), (1, NEAR_TIE)):
-            alpha = halves * mpmath.pi + step
-            angles = (alpha, alpha - (halves + behind) * mpmath.pi)
-            v, principal = (flat(screw.axis * chart.size(Dual(angle, screw.angle.du))) for angle in angles)
-            yield Expectation("principal", (v,), principal)
+    for halves, step in itertools.product(chart.odd_half_turns(), (-NEAR_TIE, NEAR_TIE)):
+        angle = Dual(halves * mpmath.pi + step, screw.angle.du)
+        yield Drawn(Kind.VECTOR, (flat(screw.axis * chart.size(angle)),))
 
 
-def _identity(chart: Vectors) -> Iterator[Expectation]:
-    """Yield cases at the identity, which has no axis: the axis and v on other branches are NaN."""
-    identity, nowhere = 6 * (mpmath.mpf(0),), 6 * (mpmath.nan,)
-    yield Expectation("to_screw", (identity,), (0, 0, *nowhere))
-    for branch in chart.tried[1:]:
-        yield Expectation(f"shadow {branch}", (identity,), nowhere)
-        yield Expectation(f"shadow_jacobian {branch}", (identity,), 3 * (*nowhere[:3], *identity[:3]) + 3 * nowhere)
-        yield Expectation(f"from_quaternion {branch}", ((mpmath.mpf(1), *identity, mpmath.mpf(0)),), nowhere)
-        yield Expectation(f"from_tensor {branch}", ((*Tensor.identity(), *(0 * Tensor.identity())),), nowhere)
+def _identity(chart: Vectors) -> Iterator[Drawn]:
+    """Yield the identity, which has no axis: the axis and v on other branches are NaN."""
+    zero, one = 6 * (mpmath.mpf(0),), Tensor.identity() * mpmath.mpf(1)
+    yield Drawn(Kind.VECTOR, (zero,))
+    for branch in chart.tried:
+        yield Drawn(Kind.TURN, (zero,), branch, regular=True)
+        for sign in (1, -1):
+            yield Drawn(Kind.QUATERNION, ((mpmath.mpf(sign), *zero, mpmath.mpf(0)),), branch)
+        yield from of_tensor(Tensor.dual(one, 0 * one), branch)
 
 
-def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Expectation]:
+def _far_steps(chart: Vectors, screw: Screw, still: Screw) -> Iterator[Drawn]:
     """Yield steps within and beyond the series of the exponential, steps from a translation, and extrapolations."""
     small, *large = STEPS
     v, resting = flat(chart.at(screw)), flat(chart.at(still))
-    for name in STEP_NAMES:
-        for given in (*((v, delta) for delta in large), (resting, small)):
-            yield _by(chart, name, *given)
-    for name, delta in itertools.product(STEP_JACOBIANS, large):
-        yield _by(chart, name, v, delta)
-    yield _by(chart, "interpolate", resting, (0, 0, 0, *resting[:2:-1]), (mpmath.mpf(0.25),))
-    yield _by(chart, "interpolate", v, MAPS["retract"](chart, 0, v, small), (mpmath.mpf(4),))
-    yield _by(chart, "angle", resting)
-    yield Expectation("angle", ((mpmath.mpf(0),) * 6,), (mpmath.mpf(0),) * 2)
+    for delta in large:
+        yield Drawn(Kind.STEP, (v, delta), regular=True)
+    yield Drawn(Kind.STEP, (resting, small))
+    yield Drawn(Kind.WAY, (resting, (0, 0, 0, *resting[:2:-1]), (mpmath.mpf(0.25),)))
+    yield Drawn(Kind.WAY, (v, MAPS["retract"](chart, 0, v, small), (mpmath.mpf(4),)))
 
 
-def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Expectation]:
+def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
     """Yield steps that end just before and just beyond the edge, in charts whose φ has a pole there."""
-    if mpmath.isinf(chart.edge) or chart.is_folded:
-        return
-    v = chart.at(Screw(Dual(chart.edge - POLE_DISTANCE, screw.angle.du), screw.axis))
-    for name, start in itertools.product(STEP_NAMES, (v, -v)):
-        yield _by(chart, name, flat(start), SMALL_STEP)
+    if not mpmath.isinf(chart.edge) and not chart.is_folded:
+        v = chart.at(Screw(Dual(chart.edge - POLE_DISTANCE, screw.angle.du), screw.axis))
+        yield from (Drawn(Kind.STEP, (flat(start), SMALL_STEP)) for start in (v, -v))
 
 
-def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
-    """Yield cases at vectors with s = 0 or w = 0 exactly, where v or its dual part determines the axis.
+def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
+    """Yield vectors with s = 0 or w = 0 exactly, where v or its dual part determines the axis.
 
     Rotations have no dual part: the axis is chosen as for a translation along v.
     """
@@ -277,13 +234,11 @@ def _undecided(chart: Vectors, table: Table) -> Iterator[Expectation]:
         for along in sides if halves else ():
             v = Vector.dual(re, along * re + re.cross(Vector(1, 2, 3)))
             screw, own = chart.screw(v)
-            yield Expectation("to_screw", (flat(v),), (screw.angle.re, screw.angle.du, *flat(screw.axis)))
-            # at 3π, 5π … both signs of v are valid principal vectors, so there is no case
-            if halves % 2 == 0 or halves == 1:
-                yield Expectation("principal", (flat(v),), flat(chart.at(screw)))
+            # at 3π, 5π … both signs of v are valid principal vectors
+            yield Drawn(Kind.VECTOR, (flat(v),), without=("principal",) if halves % 2 and halves > 1 else ())
             for branch in chart.tried[1:]:
                 if chart.finite(screw, own + branch, margin(chart)):
-                    yield Expectation(f"shadow {branch}", (flat(v),), flat(chart.at(screw, own + branch)))
+                    yield Drawn(Kind.TURN, (flat(v),), branch)
 
 
 def _half_turns_of(chart: Vectors, re: Vector) -> int:
@@ -291,17 +246,3 @@ def _half_turns_of(chart: Vectors, re: Vector) -> int:
     angle = chart.angle(re.magnitude()) if chart.reaches(re.magnitude()) else mpmath.inf
     inside = angle < (1 - EDGE_MARGIN) * chart.edge
     return int(mpmath.nint(angle / mpmath.pi)) if inside and is_whole(angle / mpmath.pi) else 0
-
-
-def algebraic(chart: Chart, table: Table) -> Iterator[tuple[Expectation, ...]]:
-    """Yield cases of every algebraic function at seeded vectors and the identity, for charts without exact cases."""
-    draw, at = random.Random(SEED), vectors_of(chart)
-    points = []
-    for size in (mpmath.mpf(0), *(at.size(mpmath.mpf(share) * at.first_pole) for share in SIZES)):
-        u = Vector(*(mpmath.mpf(draw.uniform(-1, 1)) for _ in range(3)))
-        re = u * (size / u.magnitude())
-        rest = [tuple(mpmath.mpf(draw.uniform(-2, 2)) for _ in range(count)) for count in (3, 6, 6)]
-        points.append(((*re, *rest[0]), *rest[1:]))
-    for row in (table.sources[name] for name in ALGEBRAIC if name in table.sources):
-        given = [arguments_of(row, rows) for rows in points]
-        yield tuple(Expectation(row.name, each, partial(_computed, value, at, row, None, each)) for each in given)

@@ -38,6 +38,12 @@ REACH = 0.9
 """Share of a given angle that seeded vectors may reach."""
 
 
+REST = Screw(Dual(mpmath.mpf(0), mpmath.mpf(0)), Vector.dual(*(3 * (mpmath.nan,),) * 2))
+"""Screw of the identity, which has no axis."""
+
+IDENTITY: Flat = (*Tensor.identity(), *(0 * Tensor.identity()))
+
+
 @dataclass(frozen=True)
 class Vectors:
     """Vectors v_k = φ(α + 2πk) u of a chart in the working precision of mpmath; the edge has ``precision`` bits."""
@@ -139,8 +145,7 @@ class Vectors:
     def at(self, screw: Screw, branch: int = 0) -> Vector:
         """Return ``φ(α + 2πk) u``; NaN beyond the edge."""
         angle = self._turned(screw, branch)
-        v: Vector = screw.axis * (self.size(angle) if abs(angle.re) <= self.edge else Dual(mpmath.nan, mpmath.nan))
-        return v
+        return along(screw.axis, self.size(angle) if abs(angle.re) <= self.edge else Dual(mpmath.nan, mpmath.nan))
 
     def finite(self, screw: Screw, branch: int, least: float) -> bool:
         """Tell whether v exists and its margin to the edge, cos(π/2 · Re α/edge), exceeds ``least``."""
@@ -169,7 +174,7 @@ class Vectors:
 
     def of_tensor(self, R: Tensor, branch: int = 0) -> Vector:
         """Return v of an orthogonal dual tensor on a branch."""
-        return self.at(natural_invariants(R), branch)
+        return self.at(natural_invariants(R) if flat(R) != IDENTITY else REST, branch)
 
     # --- to natural invariants ----------------------------------------------------------------------------------
 
@@ -179,7 +184,7 @@ class Vectors:
         The axis at odd multiples of π has the direction of ``sin(α/2) u``, the vector part of v's own quaternion.
         The axis at even multiples has the direction of the translation.
         """
-        length, u = polar(v)
+        length, u = axial(v)
         angle = self.angle(length)
         halves = angle.re / mpmath.pi
         exact = is_whole(halves)
@@ -223,8 +228,21 @@ _vectors = lru_cache(maxsize=4)(Vectors)
 def screw_of_quaternion(q: Quaternion) -> Screw:
     """Return the screw of q if its scalar part is >= 0, else of −q."""
     q = q * orientation(real_part(q.scalar))
-    length, u = polar(q.vector)
+    length, u = axial(q.vector)
     return Screw(2 * atan2(length, q.scalar), u)
+
+
+def axial(v: Vector) -> tuple[Dual, Vector]:
+    """Return magnitude and direction of a dual vector; the direction of 0 is NaN."""
+    return polar(v) if any(flat(v)) else (REST.angle, REST.axis)
+
+
+def along(axis: Vector, size: Dual) -> Vector:
+    """Return the axis times a size; without an axis, NaN, or 0 for size 0."""
+    if mpmath.isnan(axis.c1.re):
+        return axis if size.re or size.du else Vector.dual(*(3 * (size.re,),) * 2)
+    v: Vector = axis * size
+    return v
 
 
 def is_whole(number: Any) -> bool:

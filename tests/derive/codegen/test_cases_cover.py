@@ -13,10 +13,10 @@ import pytest
 
 from derive.codegen.lowered import ChartPrograms, geometry, lower_chart
 from derive.codegen.programs.program import Call, Program
-from derive.codegen.signatures import FUNCTIONS, POSES
+from derive.codegen.signatures import POSES
 from derive.codegen.validation import decimals, samples
+from derive.codegen.validation.calls import Case, grouped
 from derive.codegen.validation.decimals import Decimal
-from derive.codegen.validation.formulas import Expectation
 from derive.maps import Cayley
 
 OPERATIONS: Mapping[str, Callable[..., Any]] = {
@@ -40,9 +40,8 @@ class Watched:
         self.programs = geometry()
         self.sides: dict[tuple[str, str], set[bool]] = defaultdict(set)
 
-    def call(self, case: Expectation) -> None:
-        name, *branches = case.function.split()
-        row, branch = FUNCTIONS[name], [int(k) % self.chart.branches for k in branches]
+    def call(self, case: Case) -> None:
+        row, branch = case.row, [] if case.branch is None else [case.branch % self.chart.branches]
         turn = self.chart.turn(*branch) if any(branch) else ()
         given = [Decimal(mpmath.mpf(c)) for argument in case.arguments for c in argument]
         if "table" not in dict(self.programs[row.kernel].inputs):
@@ -72,8 +71,8 @@ def sides(n: int, some: slice = slice(None)) -> Sides:
     """Return the truth values of all comparisons; ``some`` selects cases of each function and branch."""
     watched = Watched(Cayley(n))
     with mpmath.workdps(decimals.DIGITS):
-        for batch in samples.by_function(watched.chart, POSES):
-            for case in batch[some]:
+        for _, cases in grouped(samples.at_numbers(watched.chart, POSES)):
+            for case in cases[some]:
                 watched.call(case)
     return watched.sides
 

@@ -20,11 +20,13 @@ from derive.codegen import ValidationFailed, catalogue, check_charts, publish, s
 from derive.codegen import build as road
 from derive.codegen.package import notices
 from derive.codegen.rows import Function
-from derive.codegen.signatures import POSES, PUBLIC
+from derive.codegen.signatures import POSES, PUBLIC, ROTATIONS
 from derive.codegen.targets import TARGETS, python
-from derive.codegen.validation import formulas as exact
-from derive.codegen.validation import samples, validate
+from derive.codegen.validation import float_cases, samples, validate
 from derive.codegen.validation.batches import batches
+from derive.codegen.validation.calls import Kind, kind_of, restricted
+from derive.codegen.validation.expected_values import ALGEBRAIC
+from derive.codegen.validation.inverse_maps import MAPS
 from derive.maps import Cayley
 from derive.output import files
 from derive.proof import ProofFailed
@@ -98,25 +100,51 @@ def test_right_kernels_pass_with_every_case_compared(package, tmp_path: Path):
         assert validate(tmp_path, chart, geometry=True, tables=tables) == compared
 
 
-@pytest.mark.parametrize("name", ["pose", "from_pose", "rate_jacobian", "interpolate"])
-def test_function_without_expected_values_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch):
-    for source, attribute in ((exact, "expectations"), (samples, "by_function")):
-        original = getattr(source, attribute)
+@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("name", ["compose", "local", "interpolate", "from_screw", "shadow", "inverse", "twist"])
+def test_function_without_an_expected_value_is_not_generated(name, target, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.delitem(MAPS if name in MAPS else ALGEBRAIC, name)
+    with pytest.raises(ValueError, match=rf"functions without an expected value cannot be generated: {name}$"):
+        TARGETS[target].require_complete({})
+    assert name in PUBLIC
 
-        def without(*given, original=original):
-            return (found for found in original(*given) if _function_of(found) != name)
 
-        monkeypatch.setattr(source, attribute, without)
-    with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
+@pytest.mark.parametrize("target", TARGETS)
+def test_function_whose_arguments_are_not_drawn_is_not_generated(target, monkeypatch: pytest.MonkeyPatch):
+    v2, v1 = PUBLIC["between"].arguments
+    monkeypatch.setitem(signatures.PUBLIC, "between", dataclasses.replace(PUBLIC["between"], arguments=(v1, v2)))
+    with pytest.raises(ValueError, match=r"functions without arguments that are drawn cannot be generated: between$"):
+        TARGETS[target].require_complete({})
+
+
+@pytest.mark.parametrize(("kind", "names", "of_rotations"), [
+    (Kind.WAY, "interpolate", "interpolate"),
+    (Kind.SCREW, "from_screw", "from_angle_axis"),
+    (Kind.TURN, "shadow, shadow_jacobian", "shadow, shadow_jacobian"),
+])  # fmt: skip
+def test_chart_without_a_call_of_a_function_is_not_generated(kind, names, of_rotations, monkeypatch):
+    def without(cases, table):
+        return restricted((case for case in cases if kind_of(case.row) != kind), table)
+
+    for module in (samples, float_cases):
+        monkeypatch.setattr(module, "restricted", without)
+    for table, missing in ((POSES, names), (ROTATIONS, of_rotations)):
+        with pytest.raises(ValueError, match=rf"functions without a call cannot be generated: {missing}$"):
+            batches.__wrapped__(Cayley(3), table)
+        with pytest.raises(ValueError, match=rf"functions without a call in floats cannot be generated: {missing}$"):
+            float_cases.cases.__wrapped__(Cayley(3), table)
+
+
+def test_function_without_an_exact_call_is_not_generated(monkeypatch: pytest.MonkeyPatch):
+    original = samples.on_symbols
+    monkeypatch.setattr(samples, "on_symbols", lambda *given: (c for c in original(*given) if c.function != "tangent"))
+    with pytest.raises(ValueError, match=r"functions without (a|an exact) call cannot be generated: tangent$"):
         batches.__wrapped__(Cayley(3), POSES)
-
-
-def _function_of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
-    return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
 
 
 def test_function_needs_a_row_a_recipe_and_a_docstring(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     row = dataclasses.replace(PUBLIC["pose"], name="stance")
+    monkeypatch.setitem(ALGEBRAIC, "stance", ALGEBRAIC["pose"])
     for add, remove, message in (
         ({"stance": row}, (), "functions of the table that are missing: stance; not in it: none"),
         ({}, ("pose",), "functions of the table that are missing: none; not in it: pose"),
@@ -130,6 +158,10 @@ def test_function_needs_a_row_a_recipe_and_a_docstring(tmp_path: Path, monkeypat
                 derive.generate([3], output=tmp_path / "k")
     with pytest.raises(ValueError, match="stance has no recipe"):
         dataclasses.replace(row, recipe=None).traced()
+    with monkeypatch.context() as patch:
+        patch.delitem(MAPS, "compose")
+        with pytest.raises(ValueError, match="without an expected value cannot be generated: compose"):
+            derive.generate([3], "c", tmp_path / "k")
     monkeypatch.setitem(signatures.FUNCTIONS, "twist", dataclasses.replace(PUBLIC["twist"], branch=True))
     with pytest.raises(ValueError, match="twist takes v, v_dot, and v, v_dot, branch in the table"):
         derive.generate([3], output=tmp_path / "k")

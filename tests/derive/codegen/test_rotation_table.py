@@ -14,9 +14,7 @@ from derive.codegen.lowering.scalar_programs import SQUARES
 from derive.codegen.programs.program import Call
 from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
-from derive.codegen.validation import NUMPY, Machinery, replay, samples, validate
-from derive.codegen.validation import formulas as exact
-from derive.codegen.validation.batches import batches
+from derive.codegen.validation import NUMPY, Machinery, replay, validate
 from derive.maps import Cayley
 from derive.output import files
 
@@ -60,22 +58,6 @@ def test_calls_ask_only_for_slopes_that_are_read() -> None:
     assert found == Call(("f", "g", "_"), "pose_scalars", SQUARES)
     kept = Call(("gain",), "gain_unit", ("e0", "e1", "e2", "e3"))
     assert narrowed(kept) == kept
-
-
-@pytest.mark.parametrize("name", ["quaternion", "tangent_dot", "from_angle_axis", "to_angle_axis", "compose_jacobians"])
-def test_function_without_expected_values_is_not_generated(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    def of(found: exact.Expectation | tuple[exact.Expectation, ...]) -> str:
-        return (found if isinstance(found, exact.Expectation) else found[0]).function.split()[0]
-
-    for source, attribute in ((exact, "expectations"), (samples, "by_function")):
-        original = getattr(source, attribute)
-
-        def without(*given, original=original):
-            return (found for found in original(*given) if of(found) != name)
-
-        monkeypatch.setattr(source, attribute, without)
-    with pytest.raises(ValueError, match=rf"without an expectation cannot be generated: {name}$"):
-        batches.__wrapped__(Cayley(3), ROTATIONS)
 
 
 @pytest.fixture(scope="module")

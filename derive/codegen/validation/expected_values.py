@@ -6,9 +6,9 @@ Derivatives of the formulas use one more level of dual numbers; slopes of a char
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial
+from functools import lru_cache, partial
 from typing import Any
 
 import sympy
@@ -19,33 +19,8 @@ from ...maps.chart import Chart
 from ...maps.elementary import evaluate
 from ...maps.families import alpha
 from ...maps.pose import Pose, pose_from_tensor
-from ...proof import Ring, root_of
-from ..lowering.scalar_programs import scalar_program
-from ..rows import Function, Table
-from ..signatures import POSES
+from ..rows import Function
 from .vectors import Flat, Vectors, dual, flat
-
-ROOTS_MAX = 2
-"""Largest number of square roots in an inverse map that is compared exactly; more would take too long."""
-
-LETTERS = ("v", "w", "z")
-"""Letters of the symbols of each argument of a function; the first argument is the vector v of the ring."""
-
-
-@dataclass(frozen=True)
-class Expectation:
-    """Arguments and result of a kernel function, as flat components; the branch follows the function's name.
-
-    An expensive result is given as a function, which is called on first access.
-    """
-
-    function: str
-    arguments: tuple[Flat, ...]
-    given: Flat | Callable[[], Flat]
-
-    @cached_property
-    def result(self) -> Flat:
-        return self.given() if callable(self.given) else self.given
 
 
 @lru_cache(maxsize=256)  # free_symbols walks the whole expression tree
@@ -235,26 +210,6 @@ ALGEBRAIC: Mapping[str, Value] = {
 """Expected values by kernel function, as functions of a chart's formulas and flat arguments."""
 
 
-def expectations(chart: Chart, table: Table = POSES) -> Iterator[Expectation]:
-    """Yield a case on symbols for every algebraic function of a table, and for `from_quaternion` if roots suffice."""
-    for name in filter(table.sources.__contains__, ALGEBRAIC):
-        maps = [chart.quaternion] if name in BY_QUATERNION else [chart.tensor, chart.tangent, chart.tangent_inv]
-        yield (case := _on_symbols(chart, table.sources[name], *maps))
-        if name in BY_QUATERNION and _goes_back_by_roots(chart):
-            yield Expectation(f"from_{name}", (case.result,), case.arguments[0])
-
-
-def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Expectation:
-    root = root_of(coefficient for formula in formulas for coefficient in formula.coefficients)
-    pairs = list(zip(LETTERS, row.arguments))
-    names = [[f"{letter}{i + 1}" for i in range(array.size)] for letter, array in pairs]
-    further = (name for group, (_, array) in zip(names, pairs) for name in group[3 * array.vector :])
-    ring = Ring(further, root, vectors="".join(letter for letter, array in pairs if array.vector))
-    arguments = tuple(tuple(map(ring.symbol, group)) for group in names)
-    zero = 0 * arguments[0][0]
-    return Expectation(row.name, arguments, lambda: evaluated(row, Formulas(chart, ring), arguments, zero))
-
-
 def arguments_of(row: Function, drawn: Sequence[Flat]) -> tuple[Flat, ...]:
     """Return drawn components as arguments of a function; a second vector of the chart is half of v, in other order."""
     second = tuple(drawn[0][i] / 2 for i in (1, 2, 0, 4, 5, 3))
@@ -266,9 +221,3 @@ def arguments_of(row: Function, drawn: Sequence[Flat]) -> tuple[Flat, ...]:
 def evaluated(row: Function, at: Formulas, arguments: Sequence[Flat], zero: Any) -> Flat:
     """Return the value of an algebraic function; for rotations, its real part with ``zero`` for all dual parts."""
     return row.part(ALGEBRAIC[row.source](at, *row.embedded(arguments, zero)))
-
-
-def _goes_back_by_roots(chart: Chart) -> bool:
-    """Tell whether the inverse map takes at most `ROOTS_MAX` square roots and no trigonometry."""
-    operations = scalar_program("gain_unit", chart).operations
-    return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX
