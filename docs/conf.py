@@ -26,6 +26,7 @@ extensions = [
     "sphinx_design",
     "sphinx_gallery.gen_gallery",
     "_ext.reference",
+    "_ext.sheet",
 ]
 exclude_patterns = ["_build", "_templates", "**/README.md", "examples/*.ipynb"]  # myst-nb would run these notebooks
 nitpicky = False

@@ -63,9 +63,14 @@ def write_html(output: Path) -> None:
     files.write(output.parent, {output.name: page()}, force=True)
 
 
+def find_browser() -> str | None:
+    """Return the browser that CHROMIUM names, without a check, or else the first one found."""
+    return os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
 def write_pdf(output: Path) -> None:
-    """Write the sheet as PDF, printed by the browser that CHROMIUM names, or by the first one found."""
-    browser = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
+    """Write the sheet as PDF, printed by the browser of `find_browser`."""
+    browser = find_browser()
     if browser is None:
         raise files.RefusedError(
             f"cannot write {output}: a PDF needs Chromium or Chrome, named in CHROMIUM or on PATH; "

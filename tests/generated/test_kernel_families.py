@@ -13,9 +13,6 @@ from derive.about import FAMILIES
 from derive.codegen.signatures import PUBLIC
 from tests.support import families, sampling
 
-GATE = 8
-"""Largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it."""
-
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
 """Ranges of angles; the last range is given as shares of the edge."""
 
@@ -37,16 +34,9 @@ def angles(name: str, regime: int) -> tuple[float, float]:
 
 
 def test_every_function_agrees_with_first_principles(name: str, kernels: ModuleType):
-    """Test each function in one regime of angles; the next function, or family, takes the next regime."""
-    oracle, start = families.oracle_of(name), FAMILIES.index(name)
-    for place, function in enumerate(PUBLIC):
-        regime = (start + place) % len(REGIMES)
-        if function in ("to_screw", "angle") and not regime:
-            regime = 1  # at 1e-300, v°/|v| overflows, and the oracle treats the angle as zero
-        v = families.vectors(oracle, *angles(name, regime), 1)
-        branch = 0 if PUBLIC[function].branch else None
-        error = families.worst(kernels, oracle, function, v, branch)
-        assert error <= GATE, (name, function, REGIMES[regime])
+    """Start each family with another regime of angles."""
+    regimes = [angles(name, (FAMILIES.index(name) + place) % len(REGIMES)) for place in range(len(REGIMES))]
+    families.require_every_function(kernels, families.oracle_of(name), regimes)
 
 
 def test_every_function_meets_all_regimes():
@@ -73,7 +63,7 @@ def test_steps_next_to_an_edge_stay_within_gates(name: str, kernels: ModuleType,
     angle, steps = families.edge_of(name) * (1 - left), sampling.dual_vectors(f"{name} {left}", count=2)
     v, delta = families.vectors(oracle, angle, angle, 2), steps * np.array([left] * 3 + [1] * 3)
     for function in families.STEPS:
-        assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
+        assert families.worst_of(kernels, oracle, function, [v, delta]) <= families.GATE, function
 
 
 def test_pure_translations_move_by_v_over_phi_prime(name: str, kernels: ModuleType):

@@ -6,13 +6,14 @@ As in `oracle`, no code under test is used. A family is defined by |v| as a func
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from types import ModuleType
 from typing import Any
 
 import mpmath
 import numpy as np
 
-from derive.codegen.signatures import FUNCTIONS
+from derive.codegen.signatures import FUNCTIONS, PUBLIC
 from tests.support import errors, sampling
 from tests.support.nilpotent import dot, inverse
 from tests.support.oracle import Oracle, SineOracle
@@ -77,6 +78,8 @@ ORACLES = {
 
 
 DIGITS = 60
+GATE = 8
+"""Largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it."""
 VECTORS = ("v0", "v1", "v2", "delta")
 """Names of further arguments that are vectors of the chart, or steps."""
 BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
@@ -180,6 +183,18 @@ def worst_of(kernels: ModuleType, oracle: Oracle, name: str, given: list[np.ndar
             error = errors.norm(b - a.astype(object)) / np.finfo(float).eps
             largest = max(largest, float(error / size) if error else 0.0)
     return largest
+
+
+def require_every_function(
+    kernels: ModuleType, oracle: Oracle, regimes: Sequence[tuple[float, float]], branch: int = 0
+) -> None:
+    """Test each function in one regime of angles; the next function takes the next regime."""
+    for place, name in enumerate(PUBLIC):
+        low, high = regimes[place % len(regimes)]
+        if name in ("to_screw", "angle") and high < 1e-200:
+            low, high = 1e-9, 1e-5  # at 1e-300, v°/|v| overflows, and the oracle treats the angle as zero
+        error = worst(kernels, oracle, name, vectors(oracle, low, high, 1), branch if PUBLIC[name].branch else None)
+        assert error <= GATE, (name, low, high)
 
 
 def edge_of(name: str) -> float:

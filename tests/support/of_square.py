@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import factorial
 from typing import Any
 
 import mpmath
 
 from tests.support.families import DIGITS, angle_by_tangent
+from tests.support.first_principles import remembered
 from tests.support.nilpotent import Field, Nil, dot
 from tests.support.oracle import Oracle
 
 Share = Callable[[Field, Any], Any]
-
-TERMS = 90
-"""Number of terms of series in α² up to (4π)², for 60 digits: 158^90/180! is 1e-131."""
-NESTED = 4
-"""Number of Newton steps for nilpotent parts, enough for nested dual numbers and derivatives."""
-
 
 class OfSquare(Oracle):
     """Oracle of v = α share(α²) u; α² comes from root finding, its nilpotent parts from steps with the real slope."""
@@ -26,14 +22,19 @@ class OfSquare(Oracle):
         super().__init__(1, DIGITS)
         self.share = share
 
-    def square(self, x: Any) -> Any:
-        """Return α² at x = v·v."""
-        real, one = _real(x), self.field.number(1)
+    @remembered
+    def root(self, real: Any) -> tuple[Any, Any]:
+        """Return α² and its slope at a real x, which many arguments have in common."""
         with mpmath.workdps(DIGITS):
             found = mpmath.findroot(lambda u: self._x(u) / real - 1, self._bounds(real)) if real else real
-        slope = self._x(Nil(one * found, one)).du
+        one = self.field.number(1)
+        return found, self._x(Nil(one * found, one)).du
+
+    def square(self, x: Any) -> Any:
+        """Return α² at x = v·v; each step with the real slope adds one level of nilpotent parts."""
+        found, slope = self.root(_real(x))
         u = x * 0 + found
-        for _ in range(NESTED):
+        for _ in range(_levels(x)):
             u = u - (self._x(u) - x) / slope
         return u
 
@@ -63,9 +64,19 @@ def _real(number: Any) -> Any:
     return _real(number.re) if isinstance(number, Nil) else number
 
 
-def series(u: Any, first: int) -> Any:
-    """Return ``Σ u^k/(2k + first)!``: cosh √u for ``first`` = 0, sinh √u/√u for 1."""
-    total = u * 0
-    for k in range(TERMS, 0, -1):
-        total = (total + 1) * u / ((2 * k + first) * (2 * k + first - 1))
-    return total + 1
+def _levels(number: Any) -> int:
+    return 1 + _levels(number.re) if isinstance(number, Nil) else 0
+
+
+def series(u: Any, first: int, slope: int = 0) -> Any:
+    """Return the derivative of order ``slope`` of ``Σ u^k/(2k + first)!``: cosh √u for 0, sinh √u/√u for 1."""
+    if isinstance(u, Nil):
+        return Nil(series(u.re, first, slope), u.du * series(u.re, first, slope + 1))
+    term = total = u * 0 + 1
+    k = 0
+    while abs(term) * 10 ** (DIGITS + 10) > abs(total):
+        k += 1
+        j = 2 * (k + slope) + first
+        term = term * u * (k + slope) / (k * j * (j - 1))
+        total = total + term
+    return total * factorial(slope) / factorial(2 * slope + first)

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from types import ModuleType
 from typing import Any
+
+import pytest
 
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
 """Orders in the packages shared by tests, by target."""
@@ -43,3 +47,15 @@ def write(orders: Iterable[int], target: str, folder: Path, families: Iterable[s
     from derive.output import files
 
     files.write(folder, dict(printed(orders, target, families)))
+
+
+def imported(chart: Any, folder: Path) -> ModuleType:
+    """Return the NumPy module of a chart, proved and printed but not validated, from a package in a folder."""
+    from derive.codegen.build import print_package
+    from derive.codegen.targets import TARGETS
+    from derive.output import files
+
+    files.write(folder / f"with_{chart.name}", print_package([chart], TARGETS["numpy"]).texts)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(folder)
+        return importlib.import_module(f"with_{chart.name}.{chart.name}")

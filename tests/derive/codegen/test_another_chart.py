@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import importlib
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
-from typing import Any
 
 import mpmath
-import numpy as np
 import pytest
 import sympy
 
 from derive.algebra import Vector
 from derive.codegen import ValidationFailed
 from derive.codegen.build import build
-from derive.codegen.lowering import calculus
-from derive.codegen.signatures import FUNCTIONS, KERNELS, POSES, PUBLIC
+from derive.codegen.signatures import POSES
 from derive.codegen.targets import TARGETS
 from derive.codegen.validation.run import chosen
 from derive.codegen.validation.vectors import Vectors, flat, vectors_of
@@ -26,9 +21,8 @@ from derive.maps.families import alpha
 from derive.output import files
 from derive.proof import ProofFailed, prove
 from derive.proof.controls import controls_of
-from tests.support import errors, sampling
+from tests.support import families, packages
 from tests.support.oracle import SineOracle
-from tests.support.packages import unvalidated
 from tests.support.sine import Sine
 
 pytestmark = pytest.mark.thorough
@@ -69,12 +63,6 @@ def test_scalars_of_another_phi_are_not_proved(phi: sympy.Expr):
         prove(Mistaken())
 
 
-DERIVATIVES = (calculus.rate_dot, calculus.rate_jacobian)
-
-BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Functions with errors tested in tests/generated/test_kernel_motions.py, not here."""
-
-
 # --- kernels --------------------------------------------------------------------------------------------------------
 
 
@@ -88,7 +76,7 @@ def test_unknown_chart_generates_in_every_target(target):
 
 @pytest.fixture(scope="module")
 def texts() -> dict[str, str]:
-    return build([Sine()], unvalidated(TARGETS["numpy"])).texts
+    return build([Sine()], packages.unvalidated(TARGETS["numpy"])).texts
 
 
 @pytest.mark.parametrize(
@@ -113,125 +101,13 @@ def test_a_wrong_kernel_fails_validation(texts: dict[str, str], tmp_path: Path, 
         TARGETS["numpy"].validate(tmp_path, Sine(), geometry=True)
 
 
-@pytest.fixture(scope="module")
-def kernels(texts: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    folder = tmp_path_factory.mktemp("another")
-    files.write(folder / "another_chart", texts)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(folder)
-        return importlib.import_module("another_chart.sine6")
+ANGLES = ((1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (7.0, 9.0))
 
 
-def vectors(low: float, high: float, count: int = 4) -> np.ndarray:
-    """Return dual vectors with angles between ``low`` and ``high``."""
-    rng = sampling.generator("another chart", low, high)
-    theta = rng.uniform(low, high, (count, 1)) / 6
-    axis = sampling.unit_vectors(rng, (count,))
-    return np.concatenate([np.sin(theta) * axis, rng.normal(size=(count, 3))], axis=-1)
-
-
-def arguments(kernels: ModuleType, name: str, v: np.ndarray) -> list[np.ndarray]:
-    """Return the arguments of a function: first v or a representation of its pose, then the others."""
-    first = FUNCTIONS[name].arguments[0].name
-    given = {"q": kernels.quaternion, "R": kernels.tensor, "T": kernels.pose}
-    if first == "angle":
-        return [np.array(part) for part in kernels.to_screw(v)]
-    others = [
-        v[::-1]
-        if a.name in ("v0", "v1", "v2")
-        else np.roll(sampling.dual_vectors(name, count=len(v))[:, : a.size], 1).reshape(-1, *a.shape)
-        for a in FUNCTIONS[name].arguments[1:]
-    ]
-    if name == "interpolate":
-        others[-1] %= 1  # times above 1 may cross the edge, where the sign of v is ambiguous
-    return [given.get(first, np.array)(v), *others]
-
-
-def scale(function: Any, given: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the norm of each part of a result plus its change per relative change of every argument component."""
-    step = mpmath.mpf(2) ** -60
-    sizes = [errors.norm(part) for part in exact]
-    for i, argument in enumerate(given):
-        for index, component in np.ndenumerate(argument):
-            moved = argument.astype(object)
-            moved[index] = mpmath.mpf(component) * (1 + step)
-            other = parts(function(*given[:i], moved, *given[i + 1 :]))
-            sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
-    return sizes
-
-
-def scale_of_poses(oracle: SineOracle, one: list[np.ndarray], exact: list[Any]) -> list[float]:
-    """Return the condition of an interpolation: its change per relative change of the quaternions of both end poses.
-
-    Every interpolation rounds poses. Near the edge T is large and T⁻¹ small along the axis, but not across it. There
-    the rounding of poses has a larger effect than the rounding of components of v.
-    """
-    step, sizes = mpmath.mpf(2) ** -60, [0.0] * len(exact)
-    for i, v in enumerate(one[:2]):
-        q = oracle.quaternion(v)
-        for place, unit in enumerate([errors.norm(q[1:4])] * 3 + [errors.norm(q[5:])] * 3):
-            ends = one[:2]
-            ends[i] = oracle.retract(v, [unit * step * (place == k) for k in range(6)])
-            other = parts(oracle.interpolate(*ends, one[2]))
-            sizes = [size + errors.norm((b - a) / step) for size, a, b in zip(sizes, exact, other, strict=True)]
-    return sizes
-
-
-def parts(result: Any) -> list[Any]:
-    """Return the real and dual part of each result; a point or a rotation matrix counts as one part."""
-    if isinstance(result, tuple):
-        return [part for array in result for part in errors.parts(array)]
-    if np.shape(result) == (3, 6):
-        return [result[:, :3], result[:, 3:]]
-    return [result] if np.shape(result) in ((3,), (3, 3)) else list(errors.parts(result))
-
-
-@pytest.mark.parametrize("angles", [(1e-7, 1e-6), (0.05, 3.0), (3.4, 6.0), (6.5, 9.0)], ids=str)
-@pytest.mark.parametrize("name", [name for name in PUBLIC if name not in BY_STEPS])
-def test_floats_agree_with_first_principles(kernels: ModuleType, name: str, angles: tuple[float, float]):
-    """Allow 20 eps (two maps in a chain), or 30 eps for derivatives, times norm and condition of the result."""
-    oracle = SineOracle(3)
-    row = FUNCTIONS[name]
-    derived = KERNELS[row.kernel].recipe in DERIVATIVES
-    gate = errors.THREE if derived else errors.GENERAL
-    low, high = angles
-    # near the edge 3π φ′ is small, and the terms f_i and h_i of T⁻¹ cancel along the axis
-    count = 2 if name == "interpolate" else 4  # its oracle takes many steps
-    given = arguments(kernels, name, vectors(low, min(high, 8.0) if derived else high, count))
-    for branch in range(3) if row.branch else (None,):
-        chosen = () if branch is None else (branch,)
-
-        def function(*values: Any, chosen: Any = chosen) -> Any:
-            return getattr(oracle, name)(*values, *chosen)
-
-        found = getattr(kernels, name)(*given, *chosen)
-        for i in range(len(given[0])):
-            one = [np.asarray(argument[i]) for argument in given]
-            got = parts(tuple(array[i] for array in found) if isinstance(found, tuple) else found[i])
-            exact = parts(function(*one))
-            sizes = scale(function, one, exact)
-            if name == "interpolate":
-                sizes = [a + b for a, b in zip(sizes, scale_of_poses(oracle, one, exact), strict=True)]
-            for a, b, size in zip(got, exact, sizes, strict=True):
-                error = errors.norm(b - a.astype(object)) / np.finfo(float).eps
-                assert error <= gate * size, (name, branch, one, got, exact, error / size)
-
-
-def test_maps_and_operators_are_inverse_to_each_other(kernels: ModuleType):
-    """Allow 1e-12: 40 eps (errors.AGREE) times a condition number below 100 at these angles."""
-    v, w = vectors(0.05, 3.0), sampling.dual_vectors("another chart", count=4)
-    close = {"rtol": 0, "atol": 1e-12}
-    np.testing.assert_allclose(kernels.from_quaternion(kernels.quaternion(v)), v, **close)
-    np.testing.assert_allclose(kernels.from_pose(kernels.pose(v)), v, **close)
-    np.testing.assert_allclose(kernels.from_tensor(kernels.tensor(v)), v, **close)
-    np.testing.assert_allclose(kernels.from_screw(*kernels.to_screw(v)), v, **close)
-    np.testing.assert_allclose(kernels.rate(v, kernels.twist(v, w)), w, **close)
-    np.testing.assert_allclose(kernels.body_rate(v, kernels.body_twist(v, w)), w, **close)
-    there = kernels.shadow(v, 1)
-    assert (np.linalg.norm(there[:, :3], axis=-1) > 0.5).all()
-    np.testing.assert_allclose(kernels.pose(there), kernels.pose(v), **close)
-    np.testing.assert_allclose(kernels.principal(there), v, **close)
-    np.testing.assert_allclose(kernels.shadow(there, -1), v, **close)
+def test_floats_agree_with_first_principles(tmp_path: Path):
+    kernels = packages.imported(Sine(), tmp_path)
+    for first, branch in enumerate((0, 1, 2, 0)):
+        families.require_every_function(kernels, SineOracle(3), ANGLES[first:] + ANGLES[:first], branch)
 
 
 # --- angles of a vector ---------------------------------------------------------------------------------------------

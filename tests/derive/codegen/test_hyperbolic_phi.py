@@ -5,7 +5,6 @@ Kernels are called on floats.
 
 from __future__ import annotations
 
-import importlib
 from types import ModuleType
 
 import mpmath
@@ -14,15 +13,11 @@ import pytest
 import sympy
 
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen.build import print_package
-from derive.codegen.signatures import PUBLIC
-from derive.codegen.targets import TARGETS
 from derive.maps import parameterization
 from derive.maps.any_phi.phi_values import PhiValues
 from derive.maps.elementary import evaluate
 from derive.maps.families import alpha
-from derive.output import files
-from tests.support import families
+from tests.support import families, packages
 from tests.support.of_square import OfSquare, Share, series
 
 PHI: dict[str, tuple[str, Share]] = {
@@ -38,9 +33,6 @@ PHI: dict[str, tuple[str, Share]] = {
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
 """Ranges of angles below a whole turn; one contains the limit between the formulas near 0 and beyond."""
-GATE = 8
-
-
 QUICK = ("steep", "bounded")
 """Charts with a fast oracle, without sums of series."""
 
@@ -55,13 +47,7 @@ def name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="module")
 def kernels(name: str, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    """Return the printed kernels without validation, which generation would add."""
-    folder = tmp_path_factory.mktemp("phi")
-    chart = parameterization(PHI[name][0], name)
-    files.write(folder / f"with_{name}", print_package([chart], TARGETS["numpy"]).texts)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(folder)
-        return importlib.import_module(f"with_{name}.{name}")
+    return packages.imported(parameterization(PHI[name][0], name), tmp_path_factory.mktemp("phi"))
 
 
 @pytest.fixture(scope="module")
@@ -70,21 +56,14 @@ def oracle(name: str) -> OfSquare:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: OfSquare):
-    """Test each function in one regime of angles; the next function takes the next regime."""
-    for place, function in enumerate(PUBLIC):
-        low, high = REGIMES[place % len(REGIMES)]
-        if function in ("to_screw", "angle") and high < 1e-200:
-            low, high = REGIMES[1]
-        v = families.vectors(oracle, low, high, 1)
-        branch = 0 if PUBLIC[function].branch else None
-        assert families.worst(kernels, oracle, function, v, branch) <= GATE, (function, low, high)
+    families.require_every_function(kernels, oracle, REGIMES)
 
 
 @pytest.mark.parametrize("regime", REGIMES)
 def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, regime: tuple[float, float]):
     v = families.vectors(oracle, *regime, 1)
     for function in ("tangent", "pose", "tangent_inv", "from_pose"):
-        assert families.worst(kernels, oracle, function, v) <= GATE, function
+        assert families.worst(kernels, oracle, function, v) <= families.GATE, function
 
 
 DIGITS = 350

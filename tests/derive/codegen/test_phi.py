@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
 from types import ModuleType
 
@@ -13,23 +12,18 @@ import sympy
 
 from derive.algebra import Dual, Vector
 from derive.codegen import generate
-from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
-from derive.codegen.signatures import PUBLIC
-from derive.codegen.targets import TARGETS
 from derive.codegen.validation.float_cases import cases
 from derive.codegen.validation.vectors import Vectors
 from derive.maps import PhiError, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw
-from derive.output import files
-from tests.support import families, sampling
+from tests.support import families, packages, sampling
 from tests.support.oracle import Oracle
 
 TEXT = "alpha/(1 + alpha**2/40)"
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0), (6.2, 6.324))
 """Ranges of angles; one contains the limit between the formulas near 0 and beyond, the last ends below √40."""
-GATE = 8
 
 
 class Folded(Oracle):
@@ -46,12 +40,7 @@ class Folded(Oracle):
 
 @pytest.fixture(scope="module")
 def kernels(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
-    """Return the printed kernels without validation, which generation would add."""
-    folder = tmp_path_factory.mktemp("phi")
-    files.write(folder / "of_phi", print_package([parameterization(TEXT, "folded")], TARGETS["numpy"]).texts)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(folder)
-        return importlib.import_module("of_phi.folded")
+    return packages.imported(parameterization(TEXT, "folded"), tmp_path_factory.mktemp("phi"))
 
 
 @pytest.fixture(scope="module")
@@ -60,21 +49,14 @@ def oracle() -> Oracle:
 
 
 def test_every_function_agrees_with_first_principles(kernels: ModuleType, oracle: Oracle):
-    """Test each function in one regime of angles; the next function takes the next regime."""
-    for place, function in enumerate(PUBLIC):
-        low, high = REGIMES[place % len(REGIMES)]
-        if function in ("to_screw", "angle") and high < 1e-200:
-            low, high = REGIMES[1]
-        v = families.vectors(oracle, low, high, 1)
-        branch = 0 if PUBLIC[function].branch else None
-        assert families.worst(kernels, oracle, function, v, branch) <= GATE, (function, low, high)
+    families.require_every_function(kernels, oracle, REGIMES)
 
 
 @pytest.mark.parametrize("regime", REGIMES)
 def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: Oracle, regime: tuple[float, float]):
     v = families.vectors(oracle, *regime, 1)
     for function in ("tangent", "pose", "tangent_inv"):
-        assert families.worst(kernels, oracle, function, v) <= GATE, function
+        assert families.worst(kernels, oracle, function, v) <= families.GATE, function
 
 
 @pytest.mark.parametrize("angle", [5.9, 6.2, 6.27])
@@ -83,7 +65,7 @@ def test_steps_near_the_fold_keep_all_digits(kernels: ModuleType, oracle: Oracle
     steps = sampling.dual_vectors(f"steps at {angle}", count=4)
     v, delta = families.vectors(oracle, angle, angle, 4), steps * np.array([0.3 * (6.2832 - angle)] * 3 + [1] * 3)
     for function in families.STEPS:
-        assert families.worst_of(kernels, oracle, function, [v, delta]) <= GATE, function
+        assert families.worst_of(kernels, oracle, function, [v, delta]) <= families.GATE, function
 
 
 def test_branches_beyond_the_edge_are_nan(kernels: ModuleType):
