@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import kernels, libraries, motion, native, page, peers, propagate
+from benchmarks import forms, kernels, libraries, motion, native, page, propagate
 from benchmarks.timing import ROUNDS
 
 SECTIONS = {"kernels": kernels.section, "native": native.section, "libraries": libraries.section,
@@ -29,7 +29,7 @@ def main() -> None:
         "steps differentiate the same maps as our derivatives. `called` is JAX without compilation, traced at every "
         "call. Ours fill one result; SymPy's functions return separate arrays of components, none for zeros and one "
         "for equal components. The copy floor is the time of a copy that fills such a result, a lower bound. A dash: "
-        f"nothing to compare with, or SymPy needs minutes, or more than {peers.ROOM / 1e9:g} GB."
+        f"nothing to compare with, or SymPy needs minutes, or more than {forms.ROOM / 1e9:g} GB."
     )
     for name, measure in SECTIONS.items():
         if name in options.section:

@@ -14,18 +14,8 @@ from functools import partial
 from typing import Any
 
 from benchmarks import derivatives
-from benchmarks.peers import (
-    INSTALL,
-    ROWS,
-    Poses,
-    c_form,
-    compiled,
-    copy_floor,
-    lambdify_call,
-    load,
-    pytransform3d_call,
-    scipy_call,
-)  # fmt: skip
+from benchmarks.forms import ROWS, c_form, compiled, copy_floor, lambdify_call
+from benchmarks.peers import Poses, load, pytransform3d_call, scipy_call, versions
 from benchmarks.timing import ROUNDS, Call, markdown, medians
 
 ORDERS = (2, 3)
@@ -115,7 +105,7 @@ def against_libraries(module: Any, size: int) -> Iterator[tuple[tuple[str, ...],
         times = measured({
             "ours": fresh(module, function, poses),
             "scipy": scipy_call(function, poses),
-            "pytransform3d": pytransform3d_call(function, poses),
+            "pytransform3d": pytransform3d_call(function, poses) if function == "pose" else None,
         }, size)  # fmt: skip
         gates = []
         where = f"{function}, {named}, N = {size}"
@@ -211,11 +201,11 @@ def report(orders: Sequence[int], sizes: Sequence[int], families: Sequence[str] 
 
 def missing() -> list[str]:
     """Return the peers that could not be measured."""
-    names = [what for name, what in INSTALL.items() if load(name) is None]
-    scipy = load("scipy.spatial.transform")
-    if scipy is not None and not hasattr(scipy, "RigidTransform"):
-        names.append(INSTALL["scipy.spatial.transform"])
-    return names + ([] if c_form(ORDERS[0]) else ["a C compiler"])
+    names = [name for name, version in versions("SciPy", "pytransform3d").items() if version is None]
+    transform = load("scipy.spatial.transform")
+    if transform is not None and not hasattr(transform, "RigidTransform"):
+        names.append("scipy >= 1.16")
+    return names + ([] if load("jax") else ["jax"]) + ([] if c_form(ORDERS[0]) else ["a C compiler"])
 
 
 def section(

@@ -10,7 +10,7 @@ from __future__ import annotations
 import importlib
 import sys
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from functools import partial
 from pathlib import Path
@@ -18,10 +18,9 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.accuracy.peers import SWAP
 from benchmarks.kernels import measured, per_pose
 from benchmarks.native import compiled
-from benchmarks.peers import Poses, load, pytransform3d_call, scipy_call
+from benchmarks.peers import LIBRARIES, Poses, load
 from benchmarks.timing import Call, markdown
 from derive.codegen import generate
 from derive.maps import Cayley, family
@@ -29,8 +28,6 @@ from derive.maps.chart import Chart
 
 PLOT = Path(__file__).parents[1] / "docs" / "benchmarks.png"
 SIZES = (1, 10, 100, 1_000, 10_000, 100_000, 1_000_000)
-LOOPED = 1_000
-"""Largest number of poses for libraries called in a loop."""
 
 FUNCTIONS = {"pose": ("v",), "from_pose": ("T",), "compose": ("w", "v")}
 CHARTS = (Cayley(2), family("exponential"))
@@ -38,10 +35,6 @@ TITLES = {"pose": "vector to pose", "from_pose": "pose to vector", "compose": "p
 
 Lines = dict[str, dict[int, float]]
 """Type of measured seconds, by name of a line and number of poses."""
-
-
-def _swapped(screws: Any) -> Any:
-    return np.ascontiguousarray(screws[..., SWAP])
 
 
 def ours(packages: Mapping[str, str], function: str, size: int) -> Iterator[tuple[str, Call]]:
@@ -62,76 +55,14 @@ def label(chart: Chart) -> str:
 def libraries(function: str, size: int) -> Iterator[tuple[str, Call | None]]:
     """Yield each library with its call on common poses."""
     poses = Poses.draw(importlib.import_module("dualcay.exponential"), size)
-    for name, make in LIBRARIES.items():
-        yield name, make(function, poses)
+    for name, library in LIBRARIES.items():
+        yield library.label(name), library.call(function, poses)
 
 
-def _pytransform3d(function: str, poses: Poses) -> Call | None:
-    trajectories = load("pytransform3d.trajectories")
-    if trajectories is None:
-        return None
-    if function == "pose":
-        return pytransform3d_call(function, poses)
-    exp = trajectories.transforms_from_exponential_coordinates
-    log = trajectories.exponential_coordinates_from_transforms
-    if function == "from_pose":
-        return partial(log, poses.T.reshape(-1, 4, 4))
-    first, second = np.atleast_2d(poses.exponential), np.atleast_2d(poses.other)
-    return lambda: log(trajectories.concat_many_to_many(exp(first), exp(second)))
+def labels() -> list[str]:
+    """Return the labels of all libraries in lines and tables."""
+    return [library.label(name) for name, library in LIBRARIES.items()]
 
-
-def _jaxlie(function: str, poses: Poses) -> Call | None:
-    """Return a compiled jaxlie call on arrays already converted to JAX."""
-    if load("jaxlie") is None:
-        return None
-    import jax
-    from jaxlie import SE3
-
-    jax.config.update("jax_enable_x64", True)
-    maps: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
-        "pose": (lambda e: SE3.exp(e).as_matrix(), (_swapped(poses.exponential),)),
-        "from_pose": (lambda T: SE3.from_matrix(T).log(), (poses.T,)),
-        "compose": (
-            lambda a, b: (SE3.exp(a) @ SE3.exp(b)).log(), (_swapped(poses.other), _swapped(poses.exponential)),
-        ),
-    }  # fmt: skip
-    compute, given = jax.jit(maps[function][0]), [jax.numpy.asarray(array) for array in maps[function][1]]
-    return lambda: compute(*given).block_until_ready()
-
-
-def _looped(count: int, one: Callable[..., object], *arrays: Any) -> Call | None:
-    """Return a call pose by pose, or None if there are more than `LOOPED`."""
-    if arrays[0].ndim == count:
-        return lambda: one(*arrays)
-    return (lambda: [one(*each) for each in zip(*arrays, strict=True)]) if len(arrays[0]) <= LOOPED else None
-
-
-def _pinocchio(function: str, poses: Poses) -> Call | None:
-    pin = load("pinocchio")
-    if pin is None:
-        return None
-    first, second = _swapped(poses.other), _swapped(poses.exponential)
-    if function == "pose":
-        return _looped(1, lambda e: pin.exp6(e).homogeneous, second)
-    if function == "from_pose":
-        return _looped(2, lambda T: pin.log6(T).vector, poses.T)
-    return _looped(1, lambda a, b: pin.log6(pin.exp6(a) * pin.exp6(b)).vector, first, second)
-
-
-def _symforce(function: str, poses: Poses) -> Call | None:
-    sym = load("sym")
-    if sym is None or function == "from_pose":  # SymForce cannot make a pose from a matrix
-        return None
-    make = sym.Pose3.from_tangent
-    if function == "pose":
-        return _looped(1, lambda e: make(e).to_homogenous_matrix(), poses.exponential)
-    return _looped(1, lambda a, b: make(a).compose(make(b)).to_tangent(), poses.other, poses.exponential)
-
-
-LIBRARIES: Mapping[str, Callable[[str, Poses], Call | None]] = {
-    "SciPy": scipy_call, "pytransform3d": _pytransform3d, "jaxlie, jitted": _jaxlie,
-    "pinocchio, pose by pose": _pinocchio, "SymForce, pose by pose": _symforce,
-}  # fmt: skip
 
 FLOOR = "copying the result"
 
@@ -167,7 +98,7 @@ def faster(function: str, found: Lines, forms: Sequence[str]) -> Iterator[str]:
     """Yield a sentence for each library that is faster than a form of our exponential chart."""
     for form in forms:
         mine = found[f"{form}, exponential"]
-        for name in LIBRARIES:
+        for name in labels():
             where = [size for size, seconds in found.get(name, {}).items() if MARGIN * seconds < mine[size]]
             if where:
                 times = ", ".join(f"N = {size:,} ({mine[size] / found[name][size]:.2g} x)" for size in where)
@@ -216,7 +147,7 @@ def section(sizes: Sequence[int] = SIZES, plot: Path = PLOT) -> str:
         every = {function: lines(packages, function, sizes) for function in FUNCTIONS}
     draw(every, plot)
     words = [line for function, found in every.items() for line in faster(function, found, list(packages))]
-    missing = [name for name in LIBRARIES if not any(name in found for found in every.values())]
+    missing = [name for name in labels() if not any(name in found for found in every.values())]
     return "\n".join([
         "## Beside other libraries, from one pose to a million", "",
         f"![ns per pose against poses in a call]({plot.name})", "",

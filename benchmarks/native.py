@@ -19,8 +19,9 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.forms import c_form
 from benchmarks.kernels import Gate, against, label, measured, per_pose
-from benchmarks.peers import Poses, c_form, pytransform3d_call, scipy_call
+from benchmarks.peers import Poses, pytransform3d_call, scipy_call
 from benchmarks.timing import Call, markdown
 from derive.maps import Cayley, family
 from tests.support.native import build, found
@@ -65,7 +66,7 @@ def rows(numpy: Any, native: Any, size: int) -> Iterator[tuple[tuple[str, ...], 
             "ours": partial(getattr(native, function), *arguments),
             "numpy": partial(getattr(numpy, function), *arguments),
             "SciPy RigidTransform": scipy_call(function, poses) if compared else None,
-            "pytransform3d": pytransform3d_call(function, poses),
+            "pytransform3d": pytransform3d_call(function, poses) if function == "pose" else None,
             "given": partial(getattr(native, function), *arguments, out=np.empty_like(made)),
             "C": loop(numpy.ORDER, function, arguments, made) if size > 1 else None,
         }, size)  # fmt: skip

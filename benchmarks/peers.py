@@ -1,23 +1,23 @@
-"""Optional libraries against which kernels are measured; reports name the missing ones."""
+"""Libraries against which kernels are measured; all are optional, and reports name the missing ones."""
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Iterator
+import importlib.metadata
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
-import sympy
 
-from benchmarks import derivatives
-from benchmarks.c_form import load as load_c
 from benchmarks.timing import Call
-from derive.maps import Cayley
 
-INSTALL = {"scipy.spatial.transform": "scipy >= 1.16", "pytransform3d.trajectories": "pytransform3d", "jax": "jax"}
-"""Names of distributions by name of the imported module."""
+SWAP = np.array([3, 4, 5, 0, 1, 2])
+"""Permutation between translation first and rotation first."""
+
+LOOPED = 1_000
+"""Largest number of poses for libraries called in a loop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,89 +78,103 @@ def scipy_call(function: str, poses: Poses) -> Call | None:
 
 
 def pytransform3d_call(function: str, poses: Poses) -> Call | None:
-    """Return the call of pytransform3d that corresponds to ``pose``."""
     trajectories = load("pytransform3d.trajectories")
-    if trajectories is None or function != "pose":
+    if trajectories is None:
         return None
-    exponential = np.atleast_2d(poses.exponential)
-    return lambda: trajectories.transforms_from_exponential_coordinates(exponential)
-
-
-COMPONENTS: dict[str, Callable[..., Iterator[sympy.Expr]]] = {
-    "pose": lambda cayley, v: _pose(cayley, v),
-    "quaternion": lambda cayley, v: _parts(cayley.quaternion.matrix(v)),
-    "tangent": lambda cayley, v: _parts(cayley.tangent.matrix(v)),
-    "rate": lambda cayley, v, w: iter(derivatives.applied(cayley.tangent_inv.matrix(v), w)),
-} | derivatives.COMPONENTS
-"""SymPy expressions of the components, by function."""
-
-ROWS = {"pose": 1, "quaternion": 1, "tangent": 1, "rate": 2} | derivatives.ARGUMENTS
-"""Functions measured with components first, with their number of arguments."""
-
-DERIVED = {"compose_jacobians": 2}
-"""Largest order at which SymPy derives a function in some ten seconds; functions not listed have no limit."""
-
-ROOM = 4e9
-"""Memory limit in bytes; functions by SymPy keep all intermediate values until they return."""
-
-
-@cache
-def lambdified(order: int, function: str) -> Callable[..., Any]:
-    """Return a function by SymPy's ``lambdify(cse=True)``; it takes six rows for each argument."""
-    symbols = [sympy.symbols(f"{letter}1:7") for letter in "vwz"[: ROWS[function]]]
-    components = COMPONENTS[function](Cayley(order), *symbols)
-    arguments = [symbol for vector in symbols for symbol in vector]
-    compute: Callable[..., Any] = sympy.lambdify(arguments, list(components), "numpy", cse=True)
-    return compute
-
-
-def lambdify_call(order: int, function: str, rows: tuple[Any, ...]) -> Call | None:
-    """Return a call of `lambdified` on these rows; None if derivation is slow or intermediate values exceed `ROOM`."""
-    if order > DERIVED.get(function, order):
+    if function == "pose":
+        exponential = np.atleast_2d(poses.exponential)
+        return lambda: trajectories.transforms_from_exponential_coordinates(exponential)
+    exp = trajectories.transforms_from_exponential_coordinates
+    log = trajectories.exponential_coordinates_from_transforms
+    if function == "from_pose":
+        return partial(log, poses.T.reshape(-1, 4, 4))
+    if function != "compose":
         return None
-    compute, given = lambdified(order, function), [row for array in rows for row in array]
-    room: int = compute.__code__.co_nlocals * given[0].nbytes
-    return partial(compute, *given) if room <= ROOM else None
+    first, second = np.atleast_2d(poses.exponential), np.atleast_2d(poses.other)
+    return lambda: log(trajectories.concat_many_to_many(exp(first), exp(second)))
 
 
-def _parts(parts: tuple[sympy.Matrix, sympy.Matrix]) -> Iterator[sympy.Expr]:
-    for part in parts:
-        yield from part
+def _swapped(screws: Any) -> Any:
+    return np.ascontiguousarray(screws[..., SWAP])
 
 
-def _pose(cayley: Cayley, v: tuple[sympy.Symbol, ...]) -> Iterator[sympy.Expr]:
-    yield from cayley.tensor.matrix(v)[0]
-    yield from cayley.tangent.matrix(v)[0] * sympy.Matrix(v[3:])
-
-
-def compiled(order: int, function: str, rows: tuple[Any, ...], out: Any) -> Call | None:
-    """Return a call of the C kernel on the same rows; None without a C compiler."""
-    form = c_form(order)
-    if form is None:
+def jaxlie_call(function: str, poses: Poses) -> Call | None:
+    """Return a compiled jaxlie call on arrays already converted to JAX."""
+    if load("jaxlie") is None:
         return None
-    given = [array.reshape(-1, array.shape[-1]) for array in rows]
-    made = tuple(array.reshape(-1, array.shape[-1]) for array in _arrays(out))
-    return partial(form.call, function, *given, out=made)
+    import jax
+    from jaxlie import SE3
+
+    jax.config.update("jax_enable_x64", True)
+    maps: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
+        "pose": (lambda e: SE3.exp(e).as_matrix(), (_swapped(poses.exponential),)),
+        "from_pose": (lambda T: SE3.from_matrix(T).log(), (poses.T,)),
+        "compose": (
+            lambda a, b: (SE3.exp(a) @ SE3.exp(b)).log(), (_swapped(poses.other), _swapped(poses.exponential)),
+        ),
+    }  # fmt: skip
+    compute, given = jax.jit(maps[function][0]), [jax.numpy.asarray(array) for array in maps[function][1]]
+    return lambda: compute(*given).block_until_ready()
 
 
-def _arrays(out: Any) -> tuple[Any, ...]:
-    return out if isinstance(out, tuple) else (out,)
+def _looped(count: int, one: Callable[..., object], *arrays: Any) -> Call | None:
+    """Return a call pose by pose, or None if there are more than `LOOPED`."""
+    if arrays[0].ndim == count:
+        return lambda: one(*arrays)
+    return (lambda: [one(*each) for each in zip(*arrays, strict=True)]) if len(arrays[0]) <= LOOPED else None
 
 
-@cache
-def c_form(order: int) -> Any:
-    """Return the C kernels of an order, compiled once."""
-    return load_c(order)
+def pinocchio_call(function: str, poses: Poses) -> Call | None:
+    pin = load("pinocchio")
+    if pin is None:
+        return None
+    first, second = _swapped(poses.other), _swapped(poses.exponential)
+    if function == "pose":
+        return _looped(1, lambda e: pin.exp6(e).homogeneous, second)
+    if function == "from_pose":
+        return _looped(2, lambda T: pin.log6(T).vector, poses.T)
+    return _looped(1, lambda a, b: pin.log6(pin.exp6(a) * pin.exp6(b)).vector, first, second)
 
 
-def copy_floor(rows: tuple[Any, ...], out: Any) -> Call:
-    """Return a copy that writes each row of the result once, from rows of the arguments: a lower bound of the time."""
-    targets = [row for array in _arrays(out) for row in array.reshape(-1, array.shape[-1])]
-    sources = np.concatenate(rows)
-    pairs = [(target, sources[i % len(sources)]) for i, target in enumerate(targets)]
+def symforce_call(function: str, poses: Poses) -> Call | None:
+    sym = load("sym")
+    if sym is None or function == "from_pose":  # SymForce cannot make a pose from a matrix
+        return None
+    make = sym.Pose3.from_tangent
+    if function == "pose":
+        return _looped(1, lambda e: make(e).to_homogenous_matrix(), poses.exponential)
+    return _looped(1, lambda a, b: make(a).compose(make(b)).to_tangent(), poses.other, poses.exponential)
 
-    def copy() -> None:
-        for target, source in pairs:
-            np.copyto(target, source)
 
-    return copy
+@dataclass(frozen=True, slots=True)
+class Library:
+    """Library with its distribution, how it is called, and the function that makes a call."""
+
+    distribution: str
+    manner: str
+    call: Callable[[str, Poses], Call | None]
+
+    def label(self, name: str) -> str:
+        """Return the name of the library with the manner of its call."""
+        return f"{name}, {self.manner}" if self.manner else name
+
+
+LIBRARIES: Mapping[str, Library] = {
+    "SciPy": Library("scipy", "", scipy_call),
+    "pytransform3d": Library("pytransform3d", "", pytransform3d_call),
+    "jaxlie": Library("jaxlie", "jitted", jaxlie_call),
+    "pinocchio": Library("pin", "pose by pose", pinocchio_call),
+    "SymForce": Library("symforce-sym", "pose by pose", symforce_call),
+}
+"""Every library by name; measurements of speed and of accuracy choose from this list."""
+
+
+def versions(*names: str) -> dict[str, str | None]:
+    """Return the version of each named library, None for a missing one."""
+    found: dict[str, str | None] = {}
+    for name in names:
+        try:
+            found[name] = importlib.metadata.version(LIBRARIES[name].distribution)
+        except importlib.metadata.PackageNotFoundError:
+            found[name] = None
+    return found

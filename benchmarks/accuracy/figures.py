@@ -132,7 +132,7 @@ def picture(found: curves.Curves, what: Picture, path: Path) -> None:
 
 def missing(console: Console) -> None:
     """Print which libraries are left out."""
-    for name, version in peers.versions().items():
+    for name, version in peers.versions(*peers.MAKERS).items():
         if version is None:
             console.print(f"{name} is not installed and left out of the figures (extras bench, peers)", highlight=False)
 
@@ -145,7 +145,7 @@ def draw(folder: Path, bar: Progress, console: Console) -> curves.Drawn:
     found = curves.curves(lambda done, total: bar.update(row, completed=done, total=total))
     for what in PICTURES:
         picture(found, what, folder / what.file)
-    used = ", ".join(f"{name} {version}" for name, version in peers.versions().items() if version)
+    used = ", ".join(f"{name} {version}" for name, version in peers.versions(*peers.MAKERS).items() if version)
     note = f"Errors below {FLOOR:g} eps are drawn there. Compared: {used}."
     captions = [(what.file, f"{what.caption} {note}") for what in PICTURES]
     return curves.Drawn(captions, curves.standing(found))

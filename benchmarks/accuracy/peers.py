@@ -6,12 +6,13 @@ Jacobians (N, 6, 6) with rows and columns ordered like screws.
 
 from __future__ import annotations
 
-import importlib.metadata
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from benchmarks.peers import SWAP, versions
 
 Map = Callable[[np.ndarray], np.ndarray]
 
@@ -43,10 +44,6 @@ def ours() -> Peer:
         "exponential", exponential.pose, exponential.from_pose, matrix(exponential.tangent),
         matrix(exponential.tangent_inv),
     )  # fmt: skip
-
-
-# Permutation between translation first and rotation first.
-SWAP = np.array([3, 4, 5, 0, 1, 2])
 
 
 def scipy() -> Peer:
@@ -113,25 +110,11 @@ def pinocchio() -> Peer:
     return Peer("pinocchio", exp, log, jacobian, jacobian_inv, through_log=True)
 
 
-MAKERS: dict[str, tuple[str, Callable[[], Peer]]] = {
-    "SciPy": ("scipy", scipy),
-    "pytransform3d": ("pytransform3d", pytransform3d),
-    "jaxlie": ("jaxlie", jaxlie),
-    "pinocchio": ("pin", pinocchio),
-}
-"""Distribution, and function that returns the peer, by name of the library."""
-
-
-def versions() -> dict[str, str | None]:
-    """Return the version of each library, None for a missing one."""
-    found: dict[str, str | None] = {}
-    for name, (distribution, _) in MAKERS.items():
-        try:
-            found[name] = importlib.metadata.version(distribution)
-        except importlib.metadata.PackageNotFoundError:
-            found[name] = None
-    return found
+MAKERS: dict[str, Callable[[], Peer]] = {
+    "SciPy": scipy, "pytransform3d": pytransform3d, "jaxlie": jaxlie, "pinocchio": pinocchio,
+}  # fmt: skip
+"""Function that returns the peer, by name of the library."""
 
 
 def installed() -> list[Peer]:
-    return [MAKERS[name][1]() for name, version in versions().items() if version]
+    return [MAKERS[name]() for name, version in versions(*MAKERS).items() if version]

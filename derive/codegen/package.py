@@ -24,7 +24,7 @@ from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
 from .rows import Table
 
-DIGITS = 40
+PRINTED_DIGITS = 40
 """Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
 
 WIDTH = 110
@@ -98,13 +98,13 @@ class Facts:
     @cached_property
     def turns(self) -> list[tuple[str, str]]:
         """Decimals of the two numbers that turn v to each branch; for an unbounded chart, to branch 1 only."""
-        with mpmath.workdps(DIGITS + 10):
+        with mpmath.workdps(PRINTED_DIGITS + 10):
             return [(_decimal(a), _decimal(b)) for a, b in map(self.chart.turn, range(self.chart.branches) or [1])]
 
     @cached_property
     def returns(self) -> list[tuple[str, ...]]:
         """Decimals of the table of returns, row by row."""
-        with mpmath.workdps(DIGITS + 10):
+        with mpmath.workdps(PRINTED_DIGITS + 10):
             return [tuple(map(_decimal, row)) for row in self.chart.returns()]
 
     @property
@@ -183,14 +183,14 @@ def cited(equations: Iterable[int]) -> str:
 
 
 def _decimal(value: Any) -> str:
-    return str(mpmath.nstr(value, DIGITS, min_fixed=-DIGITS))
+    return str(mpmath.nstr(value, PRINTED_DIGITS, min_fixed=-PRINTED_DIGITS))
 
 
 def _multiple_of_pi(angle: sympy.Expr) -> str:
     factor = angle / sympy.pi
     if not factor.is_Rational:
-        with mpmath.workdps(DIGITS + 10):
-            return _decimal(mpmath.mpf(angle.evalf(DIGITS + 10)))
+        with mpmath.workdps(PRINTED_DIGITS + 10):
+            return _decimal(mpmath.mpf(angle.evalf(PRINTED_DIGITS + 10)))
     above = "pi" if factor.p == 1 else f"{factor.p} * pi"
     return above if factor.q == 1 else f"{above} / {factor.q}"  # 3/2 would be 1 in C
 

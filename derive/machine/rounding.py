@@ -30,7 +30,7 @@ from .transcript import Transcript
 FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)
 """Functions and orders, the slowest first."""
 
-SAMPLES, DIGITS = 10_000, 40
+SAMPLES, SAMPLED_DIGITS = 10_000, 40
 """Arguments of a measurement, and digits of the exact values, of which 16 are lost in the difference."""
 
 
@@ -69,7 +69,7 @@ def measured(program: Transcript, order: int, count: int = SAMPLES) -> dict[int,
     dual *= reach(order, length * length) * (1 - 1e-12)
     inputs = dict(zip(V, (*(real * length), *dual), strict=True))
     context = mpmath.MPContext()  # one for each thread
-    context.dps = DIGITS
+    context.dps = SAMPLED_DIGITS
     number = np.vectorize(context.mpf, otypes=[object])
     rounded, exact = program.values(inputs), program.values({name: number(each) for name, each in inputs.items()})
     names = ((i, program.results[i]) for i in outputs(program))

@@ -8,10 +8,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeAlias
 
+import sympy
+
 from .breusing import Breusing
 from .cayley import Cayley
 from .chart import Chart
 from .exponential import Exponential
+from .families import alpha
 from .multiple import Multiple
 from .polynomials import require_order
 from .sine import Sine
@@ -42,8 +45,8 @@ SINGLE: Mapping[str, Callable[[], Named]] = {
 }
 """Charts by name."""
 
-SYMBOLIC = ("isochoric",)
-"""Names of `families` without kernels: their scalars are not elementary functions of x."""
+SYMBOLIC = {"isochoric": sympy.cbrt(6 * (alpha - sympy.sin(alpha)))}
+"""Functions φ without kernels, by name: their scalars are not elementary functions of x. For isochoric, det T = 1."""
 
 NUMBERED: Mapping[str, Callable[[int], Named]] = {"sine": sine, "scaled": scaled}
 """Functions that return the chart of an order, by the stem of the name."""
@@ -57,7 +60,7 @@ def family(name: str) -> Named:
     elif numbered and numbered[1] in NUMBERED:
         found = NUMBERED[numbered[1]](int(numbered[2]))
     elif name in SYMBOLIC:
-        raise ValueError(f"{name} is symbolic only, without kernels: derive.maps.families.{name}() has its phi and T")
+        raise ValueError(f"{name} is symbolic only, without kernels: derive.maps.named.SYMBOLIC has its phi")
     else:
         names = ", ".join([*SINGLE, *(f"{stem}N" for stem in NUMBERED)])
         raise ValueError(f"a family is one of {names}, N an order; got {name!r}")

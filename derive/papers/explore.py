@@ -20,7 +20,7 @@ from .language.environment import Env
 from .language.printed import Symbol, Term, Trait, latex, symbols, text, walk
 from .language.values import Either, coefficients, equal
 from .numbers.draw import Draw
-from .numbers.fields import DIGITS, Decimal60, innermost
+from .numbers.fields import FIELD_DIGITS, Decimal60, innermost
 from .numbers.quantities import BRANCH, ORDER
 from .result import Counterexample
 
@@ -58,7 +58,7 @@ class Trial:
 
 def explore(entry: Entry, statement: Term, orders: Sequence[int], digits: int = 30) -> Iterator[Trial]:
     """Yield the truth of a statement at each point inside the entry's claimed domain."""
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         for label, values, pair in points(entry, statement, orders, digits):
             env = Env(Decimal60(), values, entry.definitions, moving=entry.moving)
             if entry.claimed is None or _truth(env, entry.claimed):
@@ -154,7 +154,7 @@ def _root(below: Term, symbol: Symbol, env: Env) -> Any | None:
 
 def counterexample(trial: Trial, entry: Entry, statement: Term) -> Counterexample:
     """Return the values of a statement's free symbols at a point, and the sides that differ there."""
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         numbers = {latex(symbol): shown(trial.env.value(symbol)) for symbol in entry.free(statement)}
         letters = {name: parts for name, parts in numbers.items() if parts}
         return Counterexample(trial.point, letters, _sides(trial.env, statement))

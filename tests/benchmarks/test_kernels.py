@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import derivatives, kernels, peers, timing
+from benchmarks import derivatives, forms, kernels, timing
 from benchmarks.peers import Poses
 from tests.support.kernels import load
 
@@ -35,7 +35,7 @@ def flat(result: Any) -> np.ndarray:
 def test_derivatives_agree_with_sympy_and_complex_steps(function: str) -> None:
     arguments = given(function)
     ours = flat(getattr(load(ORDER), function)(*arguments))
-    found = peers.lambdified(ORDER, function)(*(row for a in arguments for row in a.T))
+    found = forms.lambdified(ORDER, function)(*(row for a in arguments for row in a.T))
     np.testing.assert_allclose(np.stack(np.broadcast_arrays(*found), axis=-1), ours, **CLOSE)
     steps = derivatives.stepped(load(ORDER), function)
     assert (steps is None) == (function == "compose_jacobians")
@@ -67,10 +67,10 @@ def test_jax_derivatives_are_by_the_named_argument(monkeypatch: pytest.MonkeyPat
 
 def test_benchmarks_respect_the_memory_limit(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = tuple(np.ascontiguousarray(a.T) for a in given("rate_jacobian"))
-    assert peers.lambdify_call(ORDER, "rate_jacobian", rows) is not None
-    monkeypatch.setattr(peers, "ROOM", 12 * rows[0][0].nbytes)
-    assert peers.lambdify_call(ORDER, "rate_jacobian", rows) is None
-    assert peers.lambdify_call(3, "compose_jacobians", rows) is None
+    assert forms.lambdify_call(ORDER, "rate_jacobian", rows) is not None
+    monkeypatch.setattr(forms, "ROOM", 12 * rows[0][0].nbytes)
+    assert forms.lambdify_call(ORDER, "rate_jacobian", rows) is None
+    assert forms.lambdify_call(3, "compose_jacobians", rows) is None
 
 
 def test_missed_speed_gates_are_named(monkeypatch: pytest.MonkeyPatch) -> None:

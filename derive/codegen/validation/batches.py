@@ -55,7 +55,7 @@ def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
         If a function has no call, or lacks the exact one that its row requires in an algebraic chart.
     """
     algebraic = is_algebraic(chart)
-    with mpmath.workdps(decimals.DIGITS):
+    with mpmath.workdps(decimals.EXACT_DIGITS):
         exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if algebraic else []
         closely = [
             Batch(cases[0].row, branch, tuple(map(_decimal, cases)), decimals.tolerance(chart, cases[0].row.remainder))

@@ -19,7 +19,7 @@ from ...algebra import Tensor
 from ...maps.pose import Screw, pose_from_tensor, quaternion_from_screw, tensor_from_screw
 from ..rows import Function, Table
 from ..signatures import JACOBIAN, POSES
-from .decimals import DIGITS
+from .decimals import EXACT_DIGITS
 from .expected_values import ALGEBRAIC, arguments_of, rows_of_pose
 from .inverse_maps import MAPS, value
 from .vectors import Flat, Vectors, flat
@@ -62,7 +62,7 @@ class Case:
 
     @cached_property
     def result(self) -> Flat:
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(EXACT_DIGITS):
             return self.compute()
 
 

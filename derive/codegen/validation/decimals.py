@@ -12,7 +12,7 @@ import mpmath
 
 from ...maps.chart import Chart
 
-DIGITS = 50
+EXACT_DIGITS = 50
 
 CONSTANTS_ERROR = mpmath.mpf(10) ** -40
 """Error of printed constants, which have 40 digits."""
@@ -20,7 +20,7 @@ CONSTANTS_ERROR = mpmath.mpf(10) ** -40
 CONDITION_MAX = mpmath.mpf(10) ** 8
 """Largest factor by which errors of constants and scalars grow in the results of seeded cases."""
 
-NUMBERS = decimal.Context(prec=DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
+NUMBERS = decimal.Context(prec=EXACT_DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
 """Context without traps: a selection also computes the side not taken, where results may be NaN or infinite."""
 
 ONE, TWO = decimal.Decimal(1), decimal.Decimal(2)
@@ -112,7 +112,7 @@ def _of(value: Any) -> decimal.Decimal:
     if isinstance(value, Fraction):
         return NUMBERS.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator))
     if not isinstance(value, mpmath.mpf):
-        raise TypeError(f"no number of {DIGITS} digits: {type(value).__name__} {value!r}")
+        raise TypeError(f"no number of {EXACT_DIGITS} digits: {type(value).__name__} {value!r}")
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa:
         return decimal.Decimal(float(value))  # 0, infinite or NaN
@@ -128,7 +128,7 @@ def _binary(value: decimal.Decimal) -> Any:
     """Return a decimal number as an mpmath number, for which ``tan`` and other functions exist."""
     if not value.is_finite():
         return mpmath.mpf(float(value))
-    places = DIGITS - value.adjusted()  # shift that makes the number an integer with all its digits
+    places = EXACT_DIGITS - value.adjusted()  # shift that makes the number an integer with all its digits
     return mpmath.mpf(int(NUMBERS.scaleb(value, places))) / mpmath.mpf(10) ** places
 
 

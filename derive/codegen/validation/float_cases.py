@@ -23,7 +23,7 @@ from ..lowered import geometry
 from ..rows import Table
 from ..signatures import POSES
 from .calls import Case, Drawn, Kind, algebraic, at_screw, require, restricted, selecting
-from .decimals import DIGITS
+from .decimals import EXACT_DIGITS
 from .inverse_maps import value
 from .screws import covering
 from .vectors import Flat, Vectors, flat, vectors_of
@@ -62,7 +62,7 @@ class FloatCase(Case):
         """Error scale of each part of the result."""
         row = self.row
         places = [(i, j) for i, array in enumerate(row.arguments) for j in range(array.size)]
-        with mpmath.workdps(DIGITS):
+        with mpmath.workdps(EXACT_DIGITS):
             single = [self._moved(i, [j]) for i, j in places if row.arguments[i].part_of[j] or not row.exact]
             whole = [self._moved(i, range(array.size)) for i, array in enumerate(row.arguments) if i and row.exact]
             ways = ([self.result], single, whole, self._by_angle())
@@ -100,7 +100,7 @@ def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
     ValueError
         If a function has no call with a finite result.
     """
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(EXACT_DIGITS):
         at = vectors_of(chart)
         found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in restricted(_seeded(at), table)]
         found = [case for case in found if all(map(mpmath.isfinite, case.result))]  # no v beyond an early edge

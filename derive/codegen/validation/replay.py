@@ -28,7 +28,7 @@ from ..rows import Function, Table
 from ..signatures import POSES
 from .batches import ValidationFailed
 from .calls import grouped
-from .decimals import DIGITS
+from .decimals import EXACT_DIGITS
 from .float_cases import FloatCase, cases
 from .loading import loaded, module_of
 from .run import own_functions
@@ -241,7 +241,7 @@ class Caller:
 
 def _long(rows: Sequence[Sequence[Any]]) -> Array:
     """Return numbers of 50 digits as a ``longdouble`` array."""
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(EXACT_DIGITS):
         numbers = [[mpmath.mpf(number) for number in row] for row in rows]
         heads = np.array([[float(number) for number in row] for row in numbers], np.longdouble)
         tails = [[float(n - float(n)) if mpmath.isfinite(n) else 0.0 for n in row] for row in numbers]

@@ -17,7 +17,7 @@ from ..lowered import geometry, lower_chart
 from ..rows import Table
 from ..signatures import POSES
 from .batches import Batch, ValidationFailed, batches, compare
-from .decimals import DIGITS
+from .decimals import EXACT_DIGITS
 from .loading import loaded, module_of
 
 MAKERS = ("identity", "random")
@@ -36,7 +36,7 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     With ``geometry`` all functions are called, which also tests the geometry programs that all charts share; otherwise
     only `own_functions`. `ValidationFailed` names the function and the first wrong component.
     """
-    with loaded(folder) as package, mpmath.workdps(DIGITS), np.errstate(all="ignore"):
+    with loaded(folder) as package, mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
         return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
 
 
@@ -114,7 +114,7 @@ def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
         raise ValidationFailed(f"{module.__name__}.__all__ holds other names than {', '.join(names)}")
     if chart.order != module.ORDER:
         raise ValidationFailed(f"{module.__name__}.ORDER is {module.ORDER}, not {chart.order}")
-    found, stated = module.singular_angles(), [float(angle.evalf(DIGITS)) for angle in chart.singular_angles]
+    found, stated = module.singular_angles(), [float(angle.evalf(EXACT_DIGITS)) for angle in chart.singular_angles]
     near = [math.isclose(a, b, rel_tol=ANGLE_ROUNDING, abs_tol=0) for a, b in zip(found, stated, strict=False)]
     if not all(near) or len(found) != len(stated):
         raise ValidationFailed(f"{module.__name__}.singular_angles() is {found}, not {stated}")

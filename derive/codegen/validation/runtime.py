@@ -23,7 +23,7 @@ from ..lowering.scalar_programs import SCALARS
 from ..rows import Table
 from ..signatures import POSES, ROTATIONS, SIDES
 from .batches import ValidationFailed
-from .decimals import DIGITS, Decimal
+from .decimals import EXACT_DIGITS, Decimal
 from .loading import loaded, module_of
 from .stand_ins import standing_in
 
@@ -79,7 +79,7 @@ def check(folder: Path, chart: Chart, checks: Sequence[Check], exact: bool = Fal
     `ValidationFailed` names the function and the case.
     """
     count = 0
-    with loaded(folder) as name, standing_in(), mpmath.workdps(DIGITS), np.errstate(all="ignore"):
+    with loaded(folder) as name, standing_in(), mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
         for each in checks:
             cases, case = each(Loaded(name, chart, exact)), f"first case of {each.__name__}"
             try:

@@ -20,7 +20,7 @@ from ...algebra.element import Element, NotExactError
 from ...algebra.functions import Elementary
 from ...maps.polynomials import pair
 
-DIGITS = 60
+FIELD_DIGITS = 60
 TOLERANCE = mpmath.mpf(10) ** -45  # far above rounding errors, far below relevant differences
 _NOTHING = mpmath.mpf(10) ** -55  # bound on the rounding error of the sine at a multiple of π
 
@@ -105,7 +105,7 @@ class Field(Elementary):
 
 
 class Decimal60(Field):
-    """Real numbers with 60 digits, for use inside ``mpmath.workdps(DIGITS)``."""
+    """Real numbers with 60 digits, for use inside ``mpmath.workdps(FIELD_DIGITS)``."""
 
     ordered = True
     _exp = staticmethod(mpmath.exp)

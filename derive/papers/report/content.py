@@ -111,7 +111,7 @@ def command(result: Result) -> str:
     return f"dualcay verify --paper {result.paper} --eq {result.equation.number}"
 
 
-DIGITS = 10
+SHOWN_DIGITS = 10
 
 
 def example(found: Counterexample) -> tuple[str, ...]:
@@ -120,14 +120,14 @@ def example(found: Counterexample) -> tuple[str, ...]:
     if len(found.sides) != 2 or not all(found.sides):
         return *lines, f"{found.point}: the statement is false"
     left, right = found.sides
-    i = next((i for i, (a, b) in enumerate(zip(left, right, strict=False)) if a[:DIGITS] != b[:DIGITS]), 0)
+    i = next((i for i, (a, b) in enumerate(zip(left, right, strict=False)) if a[:SHOWN_DIGITS] != b[:SHOWN_DIGITS]), 0)
     which = f"number {i + 1} of {len(left)}: " if len(left) > 1 else ""
-    return *lines, f"{which}left {left[i][: DIGITS + 2]}, right {right[i][: DIGITS + 2]}"
+    return *lines, f"{which}left {left[i][: SHOWN_DIGITS + 2]}, right {right[i][: SHOWN_DIGITS + 2]}"
 
 
 def _numbers(parts: list[str]) -> str:
     """Return the real parts, then the dual parts after ε, as one string."""
-    short = [part[: DIGITS + 2] for part in parts]
+    short = [part[: SHOWN_DIGITS + 2] for part in parts]
     half = len(short) // 2
     return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8, 18) else _tuple(short)
 

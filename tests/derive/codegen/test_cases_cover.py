@@ -70,7 +70,7 @@ class Watched:
 def sides(n: int, some: slice = slice(None)) -> Sides:
     """Return the truth values of all comparisons; ``some`` selects cases of each function and branch."""
     watched = Watched(Cayley(n))
-    with mpmath.workdps(decimals.DIGITS):
+    with mpmath.workdps(decimals.EXACT_DIGITS):
         for _, cases in grouped(samples.at_numbers(watched.chart, POSES)):
             for case in cases[some]:
                 watched.call(case)

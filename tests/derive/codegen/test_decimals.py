@@ -13,12 +13,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.codegen.validation.decimals import DIGITS, Decimal, close
+from derive.codegen.validation.decimals import EXACT_DIGITS, Decimal, close
 
 pytestmark = pytest.mark.smoke
 
 RATIONALS = st.fractions(-(10**6), 10**6, max_denominator=10**6)
-ROUNDING = Fraction(1, 2 * 10 ** (DIGITS - 1))
+ROUNDING = Fraction(1, 2 * 10 ** (EXACT_DIGITS - 1))
 NAN, INFINITE = Decimal(mpmath.nan), Decimal(mpmath.inf)
 
 
@@ -77,7 +77,7 @@ def test_decimals_accept_foreign_integers() -> None:
 def test_long_numbers_are_rounded_before_anything_else() -> None:
     assert Decimal(10**5000).value.adjusted() == 5000
     assert exactly(Decimal(10**60 + 1)) == 10**60
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(EXACT_DIGITS):
         for number in (10**7, 10**12):  # an exact power of 2 would take too long
             wanted = int(mpmath.floor(number / mpmath.ln(10)))
             assert Decimal(number).expm1().value.adjusted() == wanted
@@ -88,7 +88,7 @@ def test_long_numbers_are_rounded_before_anything_else() -> None:
 
 @pytest.mark.parametrize("name", ["sqrt", "tan", "expm1", "log1p"])
 def test_functions_match_mpmath(name: str) -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(EXACT_DIGITS):
         for number in (mpmath.mpf(7) / 9, mpmath.mpf(3) * 10**-30, mpmath.mpf(2) ** 70):
             wanted = getattr(mpmath, name)(number)
             if (mpmath.isfinite(wanted) and number < 1) or name != "expm1":
@@ -96,7 +96,7 @@ def test_functions_match_mpmath(name: str) -> None:
 
 
 def test_arctan2_agrees_with_mpmath() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(EXACT_DIGITS):
         for y, x in ((3, -4), (-3, -4), (0, -1), (5, 0)):
             found = Decimal(y).arctan2(Decimal(x))
             assert close(found, mpmath.atan2(y, x), Decimal(mpmath.mpf(10) ** -48))

@@ -9,7 +9,8 @@ import sympy
 from derive.algebra import Dual, Quaternion, Vector, functions
 from derive.maps import closed_forms, family
 from derive.maps.elementary import evaluate
-from derive.maps.families import alpha, breusing, isochoric, rodrigues
+from derive.maps.families import alpha, of_angle
+from derive.maps.named import SYMBOLIC
 from derive.maps.pose import Screw
 
 TINY = mpmath.mpf(10) ** -40
@@ -33,23 +34,24 @@ def test_scale_belongs_to_the_parameterization(name: str, gap) -> None:
 
 def test_rodrigues_family_is_the_cayley_map() -> None:
     for n in (1, 2, 3, 6):
-        member, t = rodrigues(n), sympy.Symbol("t")
-        angle = 2 * n * sympy.atan(t)
-        for formula, closed in ((member.tangent, closed_forms.tangent), (member.tangent_inv, closed_forms.tangent_inv)):
-            for coefficient, value in zip(formula, closed(n, sympy.Rational(1, 9)).coefficients, strict=True):
-                at = coefficient.subs(alpha, angle.subs(t, sympy.Rational(1, 3)))
-                assert abs(sympy.N(at - value, 40)) < 1e-35
+        scalars, angle = of_angle(sympy.tan(alpha / (2 * n))), 2 * n * sympy.atan(sympy.Rational(1, 3))
+        tangent = closed_forms.tangent(n, sympy.Rational(1, 9)).coefficients
+        tangent_inv = closed_forms.tangent_inv(n, sympy.Rational(1, 9)).coefficients
+        found = (scalars.f, scalars.g, scalars.h, scalars.fi / 2, scalars.hi / 2)
+        for coefficient, value in zip(found, (*tangent, *tangent_inv[::2]), strict=True):
+            assert abs(sympy.N(coefficient.subs(alpha, angle) - value, 40)) < 1e-35
 
 
 def test_breusing_is_the_geometric_mean() -> None:
     for k in range(1, 6):
         angle = mpmath.mpf(k)
-        assert abs(breusing().at(angle) - mpmath.sqrt(mpmath.tan(angle / 4) * mpmath.sin(angle / 4))) < TINY
-        assert breusing().at(-angle) == -breusing().at(angle)
+        at = evaluate(family("breusing").phi, alpha, angle)
+        assert abs(at - mpmath.sqrt(mpmath.tan(angle / 4) * mpmath.sin(angle / 4))) < TINY
+        assert evaluate(family("breusing").phi, alpha, -angle) == -at
 
 
 def test_the_isochoric_parameterization_keeps_volumes() -> None:
-    cube = sympy.expand(isochoric().phi ** 3)
+    cube = sympy.expand(SYMBOLIC["isochoric"] ** 3)
     assert cube == 6 * alpha - 6 * sympy.sin(alpha)
     # det T = 2 (1 − cos α)/(φ′ φ²), and 3 φ² φ′ = (φ³)′
     assert sympy.expand(6 * (1 - sympy.cos(alpha)) - cube.diff(alpha)) == 0

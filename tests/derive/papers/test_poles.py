@@ -10,7 +10,7 @@ from derive.papers.explore import denominators, poles
 from derive.papers.language.environment import Env, let
 from derive.papers.language.operator_table import equal, norm, over
 from derive.papers.language.printed import Number, Symbol, text
-from derive.papers.numbers.fields import DIGITS, Decimal60, innermost
+from derive.papers.numbers.fields import FIELD_DIGITS, Decimal60, innermost
 
 a, b, x = Symbol("a", "dual number"), Symbol("b", "dual number"), Symbol("x", "argument")
 v, r, y = Symbol("v", "dual vector"), Symbol("r", "real"), Symbol("y", "number")
@@ -30,7 +30,7 @@ def environment() -> Env:
      (a * (a - 1) * (a - 2), {a: 1})],
 )  # fmt: skip
 def test_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         result = list(poles(equal(1 / below, b), environment()))
         assert [(label, *moved) for label, moved in result] == [
             (f"{text(below)} has the real part 0", x) for x in found
@@ -44,18 +44,18 @@ def test_denominator_vanishes_at_a_multiple_of_a_symbol(below, found) -> None:
 
 @pytest.mark.parametrize(("multiple", "found"), [("0.1", []), ("0.13", [a]), ("4.95", [a]), ("5.05", [])])
 def test_range_of_searched_multiples(multiple: str, found) -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         far = {a: Dual(START, START), r: START * mpmath.mpf(multiple)}
         assert [symbol for _, moved in poles(equal(1 / (a - r), b), Env(Decimal60(), far)) for symbol in moved] == found
 
 
 def test_symbols_with_a_definition_are_not_moved() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         assert [list(moved) for _, moved in poles(equal(1 / y, b), environment())] == []
 
 
 def test_denominator_without_a_value_has_no_pole() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         assert list(poles(equal(1 / (1 / (a - a)), b), environment())) == []
 
 

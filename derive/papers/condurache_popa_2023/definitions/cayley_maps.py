@@ -7,8 +7,10 @@ from functools import cache
 from typing import Any
 
 from ....algebra import Quaternion, Tensor, Vector, real_part
-from ....maps import first_principles
-from ....maps.families import Family, rodrigues
+from ....maps import Cayley, first_principles
+from ....maps.chart import Chart
+from ....maps.elementary import evaluate
+from ....maps.families import alpha as angle_of_phi
 from ....proof.proved import citing
 from ...language import values
 from ...language.common_definitions import condition
@@ -134,17 +136,18 @@ def scales(env: Env, a: Any, n: Any, q: Quaternion, v: Vector) -> bool:
 # ---- families ---------------------------------------------------------------------------------------------------
 
 
-def member(family: Family) -> Callable[..., Vector]:
-    """Return the definition ``v = φ(α) u`` of a family."""
-    return lambda env, alpha, u: family.vector(alpha, u, env.field)
+def member(chart: Chart) -> Callable[..., Any]:
+    """Return the definition ``v = φ(α) u`` of a chart."""
+    return lambda env, alpha, u: u * evaluate(chart.phi, angle_of_phi, alpha, env.field)
 
 
-def at_fraction(family: Callable[[int], Family]) -> Callable[..., Vector]:
-    """Return the definition of a family's order-1 vector at the angle α/n, e.g. ``tan(α/2n) u`` for `rodrigues`."""
-    return lambda env, n, alpha, u: family(1).vector(values.divide(alpha, n), u, env.field)
+def at_fraction(charts: Callable[[int], Chart]) -> Callable[..., Any]:
+    """Return the definition of the order-1 vector of charts at the angle α/n, e.g. ``tan(α/2n) u`` for `Cayley`."""
+    first = member(charts(1))
+    return lambda env, n, alpha, u: first(env, values.divide(alpha, n), u)
 
 
-rodrigues_vector = at_fraction(rodrigues)
+rodrigues_vector = at_fraction(Cayley)
 
 
 def powers(which: int) -> Callable[[Env, Any], Callable[[Any], Any]]:

@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
-from ....maps.families import breusing, normal_rodrigues, sine
+from ....maps.breusing import Breusing
+from ....maps.named import scaled, sine
 from ..definitions import cayley_maps, orders
 from . import *
 from .s07_general_order import *
@@ -25,7 +26,7 @@ def family(definition: Callable[..., Any], order: Definition | None) -> tuple[De
             let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)
 
 
-NORMAL = (*SCREW, *family(lambda env, n, *screw: n * cayley_maps.at_fraction(normal_rodrigues)(env, n, *screw), None),
+NORMAL = (*SCREW, *family(lambda env, n, *screw: n * cayley_maps.at_fraction(scaled)(env, n, *screw), None),
           let(w, cayley_maps.rodrigues_vector, n, alpha, u), let(alpha_vector, multiple, alpha, u))
 pw, qw, power = p(norm(w)), q(norm(w)), (1 + xw) ** n
 R_by_w, R_corrected = rotation_by(norm(w), power, V), rotation_by(norm(w), power, W)
@@ -83,7 +84,7 @@ SECOND = (
 
 w_two = vector("w of order 2", "w", "w")
 image_two = Symbol("image of w", "quaternion", r"\mathrm{cay} \underline{\mathbf{w}}", "cayw")
-BREUSING = (*family(cayley_maps.member(breusing()), two), let(x_breusing, lambda env, c: (1 - c * c) / c, c),
+BREUSING = (*family(cayley_maps.member(Breusing()), two), let(x_breusing, lambda env, c: (1 - c * c) / c, c),
             let(w_two, cayley_maps.rodrigues_vector, two.symbol, alpha, u),
             let(image_two, orders.cayley, two.symbol, w_two))
 ANY_FACTOR = (two, let(a, cayley_maps.constant, a_value),

@@ -9,7 +9,7 @@ import pytest
 
 from derive.algebra import Dual
 from derive.papers.numbers.draw import Draw, polynomial, sphere
-from derive.papers.numbers.fields import DIGITS, Decimal60
+from derive.papers.numbers.fields import FIELD_DIGITS, Decimal60
 from derive.papers.numbers.quantities import QUANTITIES
 
 FIELD = Decimal60()
@@ -21,7 +21,7 @@ SEEDED = ["-0.8848645", "0.8416006", "0.53936883", "0.6785535"]
 
 @pytest.fixture(autouse=True)
 def _digits():
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         yield
 
 

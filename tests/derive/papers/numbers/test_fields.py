@@ -10,7 +10,7 @@ import pytest
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
 from derive.algebra.element import NotExactError
 from derive.papers.numbers.draw import Draw
-from derive.papers.numbers.fields import DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
+from derive.papers.numbers.fields import FIELD_DIGITS, Decimal60, Exact, Field, UndefinedError, integer_power
 
 pytestmark = pytest.mark.smoke
 
@@ -43,7 +43,7 @@ def test_decimal_refuses_undefined_values() -> None:
 
 
 def test_roots_of_quaternions_are_principal() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field = Decimal60()
         q = Draw("root").quaternion(0.9)
         half = field.power(q, Fraction(1, 2))
@@ -90,7 +90,7 @@ def test_missing_functions_are_refused(call, what: str) -> None:
 
 @pytest.mark.parametrize("exponent", [Fraction(1, 3), Fraction(2, 3), Fraction(3, 2), Fraction(-1, 2), Fraction(5, 4)])
 def test_rational_powers_of_quaternions(exponent: Fraction) -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, q = Decimal60(), Draw("powers").quaternion(mpmath.mpf("0.4")) * mpmath.mpf(2)
         power = field.power(q, exponent)
         whole, other = integer_power(power, exponent.denominator), integer_power(q, exponent.numerator)
@@ -98,7 +98,7 @@ def test_rational_powers_of_quaternions(exponent: Fraction) -> None:
 
 
 def test_powers_of_quaternions_with_purely_dual_vector_part() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, zero = Decimal60(), mpmath.mpf(0)
         q = Quaternion(Dual(mpmath.mpf(4), zero), Vector(*(Dual(zero, mpmath.mpf(c)) for c in (1, 2, 3))))
         half = field.power(q, Fraction(3, 2))
@@ -116,7 +116,7 @@ def test_powers_of_quaternions_with_purely_dual_vector_part() -> None:
       lambda a: 1 / (3 * mpmath.cbrt(a) ** 2))],
 )  # fmt: skip
 def test_functions_of_dual_numbers_have_their_derivatives(call, inverse, slope) -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, a = Decimal60(), Dual(mpmath.mpf("0.7"), mpmath.mpf("0.3"))
         value = call(field, a)
         assert field.same(value.du, a.du * slope(a.re))
@@ -126,7 +126,7 @@ def test_functions_of_dual_numbers_have_their_derivatives(call, inverse, slope) 
 
 
 def test_magnitudes_of_vectors_without_real_part_are_dual() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, zero = Decimal60(), mpmath.mpf(0)
         v = Vector(*(Dual(zero, mpmath.mpf(c)) for c in (1, 2, 2)))
         assert field.magnitude(v) == Dual(0, 3)
@@ -137,7 +137,7 @@ def test_magnitudes_of_vectors_without_real_part_are_dual() -> None:
 
 
 def test_rounding_errors_are_zero() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, small = Decimal60(), mpmath.mpf(10) ** -56
         assert field.vanishes(5 * small)
         assert not field.vanishes(20 * small)
@@ -149,7 +149,7 @@ def test_rounding_errors_are_zero() -> None:
 
 
 def test_the_angle_of_a_point_may_have_one_dual_coordinate() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field, one = Decimal60(), mpmath.mpf(1)
         for y, x, slope in ((Dual(one, one), 2 * one, "0.4"), (one, Dual(2 * one, one), "-0.2")):
             angle = field.atan2(y, x)

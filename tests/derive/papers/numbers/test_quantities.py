@@ -8,7 +8,7 @@ import pytest
 from derive.algebra import Dual, Quaternion, Tensor, Vector, real_part
 from derive.papers.language.printed import Symbol
 from derive.papers.numbers.draw import Draw
-from derive.papers.numbers.fields import DIGITS, Decimal60
+from derive.papers.numbers.fields import FIELD_DIGITS, Decimal60
 from derive.papers.numbers.generic import Generic
 from derive.papers.numbers.quantities import QUANTITIES
 
@@ -17,7 +17,7 @@ EXACT = [quantity for quantity in QUANTITIES.values() if quantity.exact is not N
 
 
 def test_unit_draws_are_unit() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         field = Decimal60()
         for make in (QUANTITIES["unit quaternion"].generic, *QUANTITIES["unit quaternion"].special.values()):
             norm = make(Draw("unit")).norm2()
@@ -95,7 +95,7 @@ def test_every_special_value_is_described() -> None:
 @pytest.mark.parametrize(("name", "label"), [(name, label) for name, cases in SPECIAL.items() for label in cases])
 def test_special_values_have_the_expected_size(name: str, label: str) -> None:
     low, high = SPECIAL[name][label]
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         for seed in "abcde":
             value = QUANTITIES[name].special[label](Draw(seed))
             assert low - 1e-12 <= size(value) <= high + 1e-12
@@ -106,7 +106,7 @@ def test_special_values_have_the_expected_size(name: str, label: str) -> None:
 
 
 def test_singular_tensor_has_no_inverse() -> None:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(FIELD_DIGITS):
         value = QUANTITIES["tensor"].special["singular"](Draw("s"))
         assert Decimal60().same(value.det().re, 0)
         assert not Decimal60().same(QUANTITIES["tensor"].generic(Draw("s")).det().re, 0)
