@@ -10,7 +10,7 @@ import pytest
 
 from derive.codegen.validation.loading import loaded
 from derive.machine.coq_definitions import GEOMETRY, SCALARS
-from derive.machine.emitted import CHeader, PythonModule, printed
+from derive.machine.emitted import CHeader, PythonModule
 from derive.machine.goals import chart_file, geometry_file
 from derive.machine.statements import MachineError
 from derive.machine.transcript import Transcript, constant
@@ -39,11 +39,6 @@ def in_c(folder: Path, text: str) -> Transcript:
 @pytest.fixture
 def kernels(tmp_path: Path) -> Path:
     return shutil.copytree(NUMPY, tmp_path / "numpy")
-
-
-@pytest.fixture
-def headers(tmp_path: Path) -> Path:
-    return printed(tmp_path / "c", [1])
 
 
 def alter(path: Path, old: str, new: str) -> None:
@@ -81,8 +76,8 @@ def test_what_is_used_twice_is_a_let_and_what_is_unused_is_left_out() -> None:
 @pytest.mark.parametrize(
     "program",
     [
-        lambda v: [v**2], lambda v: [0.5 * v], lambda v: [abs(v)], lambda v: [v == v], lambda v: [v < 0],
-        lambda v: [v if v else 1], lambda v: ["v"], lambda v: [1 / 3], lambda v: None,
+        lambda v: [v**2], lambda v: [0.5 * v], lambda v: [abs(v)], lambda v: [v == v], lambda v: [v != v],
+        lambda v: [v < 0], lambda v: [v if v else 1], lambda v: ["v"], lambda v: [1 / 3], lambda v: None,
     ],
 )  # fmt: skip
 def test_only_straight_lines_on_exact_numbers_are_written(program: Callable[[Any], Any]) -> None:
@@ -114,14 +109,18 @@ def test_other_python_is_refused_with_its_line(kernels: Path) -> None:
         geometry(kernels, "quaternion")
 
 
-def test_programs_of_one_chart_are_no_part_of_geometry(kernels: Path, headers: Path) -> None:
+def test_programs_of_one_chart_are_no_part_of_geometry(tmp_path: Path, kernels: Path) -> None:
     alter(kernels / "_geometry.py", "c.quaternion_scalars(m, x)", "(*c.rate_scalars(m, x), 1, 1, 1)")
     with pytest.raises(MachineError, match=r"^quaternion: _geometry\.py:\d+: .* no attribute 'rate_scalars'"):
         geometry(kernels, "quaternion")
-    called, other = "quaternion_scalars)(x, &s, &w, &sy, &wy);", "rate_scalars)(x, &s); w = s; sy = s; wy = s;"
-    alter(headers / "geometry.h", called, other)
-    with pytest.raises(MachineError, match=r"^quaternion: cayley1\.h:\d+: .*_rate_scalars is a program of one chart"):
-        CHeader(headers / "cayley1.h", opaque=True).geometry("quaternion")
+    own = "\nstatic double dualcay_toy_own(double x) { return 2 * x; }\n"
+    shared = "static void dualcay_toy_quaternion(const double v[6], double q[8])"
+    shared += "{ for (int i = 0; i < 8; ++i) { q[i] = dualcay_toy_own(v[0]); } }"
+    (tmp_path / "toy.h").write_text(f'{own}#include "geometry.h"\n')
+    (tmp_path / "geometry.h").write_text(shared)
+    assert len(CHeader(tmp_path / "toy.h").geometry("quaternion").steps) == 8
+    with pytest.raises(MachineError, match=r"^quaternion: toy\.h:2: dualcay_toy_own is a program of one chart"):
+        CHeader(tmp_path / "toy.h", opaque=True).geometry("quaternion")
 
 
 def test_missing_functions_and_files_are_named(tmp_path: Path, kernels: Path) -> None:
