@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import subprocess
 import sys
 import tomllib
@@ -19,13 +20,18 @@ from derive.proof import prove
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
-FACTS = Facts(prove(CHART))
+
+
+@functools.cache
+def facts() -> Facts:
+    """Return the proved chart; proofs take seconds, which collection of tests need not wait for."""
+    return Facts(prove(CHART))
 
 
 def texts(target: str) -> Iterator[tuple[str, str]]:
     """Yield name and text of a package's files, then of the notices that replace some of them during writing."""
     row = TARGETS[target]
-    yield from (shared_texts(row) | module_texts(FACTS, row)).items()
+    yield from (shared_texts(row) | module_texts(facts(), row)).items()
     yield from notices([CHART], row).items()
 
 
@@ -65,7 +71,7 @@ def test_version_is_in_the_header_of_one_file(target: str) -> None:
 def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
     row = TARGETS[target]
     assert any(name.startswith("rotation/") and "geometry" in name for name in shared_texts(row))
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in module_texts(FACTS, row))
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in module_texts(facts(), row))
 
 
 @pytest.mark.parametrize("target", TARGETS)
