@@ -3,14 +3,14 @@
 PYTHON ?= python3
 VENV   := .venv
 RUN    := $(VENV)/bin/python
-# Stamps of the environment: packages to derive and generate; packages to test, lint and check types.
+# Empty files that say what is installed: packages to derive and generate; packages to test, lint and check types.
 READY  := $(VENV)/.ready
 TESTED := $(VENV)/.test
 # Each worker starts with neighbouring tests, so that few fixtures are made twice; idle workers take over the rest.
 PYTEST := $(RUN) -m pytest -n auto --maxprocesses 4 --dist worksteal
 PIP    := $(RUN) -m pip --disable-pip-version-check install --quiet --quiet --constraint constraints.txt
 
-# The site's formulas: version of MathJax, its folder, and the stamp of a complete folder.
+# MathJax sets the site's formulas: its version, its folder, and a stamp that is written when the folder is complete.
 MATHJAX := 4.1.3
 ASSETS  := build/docs/assets/mathjax
 MATHJAX_READY := build/docs/.mathjax-$(MATHJAX)
@@ -116,7 +116,7 @@ clean:  ## remove the environment, caches and what the site's build writes
 help:  ## list these targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*##/\t/' | expand -t 18
 
-# The environment is rebuilt when its requirements change.
+# The environment is installed again when its requirements change.
 $(READY): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python >= 3.11 is needed: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
@@ -134,7 +134,7 @@ $(VENV)/.docs: $(READY)
 
 # MathJax with its font from npm, so that the site needs no other host.
 $(MATHJAX_READY):
-	@command -v npm > /dev/null || { echo "npm is needed, for MathJax: apt-get install npm" >&2; exit 3; }
+	@command -v npm > /dev/null || { echo "make docs needs npm, which downloads MathJax: apt-get install npm" >&2; exit 3; }
 	rm -rf $(ASSETS) && mkdir -p $(ASSETS)/mathjax-newcm-font
 	cd build/docs && npm pack --silent mathjax@$(MATHJAX) @mathjax/mathjax-newcm-font@$(MATHJAX) > /dev/null
 	tar xzf build/docs/mathjax-$(MATHJAX).tgz -C $(ASSETS) --strip-components=1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from derive.cli import sheet
+from derive.pages import sheet_files as sheet
 
 
 def write(app: Any, error: Exception | None) -> None:

@@ -12,13 +12,12 @@ from typing import Any
 Node = Any
 
 
-def altered(certificate: dict[str, Any], seed: int) -> tuple[str, dict[str, Any]]:
-    """Return the name of an alteration and the altered certificate; alterations of equations have a right digest."""
+def altered(certificate: dict[str, Any], seed: int) -> dict[str, Any]:
+    """Return the altered certificate; alterations of equations have a right digest."""
     draw, found = random.Random(seed), copy.deepcopy(certificate)
-    kind = list(KINDS)[seed % len(KINDS)]
-    if KINDS[kind](found, draw):
+    if KINDS[seed % len(KINDS)](found, draw):
         seal(found)
-    return kind, found
+    return found
 
 
 def seal(certificate: dict[str, Any]) -> None:
@@ -99,9 +98,7 @@ def _missing(certificate: Node, draw: random.Random) -> bool:
     return True
 
 
-KINDS = {
-    "coefficient": _coefficient, "exponent": _exponent, "dropped term": _dropped_term, "divisor": _divisor,
-    "dropped claim": _dropped_claim, "status": _status, "premise": _premise, "renamed": _renamed,
-    "reworded": _reworded, "missing": _missing,
-}  # fmt: skip
-"""Alterations by name; each returns whether the digest is made right again."""
+KINDS = (
+    _coefficient, _exponent, _dropped_term, _divisor, _dropped_claim, _status, _premise, _renamed, _reworded, _missing,
+)  # fmt: skip
+"""Alterations; each returns whether the digest is made right again."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import subprocess
 import sys
 import tomllib
@@ -12,7 +13,7 @@ import pytest
 
 from derive import about
 from derive.codegen.build import print_package
-from derive.codegen.package import LICENCE, notices, shared_texts
+from derive.codegen.package import LICENCE, Package, notices, shared_texts
 from derive.codegen.targets import TARGETS
 from derive.maps import Cayley
 from derive.output import write
@@ -21,10 +22,16 @@ ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
 
 
+@functools.cache
+def printed(target: str) -> Package:
+    """Return the printed package; proofs take seconds, which collection of tests need not wait for."""
+    return print_package([CHART], TARGETS[target])
+
+
 def texts(target: str) -> Iterator[tuple[str, str]]:
     """Yield name and text of a package's files, then of the notices that replace some of them during writing."""
     row = TARGETS[target]
-    yield from print_package([CHART], row).texts.items()
+    yield from printed(target).texts.items()
     yield from notices([CHART], row).items()
 
 
@@ -62,10 +69,8 @@ def test_version_is_in_the_header_of_one_file(target: str) -> None:
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_rotations_have_a_geometry_and_a_module_for_each_chart(target: str) -> None:
-    row = TARGETS[target]
-    printed = print_package([CHART], row)
-    assert any(name.startswith("rotation/") and "geometry" in name for name in printed.shared)
-    assert any(name.startswith("rotation/") and "cayley1" in name for name in printed.modules[0].texts)
+    assert any(name.startswith("rotation/") and "geometry" in name for name in printed(target).shared)
+    assert any(name.startswith("rotation/") and "cayley1" in name for name in printed(target).modules[0].texts)
 
 
 @pytest.mark.parametrize("target", TARGETS)

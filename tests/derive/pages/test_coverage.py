@@ -12,6 +12,7 @@ from derive.proof import theorems
 ALIASES = {alias: name for name, row in PUBLIC.items() for alias in row.aliases}
 
 
+@pytest.mark.smoke
 def test_exactly_the_kernel_functions_are_covered() -> None:
     assert set(COVERAGE) == {*PUBLIC, *ALIASES, "singular_angles"}
 
