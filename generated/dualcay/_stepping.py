@@ -62,7 +62,7 @@ class Step:
 
 
 class Form(Protocol):
-    """Local vector: its rate, its quaternion, and the rule by which it restarts after a step."""
+    """Vector that one step integrates, and how it goes on after the step."""
 
     def rate(self, y: Array, omega: Sequence[float]) -> Any: ...
 
