@@ -34,10 +34,10 @@ check-errata: $(READY)
 	$(RUN) -m derive verify --format markdown -o docs/errata.md --check
 
 check-theorems: $(READY)
-	$(RUN) -m derive.pages -o docs/theorems.md --check
+	$(RUN) -m derive.proof -o docs/theorems.md --check
 
 proofs: $(READY)  ## prove all theorems, require that every control fails, and write docs/theorems.md
-	$(RUN) -m derive.pages -o docs/theorems.md
+	$(RUN) -m derive.proof -o docs/theorems.md
 
 machine-proofs: $(READY)  ## check theorems and emitted programs with Coq, rounding with Gappa (apt-get install coq gappa)
 	$(RUN) -m derive.machine

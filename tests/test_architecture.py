@@ -15,7 +15,7 @@ ROOMS = (
     "about", "workers", "output", "algebra", "maps", "motion_equations", "proof", "papers", "codegen", "machine",
     "pages", "front", "cli",
 )  # fmt: skip
-"""Packages of derive in import order; each may import itself and earlier ones."""
+"""Packages of derive in import order; each may import itself and earlier ones. A file ``__main__`` is a command."""
 
 IN_CODEGEN = (
     "programs", "lowering", "rows", "signatures", "lowered", "validation", "package", "targets", "catalogue",
@@ -37,7 +37,7 @@ def out_of_order(base: tuple[str, ...], rooms: tuple[str, ...]) -> list[str]:
         for module in imported(file):
             inner = module[len(base) :]
             if module[: len(base)] == base and inner and name:
-                if order[inner[0]] > order[name[0]]:
+                if order[inner[0]] > order["__main__" if name[-1] == "__main__" else name[0]]:
                     wrong.append(f"{file.relative_to(ROOT)} imports {'.'.join(module)}")
             elif module == base and name:
                 wrong.append(f"{file.relative_to(ROOT)} imports the package it is in")

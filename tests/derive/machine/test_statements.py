@@ -10,8 +10,8 @@ import pytest
 from derive.machine import __main__ as command
 from derive.machine.coq_controls import FILE, controls
 from derive.machine.statements import FOLDER, LIST, MachineError, statements, without_comments
-from derive.pages import __main__ as proofs
 from derive.pages.coq import BY_COQ, in_coq
+from derive.proof import __main__ as proofs
 from derive.proof.identity import ALL_ORDERS
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from derive.pages import __main__ as command
 from derive.pages.theorems import page
+from derive.proof import __main__ as command
 from derive.proof.controls import Control, controls
 from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Check, Proof, decide
@@ -41,7 +41,7 @@ def test_altered_page_is_stale(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert place.read_text(encoding="utf-8") == TEXT
     assert command._deliver(TEXT, place, check=True) == 0
     assert command._deliver(TEXT.replace("(57)", "(58)"), place, check=True) == 1
-    assert f"accept with:  python -m derive.pages -o {place}" in capsys.readouterr().err
+    assert f"accept with:  python -m derive.proof -o {place}" in capsys.readouterr().err
 
 
 def test_proved_control_is_an_error(

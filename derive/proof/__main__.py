@@ -1,4 +1,4 @@
-"""``python -m derive.pages``: prove everything and run all controls.
+"""``python -m derive.proof``: prove everything and run all controls.
 
 The exit code is 1 if a proof fails, if a control does not fail, or, with ``--check``, if the page of theorems is stale.
 """
@@ -15,12 +15,12 @@ from pathlib import Path
 from ..maps import Cayley
 from ..output import files
 from ..output.progress import bar
-from ..proof.controls import Control, controls, controls_at, controls_of
-from ..proof.displacement_theorems import CLOSED_AT
-from ..proof.identity import ALL_ORDERS, Proof
-from ..proof.proved import claims, proofs
-from ..proof.theorem import decided
-from .theorems import page, title
+from ..pages.theorems import page, title
+from .controls import Control, controls, controls_at, controls_of
+from .displacement_theorems import CLOSED_AT
+from .identity import ALL_ORDERS, Proof
+from .proved import claims, proofs
+from .theorem import decided
 
 ORDERS = (1, 2, 3, 4, 5)
 """Orders of the proofs and controls at single orders: even and odd orders, with and without poles."""
@@ -31,7 +31,7 @@ SHOWN = 3
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prove everything and run the controls, print failures and counts, and write or compare the page of theorems."""
-    parser = argparse.ArgumentParser(prog="python -m derive.pages", description="Prove everything, see controls fail.")
+    parser = argparse.ArgumentParser(prog="python -m derive.proof", description="Prove everything, see controls fail.")
     parser.add_argument("-o", "--output", type=Path, help="page of theorems to write")
     parser.add_argument("--check", action="store_true", help="compare the page instead")
     options = parser.parse_args(arguments)
@@ -74,7 +74,7 @@ def _deliver(text: str, output: Path | None, check: bool) -> int:
     if output and not check:
         files.write(output.parent, {output.name: text}, force=True)
     elif output and any(found.path == output for found in files.compare(output.parent, {output.name: text})):
-        print(f"{output} is stale; accept with:  python -m derive.pages -o {output}", file=sys.stderr)
+        print(f"{output} is stale; accept with:  python -m derive.proof -o {output}", file=sys.stderr)
         return 1
     return 0
 
