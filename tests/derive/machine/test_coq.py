@@ -6,10 +6,10 @@ import shutil
 from pathlib import Path
 
 import pytest
-from derive.machine.controls import FILE, refused
 
 from derive.machine import __main__ as command
 from derive.machine.checker import compiled, find
+from derive.machine.coq_controls import FILE, refused
 from derive.machine.statements import FOLDER, LIST, MachineError, statements
 
 pytestmark = pytest.mark.coq

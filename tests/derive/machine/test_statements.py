@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from derive.machine.controls import FILE, controls
 
 from derive.machine import __main__ as command
+from derive.machine.coq_controls import FILE, controls
 from derive.machine.statements import FOLDER, LIST, MachineError, statements, without_comments
 from derive.pages import __main__ as proofs
 from derive.pages.coq import BY_COQ, in_coq
