@@ -29,8 +29,7 @@ GEOMETRY = Cayley(3)
 
 GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
 
-GC_THRESHOLD = 20_000
-"""Number of allocations between two garbage collections while charts are built."""
+GC_THRESHOLD = 20_000  # number of allocations between two garbage collections while charts are built
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,12 +24,8 @@ from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
 from .rows import Table
 
-PRINTED_DIGITS = 40
-"""Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
-
-WIDTH = 110
-"""Largest number of characters in a comment line."""
-
+PRINTED_DIGITS = 40  # decimal digits of printed constants: enough for longdouble, and for validation at 30 digits
+WIDTH = 110  # largest number of characters in a comment line
 LETTERS_MAX = 600
 """Largest total length of the polynomials in a header; longer ones are replaced by the command that shows them."""
 
@@ -213,8 +209,7 @@ def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
                 yield f"{s.name} {s.op} {s.args}"
 
 
-Data = Mapping[str, Any]
-"""Values for the names in a template, except ``header``."""
+Data = Mapping[str, Any]  # values for the names in a template, except ``header``
 
 
 class Target(Protocol):

@@ -25,20 +25,15 @@ from .coq_definitions import V
 from .statements import MachineError
 from .transcript import Operand, Transcript
 
-EPS = Fraction(1, 2**52)
-"""Unit of bounds and errors, the distance from 1 to the next double."""
-
-STEPS = 16
-"""Steps of a bound per eps."""
-
+EPS = Fraction(1, 2**52)  # unit of bounds and errors, the distance from 1 to the next double
+STEPS = 16  # steps of a bound per eps
 SLACK = Fraction(102, 100)
 """Factor from a found bound to its claim. Gappa drops improvements of a result below 1 %, so its own bound may fail."""
 
 SPLITS = 16
 """Parts of the range of |v|, each bounded alone. Twice as many lower the bounds by a sixth, in twice the time."""
 
-TIME_LIMIT = 300
-"""Seconds for one script, ten times the time of the slowest."""
+TIME_LIMIT = 300  # seconds for one script, ten times the time of the slowest
 
 
 # --- Scripts ----------------------------------------------------------------------------------------------------------

@@ -17,9 +17,7 @@ from .emitted import CHeader, PythonModule, reading
 from .transcript import Transcript, product
 
 TARGETS = ("numpy", "c")
-ORDERS = (1, 2, 3, 5)
-"""Orders of the Cayley map whose scalar programs are proved."""
-
+ORDERS = (1, 2, 3, 5)  # orders of the Cayley map whose scalar programs are proved
 HEAD = """From dualcay Require Import Programs{imports}.
 Section Text.
   Variable K : Field.

@@ -15,9 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-Operand: TypeAlias = str | int | Fraction
-"""Name of a parameter or of an earlier step, or a constant."""
-
+Operand: TypeAlias = str | int | Fraction  # name of a parameter or of an earlier step, or a constant
 OPERATIONS: Mapping[tuple[str, int], Callable[..., Any]] = {
     ("+", 2): operator.add, ("-", 2): operator.sub, ("*", 2): operator.mul, ("/", 2): operator.truediv,
     ("-", 1): operator.neg, ("sqrt", 1): np.sqrt,

@@ -38,8 +38,7 @@ LAYOUTS = {
 REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
 """Names of programs for rotations, by name of the program for poses; all other names are equal for both."""
 
-TABLE = "table"
-"""Argument that holds constants, which have no dual part."""
+TABLE = "table"  # argument that holds constants, which have no dual part
 
 
 class Geometry(Trace):

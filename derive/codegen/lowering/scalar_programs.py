@@ -60,9 +60,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
 Each formula stands between marks, and `proof.shown` compares it before it is printed.
 """
 
-TABLE = ("limit", "cos", "sin")
-"""Names of the numbers in one row of the table of returns."""
-
+TABLE = ("limit", "cos", "sin")  # names of the numbers in one row of the table of returns
 SQUARES = ("v11", "v22", "v33")
 """Terms of x, passed to maps and operators, since x alone hides its rounding error. Inverse maps take x itself."""
 

@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 Constant = int | Fraction
-Operand = str | int | Fraction
-"""Name of an input or step, or an exact constant."""
-
+Operand = str | int | Fraction  # name of an input or step, or an exact constant
 FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 

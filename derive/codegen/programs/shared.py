@@ -13,20 +13,13 @@ from typing import Any
 
 from .program import Assignment, Call, Program, Statement
 
-LEAST_SAVING = 10
-"""Least number of printed lines that a helper saves."""
-
-HEAD = 5
-"""Number of printed lines of a helper in addition to its steps: comment, head, result, blank lines."""
-
+LEAST_SAVING = 10  # least number of printed lines that a helper saves
+HEAD = 5  # number of printed lines of a helper in addition to its steps: comment, head, result, blank lines
 OPERATIONS_PER_CALL = 41
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
 
-MOST_PASSED = 12
-"""Largest number of arguments of a helper, and of its results."""
-
-Steps = Mapping[str, Any]
-"""Named steps of a program with their inline steps written out, by name."""
+MOST_PASSED = 12  # largest number of arguments of a helper, and of its results
+Steps = Mapping[str, Any]  # named steps of a program with their inline steps written out, by name
 
 
 def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], dict[str, Program]]:

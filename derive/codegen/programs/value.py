@@ -15,8 +15,7 @@ from ...algebra import Structure
 from ...algebra.arithmetic import Arithmetic
 from .program import Constant, Operand
 
-Number = Any
-"""Traced :class:`Value` or exact constant; generic code treats both alike."""
+Number = Any  # traced :class:`Value` or exact constant; generic code treats both alike
 
 
 def _operator(operation: str, swapped: bool = False) -> Callable[[Any, Number], Number]:

@@ -40,8 +40,7 @@ IDLE: Mapping[str, Program] = {
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
-GATE = 8
-"""Largest error in a differential test, in machine epsilons times the scale of the result."""
+GATE = 8  # largest error in a differential test, in machine epsilons times the scale of the result
 
 
 def interface(row: Function, table: Table) -> Data:

@@ -19,12 +19,8 @@ WIDTH = 120
 ATOM = 9
 NEGATION = 6
 SELECTION = 1
-BINARY = r"(?:[-+*/&|<?:]|==)"
-"""Pattern of infix operators, before which lines break."""
-
-Text = tuple[str, int]
-"""Source text and the binding strength of its outermost operator."""
-
+BINARY = r"(?:[-+*/&|<?:]|==)"  # pattern of infix operators, before which lines break
+Text = tuple[str, int]  # source text and the binding strength of its outermost operator
 Texts = list[str | list[str]]
 """Right-hand side alone, or the arguments of a call: numbers, names of lists, and lists of numbers."""
 

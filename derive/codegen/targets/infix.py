@@ -10,9 +10,7 @@ from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, fill, items
 
 INDENT = "    "
 
-Ask = Callable[[Call, str], str]
-"""Function that returns the text of a call, given the text of its arguments."""
-
+Ask = Callable[[Call, str], str]  # function that returns the text of a call, given the text of its arguments
 OPERATORS = {
     **ARITHMETIC,
     "and": Operator("&", 3, 3, 4),
@@ -27,8 +25,7 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     return Dialect(OPERATORS, {name: prefix + name for name in (*FUNCTIONS, "where")}, literal=literal)
 
 
-PLAIN = python("m.")
-"""Dialect with functions of the number type in ``m`` and unchanged constants."""
+PLAIN = python("m.")  # dialect with functions of the number type in ``m`` and unchanged constants
 
 
 def ask_namespace(call: Call, arguments: str) -> str:

@@ -27,8 +27,7 @@ from . import infix
 
 INTERFACE = "_interface.py"
 
-CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}
-"""Classes of the documented interfaces, by table."""
+CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,10 +46,7 @@ class Drawn(NamedTuple):
 
 @dataclass(frozen=True)
 class Case:
-    """Call of a kernel function: flat arguments, a branch or None, and the expected result.
-
-    The result is computed on first access.
-    """
+    """Call of a kernel function: flat arguments, a branch or None, and the expected result, computed once."""
 
     row: Function
     branch: int | None
@@ -130,8 +127,7 @@ def _part(row: Function, case: Case) -> Flat:
 # --- arguments at a screw -----------------------------------------------------------------------------------------
 
 
-Rounding = Callable[[Iterable[Any]], Flat]
-"""Function that rounds the components of an array."""
+Rounding = Callable[[Iterable[Any]], Flat]  # function that rounds the components of an array
 
 
 def at_screw(

@@ -14,9 +14,7 @@ from ...maps.chart import Chart
 
 EXACT_DIGITS = 50
 
-CONSTANTS_ERROR = mpmath.mpf(10) ** -40
-"""Error of printed constants, which have 40 digits."""
-
+CONSTANTS_ERROR = mpmath.mpf(10) ** -40  # error of printed constants, which have 40 digits
 CONDITION_MAX = mpmath.mpf(10) ** 8
 """Largest factor by which errors of constants and scalars grow in the results of seeded cases."""
 

@@ -35,23 +35,16 @@ from .run import own_functions
 
 Array: TypeAlias = NDArray[Any]
 
-FEW = 20
-"""Size of the largest batch that runs pose by pose; default for targets without this limit."""
-
-BLOCK = 7
-"""Block size of a replay: small, so that test batches fill several blocks and end with a shorter one."""
-
+FEW = 20  # size of the largest batch that runs pose by pose; default for targets without this limit
+BLOCK = 7  # block size of a replay: small, so that test batches fill several blocks and end with a shorter one
 CASES_MAX = 4
 """Largest number of cases of a function and branch: one for each row of 4 q qᵀ from which a quaternion may be read."""
 
 TOLERANCE = 1 / 2
 """Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
 
-GATE = 16
-"""Largest error of an ill-conditioned result, in units of the machine epsilon times the scale of the case."""
-
-TOLERANCE_SAME = 1e-6
-"""Largest relative difference between two calls on the same numbers: some eps of float32."""
+GATE = 16  # largest error of an ill-conditioned result, in units of the machine epsilon times the scale of the case
+TOLERANCE_SAME = 1e-6  # largest relative difference between two calls on the same numbers: some eps of float32
 
 
 @dataclass(frozen=True, slots=True)

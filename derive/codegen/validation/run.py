@@ -20,9 +20,7 @@ from .batches import Batch, ValidationFailed, batches, compare
 from .decimals import EXACT_DIGITS
 from .loading import loaded, module_of
 
-MAKERS = ("identity", "random")
-"""Functions of a module without a kernel program."""
-
+MAKERS = ("identity", "random")  # functions of a module without a kernel program
 WIRED = ("quaternion", "shadow", "principal")
 """Functions that together read a chart's scalar programs, its ``turns`` and its ``returns``."""
 
