@@ -78,7 +78,6 @@ def print_package(charts: Sequence[Chart], target: Target, progress: Progress = 
 
 
 def print_module(lowered: Lowered, target: Target) -> Module:
-    """Print the module of a chart and its companions."""
     return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
 
 

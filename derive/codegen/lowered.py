@@ -49,14 +49,11 @@ def shared_with_poses(table: Table) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class ChartPrograms:
-    """Scalar programs of one chart that the functions of a ``table`` call.
-
-    ``operations`` counts the operations of each function of the chart, its scalars included.
-    """
+    """Scalar programs of one chart that the functions of a ``table`` call."""
 
     table: Table
     scalars: Mapping[str, Program]
-    operations: Mapping[str, Counter[str]]
+    operations: Mapping[str, Counter[str]]  # operations of each function, its scalars included
 
 
 @lru_cache(maxsize=8)

@@ -23,8 +23,6 @@ _KNOWN = re.compile(r"^Constant (?:\w+\.)*([\w']+)", re.MULTILINE)
 
 @dataclass(frozen=True, slots=True)
 class CoqControl:
-    """Theorem and its altered form."""
-
     theorem: CoqTheorem
     altered: CoqTheorem
     line: int

@@ -133,7 +133,6 @@ class Goal:
 
     @property
     def name(self) -> str:
-        """Name of the file without suffix."""
         return f"{self.target}_{self.function}{self.order or ''}"
 
 

@@ -132,7 +132,6 @@ def every(folder: Path, known: Sequence[Bound] = ()) -> list[Bound]:
 
 
 def load(path: Path) -> list[Bound]:
-    """Return the bounds of a file."""
     try:
         return [Bound(**each) for each in json.loads(path.read_text(encoding="utf-8"))]
     except (OSError, ValueError, TypeError) as error:

@@ -56,5 +56,4 @@ def _given(trace: Geometry, argument: str) -> tuple[Number, ...]:
 
 
 def _parts(components: tuple[Number, ...]) -> tuple[Quaternion, Quaternion]:
-    """Return the real and the dual part of a dual quaternion."""
     return Quaternion.from_components(components[:4]), Quaternion.from_components(components[4:])

@@ -94,7 +94,6 @@ class Geometry(Trace):
         return super().name(name, value)
 
     def vector(self, letter: str, value: Vector) -> Vector:
-        """Name the components of a vector."""
         return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
 

@@ -97,7 +97,6 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
 
 
 def _assigned(statement: Statement) -> tuple[str, ...]:
-    """Return the names that a statement assigns."""
     names = (statement.name,) if isinstance(statement, Assignment) else statement.names
     return tuple(name for name in names if name != "_")
 

@@ -17,10 +17,6 @@ from .value import Folding, Number, Value, label
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
 
 
-class UnnamedValueError(ValueError):
-    """Error for a value that is used more than once but lacks the name that printed source needs."""
-
-
 class Trace(Folding):
     """Record of the operations on the values that it hands out."""
 
@@ -164,7 +160,7 @@ class Trace(Folding):
         unnamed = [value for value in sorted(needed, key=_order) if not value.name]
         if unnamed and not self._rest:
             values = ", ".join(f"{v.op}({', '.join(map(_shown, v.args))})" for v in unnamed)
-            raise UnnamedValueError(f"program {program!r} uses unnamed values more than once or in a call: {values}")
+            raise ValueError(f"program {program!r} uses unnamed values more than once or in a call: {values}")
         for value in unnamed:
             self._rename(value, self.free_name(f"{self._rest}{value.index}"))
 
@@ -214,7 +210,6 @@ def written_out(program: Program) -> Program:
 
 
 def _run(trace: Trace, program: Program, given: Sequence[Number]) -> list[Number]:
-    """Record the statements of a program on arguments, and return its results."""
     known: dict[Operand, Number] = dict(zip((n for _, names in program.inputs for n in names), given, strict=True))
     programs = {called.name: called for called in program.called}
     for statement in program.statements:

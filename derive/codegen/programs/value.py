@@ -62,8 +62,6 @@ def label(number: Number) -> Operand:
 
 
 def _recorded(op: str) -> Callable[..., Number]:
-    """Return the method of an operation that is always recorded."""
-
     def method(self: Folding, *operands: Number) -> Number:
         return self.record(op, *operands)
 

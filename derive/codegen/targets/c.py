@@ -18,7 +18,7 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Data, Facts, cited
+from ..package import Data, Facts, Target, cited
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
@@ -127,15 +127,13 @@ def own_geometry(facts: Facts, programs: ChartPrograms, known: Mapping[str, Prog
     }
 
 
-class C:
+class C(Target):
     """Target of C and C++ headers."""
 
     name = "c"
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
-    tables: Sequence[Table] = (POSES, ROTATIONS)
-    imports_bases = False
 
     def shared(self) -> Mapping[str, Data]:
         return {
@@ -173,10 +171,6 @@ class C:
 
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)
-
-    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Return 0: only the compiled test checks floats."""
-        return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         return compiled.test(folder, chart)

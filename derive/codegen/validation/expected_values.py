@@ -97,7 +97,6 @@ def matrix6(columns: Sequence[Vector]) -> Flat:
 
 
 def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
-    """Return the derivative of a function of dual vectors."""
     zero = 0 * v.c1
     units = ([zero + int(i == j) for i in range(3)] for j in range(3))
     return matrix6([function(moving(v, Vector(*unit))).du for unit in units])

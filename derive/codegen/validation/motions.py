@@ -80,7 +80,6 @@ class Turning:
         return moved @ begun if self.frame == "space" else begun @ moved
 
     def angle(self, t: float) -> float:
-        """Return the angle after all switches up to a time."""
         return self.start + t + t**3 / 30 - 2 * pi * int(np.sum(self.switches <= t))
 
     @property

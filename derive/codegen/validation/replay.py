@@ -61,17 +61,12 @@ NUMPY = Library("numpy", np.asarray, tuple(map(np.dtype, (np.float64, np.float32
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machinery:
-    """Features of the run-time parts of a target.
+    """Features of the run-time parts of a target."""
 
-    ``out`` tells whether functions take an argument ``out``. ``silent`` tells whether singular points give IEEE results
-    without a warning. ``few`` names the constant (``module.NAME``) with the size of the largest batch that runs
-    pose by pose. ``block`` names the constant with the size of the largest block.
-    """
-
-    out: bool = True
-    silent: bool = True
-    few: str = ""
-    block: str = ""
+    out: bool = True  # True if functions take an argument ``out``
+    silent: bool = True  # True if singular points give IEEE results without a warning
+    few: str = ""  # constant (``module.NAME``) with the size of the largest batch that runs pose by pose
+    block: str = ""  # constant with the size of the largest block
 
 
 def replay(
@@ -249,7 +244,6 @@ def _turned(array: Array, leading: int, axis: int) -> Array:
 
 
 def _strided(array: Array) -> Array:
-    """Return a read-only strided view of the same numbers."""
     wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
     wide[..., ::2] = array
     wide.flags.writeable = False

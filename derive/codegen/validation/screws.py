@@ -51,7 +51,6 @@ def translation(draw: random.Random) -> Screw:
 
 
 def half_turns(draw: random.Random) -> Iterator[Screw]:
-    """Yield screws at half a turn."""
     for axis in HALF_TURN_AXES:
         yield _screw(draw, +mpmath.pi, Vector(*map(mpmath.mpf, axis)))
 

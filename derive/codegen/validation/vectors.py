@@ -100,7 +100,6 @@ class Vectors:
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
 
     def reaches(self, size: Any) -> bool:
-        """Tell whether some vector of the chart has this length."""
         try:
             self.angle(size)
         except ArithmeticError:
@@ -234,7 +233,6 @@ def is_whole(number: Any) -> bool:
 
 
 def dual(components: Sequence[Any]) -> Vector:
-    """Return the dual vector of six components."""
     return Vector.dual(components[:3], components[3:])
 
 
