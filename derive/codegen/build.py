@@ -28,7 +28,6 @@ GEOMETRY = Cayley(3)
 """Chart that checks the shared geometry if no requested chart fits: the lowest order whose scalars all differ."""
 
 GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
-
 GC_THRESHOLD = 20_000  # number of allocations between two garbage collections while charts are built
 
 

@@ -75,9 +75,6 @@ def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
             yield chart
 
 
-# ---- reserved names -------------------------------------------------------------------------------------------
-
-
 def require_free(name: str) -> None:
     """Raise ValueError if a user's chart may not have this name."""
     if name.split("_")[0] == ROTATIONS.name:  # C functions of rotations begin with dualcay_rotation_

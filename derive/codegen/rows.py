@@ -91,8 +91,6 @@ class Function:
         stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
         return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
 
-    # --- rotations alone ----------------------------------------------------------------------------------------
-
     @property
     def source(self) -> str:
         """Return the name of the corresponding function of poses."""

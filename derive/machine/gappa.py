@@ -36,9 +36,6 @@ SPLITS = 16
 TIME_LIMIT = 300  # seconds for one script, ten times the time of the slowest
 
 
-# --- Scripts ----------------------------------------------------------------------------------------------------------
-
-
 def outputs(program: Transcript) -> tuple[int, ...]:
     """Return the outputs that are not constant."""
     return tuple(i for i, result in enumerate(program.results) if isinstance(result, str))
@@ -59,8 +56,7 @@ def reach(order: int, square: Any) -> Any:
 def premises(program: Transcript, order: int) -> Iterator[str]:
     """Yield what Gappa may assume: ranges, and exact values of steps, which are decided as polynomials.
 
-    v is length times a vector, its dual part is reach times another, both of length at most 1. The cosine is that of
-    the angle between them.
+    v is length times a vector, its dual part reach times another; neither is longer than 1, cosine is of their angle.
     """
     yield "length in [0, 1]"
     yield from (f"{name} in [-1, 1]" for name in ("cosine", *(f"{each}_unit" for each in V)))
@@ -118,9 +114,6 @@ def claim(bound: float) -> str:
     steps = round(bound * STEPS)
     scale = int(math.log2(EPS / STEPS))
     return f"in [-{steps}b{scale}, {steps}b{scale}]"
-
-
-# --- Gappa ------------------------------------------------------------------------------------------------------------
 
 
 def require() -> None:

@@ -120,16 +120,13 @@ def _written(equation: str) -> list[str]:
 
 @dataclass(frozen=True)
 class Goal:
-    """File of Coq that proves a program of a target: its name, its text, and the place of the program on disk.
-
-    A goal of a chart needs the compiled goals of the geometry programs first.
-    """
+    """File of Coq that proves a program of a target; a goal with an order needs the compiled ones without first."""
 
     target: str
     function: str
     order: int | None
     text: str
-    place: str
+    place: str  # of the program on disk
 
     @property
     def name(self) -> str:

@@ -72,10 +72,7 @@ class Written:
 
 
 class Transcript:
-    """Straight-line program, run on numbers and tuples of numbers with the given names.
-
-    It holds the names of its parameters, its steps, its results, and its ``place``, which is a file and line.
-    """
+    """Straight-line program, run on numbers and tuples with the given names; ``place`` is a file and line."""
 
     def __init__(
         self,

@@ -128,7 +128,6 @@ def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
 
 
 E = ("e0", "e1", "e2", "e3")
-
 SCALARS: Mapping[str, Scalar] = {
     "quaternion_scalars": Scalar(("x",), ("s", "w", "sy", "wy")),
     "pose_scalars": Scalar(SQUARES, ("f", "g", "h")),

@@ -78,10 +78,7 @@ def _written_out(program: Program) -> Steps:
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
-    """Return the shared names, less each that depends on another through steps not shared.
-
-    If ``back``, leave out that other name instead.
-    """
+    """Return the shared names, less each that depends, or if ``back`` is depended on, through steps not shared."""
     inside, outside, kept = set[Any](), set[Any](), set[str]()
     moved = {step.name for step in _moved(program, shared)}
     for statement in program.statements[:: -1 if back else 1]:

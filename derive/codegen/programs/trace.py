@@ -1,8 +1,6 @@
 """Tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
 
-A :class:`Trace` hands out symbolic inputs and records each operation on them once (value numbering). Constants are
-folded, and operations that no output needs are dropped. Formulas are lowered with this arithmetic
-(``algebra.arithmetic``). The result is a frozen :class:`~derive.codegen.programs.program.Program`.
+Equal operations are recorded once, constants are folded, and operations that no output needs are dropped.
 """
 
 from __future__ import annotations

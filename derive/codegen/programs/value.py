@@ -149,8 +149,6 @@ class Folding(Arithmetic, ABC):
         negated = self.negated(a)
         return self.record("neg", a) if negated is None else negated
 
-    # --- elementary functions and selection -----------------------------------------------------------------------
-
     tan, atan2, expm1, log1p = map(_recorded, ("tan", "atan2", "expm1", "log1p"))
 
     def abs(self, a: Number) -> Number:

@@ -11,7 +11,6 @@ from .native import Native
 from .numba import Numba
 from .numpy import Numpy
 
-_ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native())
+TARGETS: Mapping[str, Target] = {target.name: target for target in (Numpy(), ArrayApi(), Numba(), C(), Native())}
 
-TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}  # targets by name
 __all__ = ["TARGETS", "Target"]

@@ -176,8 +176,6 @@ class C(Target):
         return compiled.test(folder, chart)
 
 
-# ---- tables of a differential test -----------------------------------------------------------------------------
-
 class Values(NamedTuple):
     """Values of an array for each case in C notation; for a result, the scales of its parts too."""
 

@@ -40,8 +40,7 @@ def body(
 ) -> str:
     """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
-    Components of a program that stands `alone` are its parameters: nothing is unpacked. `ask` prints its
-    calls. ``first`` are lines of text before the statements.
+    Components of a program ``alone`` are parameters. ``ask`` prints calls; ``first`` are lines before the statements.
     """
     end = "\n" if "\n" in program.contract else ""
     contract = [textwrap.indent(f'"""{program.contract}{end}"""', INDENT)] if program.contract else []

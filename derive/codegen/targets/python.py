@@ -26,7 +26,6 @@ from ..validation.calls import require_calls
 from . import infix
 
 INTERFACE = "_interface.py"
-
 CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
 
 
@@ -53,7 +52,6 @@ class PythonTarget(Target):
     """Files whose templates take no data."""
     tools: tuple[str, ...] = ()
     """Public modules that hold no chart, such as those that import further libraries."""
-    name: str
     options: str
     """Keyword parameters of functions that return one array, with types and defaults."""
 
@@ -155,13 +153,7 @@ class PythonTarget(Target):
             self.require_interface(texts, table)
 
     def require_interface(self, texts: Mapping[str, str], table: Table = POSES) -> None:
-        """Compare the methods of the interface and their parameters with a table.
-
-        Raises
-        ------
-        ValueError
-            If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
-        """
+        """Raise ValueError for a missing, further or undocumented function, or other parameters than in its row."""
         where = inside(table, INTERFACE)
         classes = (c for c in ast.parse(texts[where]).body if isinstance(c, ast.ClassDef) and c.name == CLASSES[table])
         found = (method for kernels in classes for method in kernels.body if isinstance(method, ast.FunctionDef))

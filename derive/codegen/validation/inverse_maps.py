@@ -17,7 +17,6 @@ from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion
 
 ZERO: Flat = (mpmath.mpf(0),) * 6
-
 IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 

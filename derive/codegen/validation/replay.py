@@ -1,8 +1,7 @@
 """Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not exercise.
 
-Public functions are called on seeded cases, one by one and in arrays. Results agree with the formula to half of the
-digits, or within the error scale of an ill-conditioned case. Checks of the run-time parts, which all charts share, run
-once for a package. Kernels of any Python target are replayed, in the arrays of any library.
+Results agree with the formula to half of the digits, or within the error scale of an ill-conditioned case. Kernels of
+any Python target are replayed, in the arrays of any library.
 """
 
 from __future__ import annotations
@@ -37,9 +36,7 @@ Array: TypeAlias = NDArray[Any]
 
 FEW = 20  # size of the largest batch that runs pose by pose; default for targets without this limit
 BLOCK = 7  # block size of a replay: small, so that test batches fill several blocks and end with a shorter one
-CASES_MAX = 4
-"""Largest number of cases of a function and branch: one for each row of 4 q qᵀ from which a quaternion may be read."""
-
+CASES_MAX = 4  # largest number of cases of a function and branch: one for each row of 4 q qᵀ
 TOLERANCE = 1 / 2
 """Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
 

@@ -35,7 +35,6 @@ FAR, NEAR = (0.5, -0.6, 0.4, 0.3, 2.0, -1.0), (0.02, 0.05, -0.01, 0.3, -0.2, 0.1
 """Two vectors; in charts of order 3 to 8 the first is beyond the principal branch, the second within it."""
 
 RATES = (0.3, 0.1, -0.4, 1.0, 0.5, -0.2), (-0.2, 0.6, 0.3, 0.1, -0.7, 0.4)
-
 OFF = 0.125  # change of a component of an argument that ``check`` must refuse
 UNCHECKED = {"from_pose": (3, 7, 11)}  # components with any value, by function: the translation of a pose
 

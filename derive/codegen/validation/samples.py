@@ -24,26 +24,15 @@ from .screws import covering, half_turns, steep, translation
 from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 
 SEED = 2011
-
 ROOTS_MAX = 2  # largest number of square roots in an inverse map that is compared exactly; more would take too long
-LETTERS = ("v", "w", "z")
-"""Letters of the symbols of each argument of a function; the first argument is the vector v of the ring."""
-
+LETTERS = ("v", "w", "z")  # letters of the symbols of each argument; the first is the vector v of the ring
 SMALL = 1e-21 / 7
 """Size of the small quaternion components: their rows of 4 q qᵀ keep 28 digits. With 1/7 no sum is exact."""
 
-SMALL_AT_EDGE = 1e-10 / 7
-"""Size of the small components in charts with edge π: a smaller scalar part would be too near the edge."""
-
-EDGE_MARGIN = 1e-12
-"""Least margin to the edge, as defined by `Vectors.finite`: nearer vectors are too ill-conditioned to compare."""
-
-JACOBIAN_MARGIN = 0.1
-"""Least margin to the edge for Jacobians, whose conditioning is worse by one power of the margin."""
-
-NEAR_TIE = mpmath.mpf(10) ** -30
-"""Angle between a vector and the limit of its branch, in the cases nearest to the limit."""
-
+SMALL_AT_EDGE = 1e-10 / 7  # size in charts with edge π: a smaller scalar part would be too near the edge
+EDGE_MARGIN = 1e-12  # least margin to the edge (`Vectors.finite`): nearer vectors are too ill-conditioned
+JACOBIAN_MARGIN = 0.1  # least margin to the edge for Jacobians, whose conditioning is worse by one power
+NEAR_TIE = mpmath.mpf(10) ** -30  # angle between a vector and the limit of its branch, in the nearest cases
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions of vectors whose v·v needs no rounding: scalars of a chart vanish exactly at some of them."""
 

@@ -16,9 +16,7 @@ import mpmath
 from ...algebra import Dual, Vector
 from ...maps.pose import Screw
 
-ANGLES = (0.5, 1.9, 2.6, 3.0)
-"""Rotation angles of the screws, by row: only the first makes the scalar part the largest component."""
-
+ANGLES = (0.5, 1.9, 2.6, 3.0)  # rotation angles by row: only the first makes the scalar part the largest
 SIGNS = (1, 1, -1, 1)  # signs of the dominant component, by row
 HALF_TURN_AXES = ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1))
 """Axes whose first non-zero component is the first, second or third, with different signs."""

@@ -1,7 +1,4 @@
-"""Short replacements of SciPy and JAX, so that run-time parts that import them are executed without them.
-
-The libraries themselves are not checked: tests call them.
-"""
+"""Short replacements of SciPy and JAX for run-time parts that import them; tests call the libraries themselves."""
 
 from __future__ import annotations
 

@@ -22,16 +22,13 @@ from ...maps.families import alpha, by_square
 from ...maps.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
 
 Flat = tuple[Any, ...]  # components of an array, in C order
-DIGITS_CANCELLED = 250
-"""Digits that terms of a scalar or its slope may lose by cancellation: enough for terms of size α⁻⁷."""
-
+DIGITS_CANCELLED = 250  # digits that terms of a scalar may lose by cancellation: enough for terms of size α⁻⁷
 BRANCHES_MAX = 8
 SOME_BRANCHES = (0, 1, -1, 2)
 """Branches of cases in a chart with infinitely many; other charts have cases on the first `BRANCHES_MAX` branches."""
 
 EDGE_UNITS = 2**20  # relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)
 REACH = 0.9  # share of a given angle that seeded vectors may reach
-
 
 REST = Screw(Dual(mpmath.mpf(0), mpmath.mpf(0)), Vector.dual(*(3 * (mpmath.nan,),) * 2))
 """Screw of the identity, which has no axis."""
