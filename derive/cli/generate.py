@@ -25,7 +25,7 @@ def generate(
     if (phi is None) != (name is None):
         raise click.UsageError("--phi and --name belong together")
     with options.refusals("--family" if phi is None else "--name"):
-        charts = catalogue.asked(orders, families, phi, name)
+        charts = catalogue.charts(orders, families, phi, name) or catalogue.committed()
     if phi is not None and (known := described(charts[0])):
         click.echo(f"dualcay: phi = {phi} is the chart {known}: its programs and proofs are used", err=True)
     with options.refusals("-o"):

@@ -28,9 +28,7 @@ GEOMETRY = Cayley(3)
 """Chart that checks the shared geometry if no requested chart fits: the lowest order whose scalars all differ."""
 
 GEOMETRY_ORDERS = range(GEOMETRY.order, 9)  # exact numbers are slow in higher orders
-
-GC_THRESHOLD = 20_000
-"""Number of allocations between two garbage collections while charts are built."""
+GC_THRESHOLD = 20_000  # number of allocations between two garbage collections while charts are built
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +77,6 @@ def print_package(charts: Sequence[Chart], target: Target, progress: Progress = 
 
 
 def print_module(lowered: Lowered, target: Target) -> Module:
-    """Print the module of a chart and its companions."""
     return Module(module_name(lowered.chart, target), lowered.proved, module_texts(Facts(lowered), target))
 
 

@@ -33,10 +33,9 @@ C_HEADERS = frozenset({
 def charts(
     orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
 ) -> list[Chart]:
-    """Return the charts of the orders or the chart of φ, then the charts of the families, without duplicates.
+    """Return the charts of the orders, or of φ with an order as n in it, then those of the families, each once.
 
-    The order of a given φ is the value of n in it. Raise ValueError or TypeError for an unknown order or family,
-    a refused φ, or a reserved name.
+    Raise ValueError or TypeError for an unknown order or family, a refused φ, or a reserved name.
     """
     named, given = [*map(family, dict.fromkeys(families))], sorted(set(orders))
     if phi is None:
@@ -49,15 +48,7 @@ def charts(
     return [own, *named]
 
 
-def asked(
-    orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
-) -> list[Chart]:
-    """Return the charts that a user asks for, or the committed ones if the user names none; see `charts`."""
-    return charts(orders, families, phi, name) or committed()
-
-
 def committed() -> list[Chart]:
-    """Return the charts whose modules are committed."""
     return charts(about.ORDERS, about.FAMILIES)
 
 
@@ -82,9 +73,6 @@ def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
         chart = chart_of(line)
         if chart and module_name(chart, target) == path.name and command(target.name, chart) == line:
             yield chart
-
-
-# ---- reserved names -------------------------------------------------------------------------------------------
 
 
 def require_free(name: str) -> None:

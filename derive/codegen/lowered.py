@@ -18,10 +18,7 @@ from .signatures import POSES, ROTATIONS
 
 @cache
 def geometry(table: Table = POSES) -> Mapping[str, Program]:
-    """Return a table's programs by name, for analyses, with called geometry programs written out.
-
-    Scalar programs remain calls.
-    """
+    """Return a table's programs by name, with called geometry programs, but not scalar programs, written out."""
     return {name: written_out(row.traced()) for name, row in table.kernels.items()}
 
 
@@ -49,14 +46,11 @@ def shared_with_poses(table: Table) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class ChartPrograms:
-    """Scalar programs of one chart that the functions of a ``table`` call.
-
-    ``operations`` counts the operations of each function of the chart, its scalars included.
-    """
+    """Scalar programs of one chart that the functions of a ``table`` call."""
 
     table: Table
     scalars: Mapping[str, Program]
-    operations: Mapping[str, Counter[str]]
+    operations: Mapping[str, Counter[str]]  # operations of each function, its scalars included
 
 
 @lru_cache(maxsize=8)

@@ -23,13 +23,10 @@ from ..proof import Proved, theorems
 from .lowered import ChartPrograms, Lowered, geometry
 from .programs.program import Call, Program
 from .rows import Table
+from .signatures import POSES, ROTATIONS
 
-PRINTED_DIGITS = 40
-"""Decimal digits of printed constants: enough for longdouble, and for validation at 30 digits."""
-
-WIDTH = 110
-"""Largest number of characters in a comment line."""
-
+PRINTED_DIGITS = 40  # decimal digits of printed constants: enough for longdouble, and for validation at 30 digits
+WIDTH = 110  # largest number of characters in a comment line
 LETTERS_MAX = 600
 """Largest total length of the polynomials in a header; longer ones are replaced by the command that shows them."""
 
@@ -50,15 +47,12 @@ class Counts:
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """Proved and printed chart: its files by name, and the number of calls that agree with its formulas.
+    """Proved and printed chart."""
 
-    ``name`` is the file of the module for poses; other files are companions, such as the module for rotations.
-    """
-
-    name: str
+    name: str  # file of the module for poses; other files are companions, such as the module for rotations
     proved: Proved
-    texts: Mapping[str, str]
-    counts: Counts = Counts()
+    texts: Mapping[str, str]  # files by name
+    counts: Counts = Counts()  # calls that agree with its formulas
 
     @property
     def text(self) -> str:
@@ -78,7 +72,6 @@ class Package:
 
     @property
     def texts(self) -> dict[str, str]:
-        """Return all files by name."""
         return {name: text for texts in (self.shared, *(m.texts for m in self.modules)) for name, text in texts.items()}
 
     def __repr__(self) -> str:
@@ -213,24 +206,18 @@ def _program_lines(programs: Mapping[str, Program]) -> Iterator[str]:
                 yield f"{s.name} {s.op} {s.args}"
 
 
-Data = Mapping[str, Any]
-"""Values for the names in a template, except ``header``."""
+Data = Mapping[str, Any]  # values for the names in a template, except ``header``
 
 
 class Target(Protocol):
-    """Language in which kernels are printed: its files and texts, and the execution of printed text.
+    """Language in which kernels are printed: its files and texts, and the execution of printed text."""
 
-    ``name`` is also the name of the template folder. Modules have the suffix ``extension``, comment lines the prefix
-    ``comment``. The shared file ``entry`` is read before any other. Every chart has a module for each of the
-    ``tables``, poses first. ``imports_bases`` is True if the module of a multiple imports that of its base chart.
-    """
-
-    name: str
+    name: str  # also of the template folder
     extension: str
-    entry: str
-    comment: str
-    tables: Sequence[Table]
-    imports_bases: bool
+    entry: str  # shared file that is read before any other
+    comment: str  # prefix of comment lines
+    tables: Sequence[Table] = (POSES, ROTATIONS)  # each has a module for every chart
+    imports_bases: bool = False  # True if the module of a multiple imports that of its base chart
 
     def shared(self) -> Mapping[str, Data]:
         """Return the data of the files in every package of the target; each file has the template of its own name."""
@@ -249,9 +236,11 @@ class Target(Protocol):
 
     def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
         """Call the functions of `validate` on floats; return the number of calls that agree with the formulas."""
+        return 0
 
     def test(self, folder: Path, chart: Chart) -> int | None:
         """Compile and run the tests of the companions; return the number of agreeing calls, None without a compiler."""
+        return 0
 
 
 def shared_texts(target: Target) -> dict[str, str]:
@@ -267,7 +256,6 @@ def shared_texts(target: Target) -> dict[str, str]:
 
 
 def module_name(chart: Chart, target: Target) -> str:
-    """Return the file name of a chart's module."""
     return f"{chart.name}.{target.extension}"
 
 

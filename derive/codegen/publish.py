@@ -76,7 +76,7 @@ def generate(
     ['cayley1.py']
     """
     shown = bar if progress is None else lambda _: nullcontext(progress)
-    asked = catalogue.asked(orders or (), families, phi, name)
+    asked = catalogue.charts(orders or (), families, phi, name) or catalogue.committed()
     return generate_charts(asked, target, output, force, shown, processes)
 
 

@@ -14,31 +14,24 @@ from .programs.program import Program
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """Named array of components; ``part_of`` gives the part (real, dual and so on) of each component.
-
-    The array of rotations alone keeps the first ``real`` components along every axis, named ``real_name`` if given.
-    ``real`` is None if rotations have no such array. A ``vector`` is a vector v of the chart, which ends at its edge.
-    """
+    """Named array of components."""
 
     name: str
     shape: tuple[int, ...]
-    part_of: tuple[int, ...]
-    real: tuple[int, ...] | None = None
-    real_name: str = ""
-    vector: bool = False
+    part_of: tuple[int, ...]  # part (real, dual and so on) of each component
+    real: tuple[int, ...] | None = None  # first components that rotations keep along each axis; None for no such array
+    real_name: str = ""  # name in rotations alone, if another
+    vector: bool = False  # True for a vector v of the chart, which ends at its edge
 
     @property
     def size(self) -> int:
-        """Return the number of components."""
         return len(self.part_of)
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """Return the size of each part."""
         return tuple(self.part_of.count(part) for part in range(max(self.part_of) + 1))
 
     def called(self, name: str) -> Array:
-        """Return the array under another name."""
         return replace(self, name=name)
 
     @property
@@ -52,52 +45,30 @@ class Array:
 
     @property
     def of_rotation(self) -> Array:
-        """Return the corresponding array of rotations alone."""
         parts = tuple(0 for _ in self.places)
         return Array(self.real_name or self.name, self.real or (), parts, self.real, vector=self.vector)
 
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """Function of a kernel module.
-
-    Parameters
-    ----------
-    recipe : callable, optional
-        Function that traces its program; None if it ``shares`` the program of another function.
-    exact, branch, real, public : bool
-        Flags in this order: an exact expected result on ring elements, otherwise one of 50 digits; a branch as last
-        argument; a selection of branches or angles, hence no complex numbers; a function for users.
-    constants, keywords : tuple of str
-        Components of its program's argument ``table``, if equal for all charts; further keyword parameters.
-    at_rest : str
-        Function for a turn by zero branches; empty if such a turn returns the argument unchanged.
-    aliases : tuple of str
-        Further names in the modules of Cayley maps; with dexp for dcay, also in the module of the exponential.
-    remainder : float
-        Truncation error of its own series, independent of the number of digits.
-    rotation : str, optional
-        Name among the functions of rotations alone; empty for the same name, None if there is no such function.
-    pose : Function, optional
-        Function of poses whose real part, at dual parts 0, is this function of rotations; None for poses.
-    """
+    """Function of a kernel module."""
 
     name: str
     arguments: tuple[Array, ...]
     results: tuple[Array, ...]
-    recipe: Recipe | None
-    exact: bool = True
-    constants: tuple[str, ...] = ()
-    branch: bool = False
-    real: bool = False
-    public: bool = True
-    at_rest: str = ""
-    aliases: tuple[str, ...] = ()
-    keywords: tuple[str, ...] = ()
+    recipe: Recipe | None  # function that traces its program; None if it ``shares`` the program of another function
+    exact: bool = True  # True for an exact expected result on ring elements, False for one of 50 digits
+    constants: tuple[str, ...] = ()  # components of its program's argument ``table``, if equal for all charts
+    branch: bool = False  # True if a branch is the last argument
+    real: bool = False  # True for a selection of branches or angles, hence no complex numbers
+    public: bool = True  # True for a function that users call
+    at_rest: str = ""  # function for a turn by zero branches; empty if such a turn returns the argument unchanged
+    aliases: tuple[str, ...] = ()  # further names in modules of Cayley maps and, with dexp for dcay, of the exponential
+    keywords: tuple[str, ...] = ()  # further keyword parameters
     shares: str = ""
-    remainder: float = 0.0
-    rotation: str | None = ""
-    pose: Function | None = None
+    remainder: float = 0.0  # truncation error of its own series, independent of the number of digits
+    rotation: str | None = ""  # name in rotations alone; empty for the same name, None if there is no such function
+    pose: Function | None = None  # function of poses whose real part, at dual parts 0, is this function of rotations
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -119,8 +90,6 @@ class Function:
         """Return its further names in the module of a chart: dcay for Cayley maps, dexp for the exponential."""
         stem = "dcay" if chart.cayley else "dexp" if chart.name == "exponential" else None
         return [alias.replace("dcay", stem) for alias in self.aliases] if stem else []
-
-    # --- rotations alone ----------------------------------------------------------------------------------------
 
     @property
     def source(self) -> str:
@@ -161,21 +130,16 @@ class Function:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Table:
-    """Functions of one kind of kernel module, which lies in the folder ``name``.
+    """Functions of one kind of kernel module by name."""
 
-    Mappings by name: ``functions`` are all, ``kernels`` have a ``recipe``, and ``public`` ones are called by users.
-    ``sources`` are all functions by `Function.source`, the name of the function of poses.
-    """
-
-    name: str
+    name: str  # folder of the modules
     functions: Mapping[str, Function]
-    kernels: Mapping[str, Function]
-    public: Mapping[str, Function]
-    sources: Mapping[str, Function]
+    kernels: Mapping[str, Function]  # functions with a ``recipe``
+    public: Mapping[str, Function]  # functions that users call
+    sources: Mapping[str, Function]  # all functions by `Function.source`, the name of the function of poses
 
     @classmethod
     def of(cls, name: str, rows: Iterable[Function]) -> Table:
-        """Return the table of the given rows."""
         functions = {row.name: row for row in rows}
         kernels = {name: row for name, row in functions.items() if row.recipe}
         public = {name: row for name, row in functions.items() if row.public}

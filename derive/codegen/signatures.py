@@ -1,8 +1,4 @@
-"""Table of kernel functions with one row each, the source of exports, prototypes, recipes and validation.
-
-A new function needs a row here, a recipe in ``lowering``, an expected value in ``validation`` and a docstring in the
-templates of the interface. Generation stops if any of these is missing.
-"""
+"""Tables of kernel functions with one row each, the source of exports, prototypes, recipes and validation."""
 
 from __future__ import annotations
 

@@ -15,8 +15,7 @@ from .checker import CLOSED, assumed, compiled, find, rechecked
 from .coq_controls import controls, refused
 from .statements import FOLDER, MachineError, statements
 
-BUILD = FOLDER.parent / "build" / "machine"
-"""Folder of compiled files."""
+BUILD = FOLDER.parent / "build" / "machine"  # folder of compiled files
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -13,18 +13,10 @@ from pathlib import Path
 
 from .statements import FOLDER, CoqTheorem, MachineError, listed
 
-FIRST, LAST = (8, 16), (8, 20)
-"""Versions of Coq that are accepted."""
-
-TIME_LIMIT = 240
-"""Seconds for one file, forty times the time of most of them."""
-
-PROCESSES = 2
-"""Runs of Coq or Gappa at once."""
-
-CLOSED = "Closed under the global context"
-"""Coq's words for a theorem without assumptions."""
-
+FIRST, LAST = (8, 16), (8, 20)  # versions of Coq that are accepted
+TIME_LIMIT = 240  # seconds for one file, forty times the time of most of them
+PROCESSES = 2  # runs of Coq or Gappa at once
+CLOSED = "Closed under the global context"  # Coq's words for a theorem without assumptions
 _WANTED = f"Coq {'.'.join(map(str, FIRST))} to {'.'.join(map(str, LAST))}"
 _HOW = "install it with  apt-get install coq  or name the folder of coqc in the variable COQBIN"
 

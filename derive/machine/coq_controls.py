@@ -16,17 +16,13 @@ from pathlib import Path
 from .checker import PROCESSES, Coq
 from .statements import FOLDER, CoqTheorem, MachineError, statements, without_comments
 
-FILE = "controls.txt"
-"""Controls, one per line."""
-
+FILE = "controls.txt"  # controls, one per line
 _LINE = re.compile(r"([\w']+): (.+) ==> (.*)")
 _KNOWN = re.compile(r"^Constant (?:\w+\.)*([\w']+)", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)
 class CoqControl:
-    """Theorem and its altered form."""
-
     theorem: CoqTheorem
     altered: CoqTheorem
     line: int

@@ -12,15 +12,12 @@ X = "(dot (vdual v vo) (vdual v vo))"
 
 @dataclass(frozen=True)
 class ScalarDefinition:
-    """Scalar program: names of its parameters and results, and its definition for the Cayley map of order n.
-
-    ``given`` are the arguments in terms of v; ``numbers`` are the numbers that ``premises`` define, such as inverses.
-    """
+    """Scalar program: its parameters and results, and its definition for the Cayley map of order n."""
 
     parameters: tuple[str, ...]
     results: tuple[str, ...]
-    given: str
-    numbers: str
+    given: str  # arguments in terms of v
+    numbers: str  # numbers that ``premises`` define, such as inverses
     premises: tuple[str, ...]
     equations: tuple[str, ...]
     proof: str

@@ -73,7 +73,6 @@ class PythonModule:
             return Transcript(program, _arguments(name), _place(kernel.plain))
 
     def scalars(self, name: str) -> Transcript:
-        """Return the transcript of a scalar program."""
         with reading(name, self.folder):
             function = self.module.CHART.functions[name]
             return Transcript(partial(function, self.number_functions), SCALARS[name].parameters, _place(function))
@@ -89,7 +88,6 @@ class CHeader:
             self.unit = load(f'#include "{path.name}"\n', path.parent, instead=instead)
 
     def geometry(self, name: str) -> Transcript:
-        """Return the transcript of a geometry program."""
         made = self.program(name, _arguments(name), [array.size for array in PUBLIC[name].results])
         if self.opaque and (own := [each for each in self.unit.called if self._place(each).startswith(self.path.name)]):
             raise MachineError(f"{name}: {self._place(own[0])}: {own[0]} is a program of one chart")
@@ -112,7 +110,6 @@ class CHeader:
             return Transcript(program, arguments, self._place(name))
 
     def _place(self, name: str) -> str:
-        """Return the file and line of a function."""
         function = self.unit.functions.get(name)
         return self.unit.translator.places[function.__code__.co_firstlineno - 1] if function else self.path.name
 

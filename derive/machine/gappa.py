@@ -25,23 +25,15 @@ from .coq_definitions import V
 from .statements import MachineError
 from .transcript import Operand, Transcript
 
-EPS = Fraction(1, 2**52)
-"""Unit of bounds and errors, the distance from 1 to the next double."""
-
-STEPS = 16
-"""Steps of a bound per eps."""
-
+EPS = Fraction(1, 2**52)  # unit of bounds and errors, the distance from 1 to the next double
+STEPS = 16  # steps of a bound per eps
 SLACK = Fraction(102, 100)
 """Factor from a found bound to its claim. Gappa drops improvements of a result below 1 %, so its own bound may fail."""
 
 SPLITS = 16
 """Parts of the range of |v|, each bounded alone. Twice as many lower the bounds by a sixth, in twice the time."""
 
-TIME_LIMIT = 300
-"""Seconds for one script, ten times the time of the slowest."""
-
-
-# --- Scripts ----------------------------------------------------------------------------------------------------------
+TIME_LIMIT = 300  # seconds for one script, ten times the time of the slowest
 
 
 def outputs(program: Transcript) -> tuple[int, ...]:
@@ -64,8 +56,7 @@ def reach(order: int, square: Any) -> Any:
 def premises(program: Transcript, order: int) -> Iterator[str]:
     """Yield what Gappa may assume: ranges, and exact values of steps, which are decided as polynomials.
 
-    v is length times a vector, its dual part is reach times another, both of length at most 1. The cosine is that of
-    the angle between them.
+    v is length times a vector, its dual part reach times another; neither is longer than 1, cosine is of their angle.
     """
     yield "length in [0, 1]"
     yield from (f"{name} in [-1, 1]" for name in ("cosine", *(f"{each}_unit" for each in V)))
@@ -123,9 +114,6 @@ def claim(bound: float) -> str:
     steps = round(bound * STEPS)
     scale = int(math.log2(EPS / STEPS))
     return f"in [-{steps}b{scale}, {steps}b{scale}]"
-
-
-# --- Gappa ------------------------------------------------------------------------------------------------------------
 
 
 def require() -> None:

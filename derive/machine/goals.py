@@ -17,9 +17,7 @@ from .emitted import CHeader, PythonModule, reading
 from .transcript import Transcript, product
 
 TARGETS = ("numpy", "c")
-ORDERS = (1, 2, 3, 5)
-"""Orders of the Cayley map whose scalar programs are proved."""
-
+ORDERS = (1, 2, 3, 5)  # orders of the Cayley map whose scalar programs are proved
 HEAD = """From dualcay Require Import Programs{imports}.
 Section Text.
   Variable K : Field.
@@ -122,20 +120,16 @@ def _written(equation: str) -> list[str]:
 
 @dataclass(frozen=True)
 class Goal:
-    """File of Coq that proves a program of a target: its name, its text, and the place of the program on disk.
-
-    A goal of a chart needs the compiled goals of the geometry programs first.
-    """
+    """File of Coq that proves a program of a target; a goal with an order needs the compiled ones without first."""
 
     target: str
     function: str
     order: int | None
     text: str
-    place: str
+    place: str  # of the program on disk
 
     @property
     def name(self) -> str:
-        """Name of the file without suffix."""
         return f"{self.target}_{self.function}{self.order or ''}"
 
 

@@ -27,9 +27,7 @@ from .gappa import EPS, claim, outputs, reach, require, rounded_up, run, script
 from .statements import MachineError
 from .transcript import Transcript
 
-FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)
-"""Functions and orders, the slowest first."""
-
+FUNCTIONS, ORDERS = ("tangent", "pose", "quaternion"), (3, 2)  # functions and orders, the slowest first
 SAMPLES, SAMPLED_DIGITS = 10_000, 40
 """Arguments of a measurement, and digits of the exact values, of which 16 are lost in the difference."""
 
@@ -134,7 +132,6 @@ def every(folder: Path, known: Sequence[Bound] = ()) -> list[Bound]:
 
 
 def load(path: Path) -> list[Bound]:
-    """Return the bounds of a file."""
     try:
         return [Bound(**each) for each in json.loads(path.read_text(encoding="utf-8"))]
     except (OSError, ValueError, TypeError) as error:

@@ -15,9 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-Operand: TypeAlias = str | int | Fraction
-"""Name of a parameter or of an earlier step, or a constant."""
-
+Operand: TypeAlias = str | int | Fraction  # name of a parameter or of an earlier step, or a constant
 OPERATIONS: Mapping[tuple[str, int], Callable[..., Any]] = {
     ("+", 2): operator.add, ("-", 2): operator.sub, ("*", 2): operator.mul, ("/", 2): operator.truediv,
     ("-", 1): operator.neg, ("sqrt", 1): np.sqrt,
@@ -74,10 +72,7 @@ class Written:
 
 
 class Transcript:
-    """Straight-line program, run on numbers and tuples of numbers with the given names.
-
-    It holds the names of its parameters, its steps, its results, and its ``place``, which is a file and line.
-    """
+    """Straight-line program, run on numbers and tuples with the given names; ``place`` is a file and line."""
 
     def __init__(
         self,

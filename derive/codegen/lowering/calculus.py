@@ -128,5 +128,4 @@ def entries6(trace: Geometry, tensor: Tensor) -> Iterator[Number]:
 
 
 def _square(w: Vector) -> Dual:
-    """Return w·w."""
     return Dual(w.re.dot(w.re), 2 * w.re.dot(w.du))

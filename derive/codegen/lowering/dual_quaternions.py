@@ -8,8 +8,7 @@ from ..programs.value import Number
 from .forward import crossed, flat, rotation, rows_of
 from .point import Geometry, Point, Results
 
-LOCAL = Cayley(2)
-"""Chart of the displacement within a step: the lowest order that is regular up to a whole turn."""
+LOCAL = Cayley(2)  # chart of the displacement within a step: the lowest order that is regular up to a whole turn
 
 
 def product(trace: Geometry) -> Results:
@@ -48,8 +47,7 @@ def tensor_of(trace: Geometry) -> Results:
     return *Q, *crossed(Vector(*rows[3::4]), rows_of(Q))
 
 
-PROGRAMS = product, normalized, pose_of, tensor_of
-"""Recipes; each follows the ones that it calls."""
+PROGRAMS = product, normalized, pose_of, tensor_of  # recipes; each follows the ones that it calls
 
 
 def _given(trace: Geometry, argument: str) -> tuple[Number, ...]:
@@ -58,5 +56,4 @@ def _given(trace: Geometry, argument: str) -> tuple[Number, ...]:
 
 
 def _parts(components: tuple[Number, ...]) -> tuple[Quaternion, Quaternion]:
-    """Return the real and the dual part of a dual quaternion."""
     return Quaternion.from_components(components[:4]), Quaternion.from_components(components[4:])

@@ -58,22 +58,19 @@ def tangent(trace: Geometry) -> Results:
 def body_tangent(trace: Geometry) -> Results:
     """Transposed tangent operator Tᵀ, which is T at −v, CP23 (86)."""
     point = trace.point()
-    scalars, back = point.scalars("tangent_scalars"), opposite(point.components)
-    return trace.apply(tangent_at, "T{}", *scalars, back)
+    return trace.apply(tangent_at, "T{}", *point.scalars("tangent_scalars"), opposite(point.components))
 
 
 def tangent_inv(trace: Geometry) -> Results:
     """Inverse tangent operator T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89)."""
     point = trace.point()
-    scalars = point.scalars("tangent_inv_scalars")
-    return trace.apply(tangent_inverse_at, "T{}", *scalars, point.components)
+    return trace.apply(tangent_inverse_at, "T{}", *point.scalars("tangent_inv_scalars"), point.components)
 
 
 def body_tangent_inv(trace: Geometry) -> Results:
     """Transposed inverse tangent operator T⁻ᵀ, which is T⁻¹ at −v, CP23 (91)."""
     point = trace.point()
-    scalars, back = point.scalars("tangent_inv_scalars"), opposite(point.components)
-    return trace.apply(tangent_inverse_at, "T{}", *scalars, back)
+    return trace.apply(tangent_inverse_at, "T{}", *point.scalars("tangent_inv_scalars"), opposite(point.components))
 
 
 def opposite(v: tuple[Number, ...]) -> tuple[Number, ...]:

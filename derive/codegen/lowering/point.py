@@ -38,8 +38,7 @@ LAYOUTS = {
 REAL_NAMES = {"dual_product": "matrix_product", "composed": "quaternion_product"}
 """Names of programs for rotations, by name of the program for poses; all other names are equal for both."""
 
-TABLE = "table"
-"""Argument that holds constants, which have no dual part."""
+TABLE = "table"  # argument that holds constants, which have no dual part
 
 
 class Geometry(Trace):
@@ -95,7 +94,6 @@ class Geometry(Trace):
         return super().name(name, value)
 
     def vector(self, letter: str, value: Vector) -> Vector:
-        """Name the components of a vector."""
         return Vector(*(self.name(f"{letter}{i}", component) for i, component in enumerate(value, 1)))
 
 

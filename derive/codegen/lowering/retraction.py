@@ -1,7 +1,4 @@
-"""Steps δ by the exponential: the vector after a step, and the step from one vector to another.
-
-All charts share the scalars of the exponential.
-"""
+"""Steps δ by the exponential, whose scalars all charts share: the vector after a step, and the step to a vector."""
 
 from __future__ import annotations
 

@@ -60,9 +60,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
 Each formula stands between marks, and `proof.shown` compares it before it is printed.
 """
 
-TABLE = ("limit", "cos", "sin")
-"""Names of the numbers in one row of the table of returns."""
-
+TABLE = ("limit", "cos", "sin")  # names of the numbers in one row of the table of returns
 SQUARES = ("v11", "v22", "v33")
 """Terms of x, passed to maps and operators, since x alone hides its rounding error. Inverse maps take x itself."""
 
@@ -130,7 +128,6 @@ def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
 
 
 E = ("e0", "e1", "e2", "e3")
-
 SCALARS: Mapping[str, Scalar] = {
     "quaternion_scalars": Scalar(("x",), ("s", "w", "sy", "wy")),
     "pose_scalars": Scalar(SQUARES, ("f", "g", "h")),

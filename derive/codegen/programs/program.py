@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 Constant = int | Fraction
-Operand = str | int | Fraction
-"""Name of an input or step, or an exact constant."""
-
+Operand = str | int | Fraction  # name of an input or step, or an exact constant
 FUNCTIONS = ("abs", "sqrt", "tan", "atan2", "expm1", "log1p")
 
 
@@ -25,22 +23,16 @@ class Assignment:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """Call of another program, which gives several values at once: ``f, g, h = pose(x)``.
+    """Call of another program, which gives several values at once: ``f, g, h = pose(x)``."""
 
-    Unread values have the name ``_``; ``truths`` names the values that are truth values. The components of the caller's
-    argument ``rest``, of any length, follow ``args``. Calls of geometry programs have three more fields. ``lists`` are
-    the lengths of list arguments in ``args``, 0 for a number. ``result`` names the list of all values, and ``context``
-    gives the leading arguments among ``m`` and ``c``.
-    """
-
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # unread values have the name ``_``
     function: str
     args: tuple[Operand, ...]
-    rest: str = ""
-    truths: frozenset[str] = frozenset()
-    lists: tuple[int, ...] = ()
-    result: str = ""
-    context: str = ""
+    rest: str = ""  # argument of the caller whose components, of any number, follow ``args``
+    truths: frozenset[str] = frozenset()  # names of the truth values
+    lists: tuple[int, ...] = ()  # of a geometry program: lengths of list arguments in ``args``, 0 for a number
+    result: str = ""  # of a geometry program: name of the list of all values
+    context: str = ""  # of a geometry program: leading arguments among ``m`` and ``c``
 
     @property
     def groups(self) -> tuple[Operand | tuple[Operand, ...], ...]:
@@ -59,20 +51,16 @@ Statement = Assignment | Call
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Assignments in order, from named inputs (grouped by argument) to outputs in C order.
-
-    ``corrected`` values are corrected afterwards, so their rounding makes no difference. ``called`` are the called
-    geometry programs. ``results`` are the output names, for a program that others call. ``contract`` describes outputs.
-    """
+    """Assignments in order, from named inputs (grouped by argument) to outputs in C order."""
 
     name: str
     inputs: tuple[tuple[str, tuple[str, ...]], ...]
     statements: tuple[Statement, ...]
     outputs: tuple[Operand, ...]
-    corrected: frozenset[str] = frozenset()
-    called: tuple[Program, ...] = ()
-    results: tuple[str, ...] = ()
-    contract: str = ""
+    corrected: frozenset[str] = frozenset()  # values that are corrected afterwards, so that their rounding is harmless
+    called: tuple[Program, ...] = ()  # geometry programs
+    results: tuple[str, ...] = ()  # names of the outputs, for a program that others call
+    contract: str = ""  # description of the outputs
 
     @property
     def context(self) -> str:
@@ -84,12 +72,10 @@ class Program:
 
     @property
     def steps(self) -> tuple[Assignment, ...]:
-        """Return the operations, without the calls."""
         return tuple(statement for statement in self.statements if isinstance(statement, Assignment))
 
     @property
     def calls(self) -> tuple[Call, ...]:
-        """Return the calls of other programs."""
         return tuple(statement for statement in self.statements if isinstance(statement, Call))
 
     @property

@@ -13,20 +13,13 @@ from typing import Any
 
 from .program import Assignment, Call, Program, Statement
 
-LEAST_SAVING = 10
-"""Least number of printed lines that a helper saves."""
-
-HEAD = 5
-"""Number of printed lines of a helper in addition to its steps: comment, head, result, blank lines."""
-
+LEAST_SAVING = 10  # least number of printed lines that a helper saves
+HEAD = 5  # number of printed lines of a helper in addition to its steps: comment, head, result, blank lines
 OPERATIONS_PER_CALL = 41
 """Least number of operations for each helper that a program calls beyond two, since a call takes time."""
 
-MOST_PASSED = 12
-"""Largest number of arguments of a helper, and of its results."""
-
-Steps = Mapping[str, Any]
-"""Named steps of a program with their inline steps written out, by name."""
+MOST_PASSED = 12  # largest number of arguments of a helper, and of its results
+Steps = Mapping[str, Any]  # named steps of a program with their inline steps written out, by name
 
 
 def with_helpers(programs: Mapping[str, Program]) -> tuple[dict[str, Program], dict[str, Program]]:
@@ -85,10 +78,7 @@ def _written_out(program: Program) -> Steps:
 
 
 def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
-    """Return the shared names, less each that depends on another through steps not shared.
-
-    If ``back``, leave out that other name instead.
-    """
+    """Return the shared names, less each that depends, or if ``back`` is depended on, through steps not shared."""
     inside, outside, kept = set[Any](), set[Any](), set[str]()
     moved = {step.name for step in _moved(program, shared)}
     for statement in program.statements[:: -1 if back else 1]:
@@ -104,7 +94,6 @@ def _closed(shared: set[str], program: Program, back: bool) -> set[str]:
 
 
 def _assigned(statement: Statement) -> tuple[str, ...]:
-    """Return the names that a statement assigns."""
     names = (statement.name,) if isinstance(statement, Assignment) else statement.names
     return tuple(name for name in names if name != "_")
 

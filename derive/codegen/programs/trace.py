@@ -1,8 +1,6 @@
 """Tracer: ordinary arithmetic on symbolic inputs, recorded as a straight-line program.
 
-A :class:`Trace` hands out symbolic inputs and records each operation on them once (value numbering). Constants are
-folded, and operations that no output needs are dropped. Formulas are lowered with this arithmetic
-(``algebra.arithmetic``). The result is a frozen :class:`~derive.codegen.programs.program.Program`.
+Equal operations are recorded once, constants are folded, and operations that no output needs are dropped.
 """
 
 from __future__ import annotations
@@ -15,10 +13,6 @@ from .program import Assignment, Call, Operand, Program, Statement
 from .value import Folding, Number, Value, label
 
 COMMUTATIVE = frozenset({"add", "mul", "eq", "and", "or"})
-
-
-class UnnamedValueError(ValueError):
-    """Error for a value that is used more than once but lacks the name that printed source needs."""
 
 
 class Trace(Folding):
@@ -164,7 +158,7 @@ class Trace(Folding):
         unnamed = [value for value in sorted(needed, key=_order) if not value.name]
         if unnamed and not self._rest:
             values = ", ".join(f"{v.op}({', '.join(map(_shown, v.args))})" for v in unnamed)
-            raise UnnamedValueError(f"program {program!r} uses unnamed values more than once or in a call: {values}")
+            raise ValueError(f"program {program!r} uses unnamed values more than once or in a call: {values}")
         for value in unnamed:
             self._rename(value, self.free_name(f"{self._rest}{value.index}"))
 
@@ -214,7 +208,6 @@ def written_out(program: Program) -> Program:
 
 
 def _run(trace: Trace, program: Program, given: Sequence[Number]) -> list[Number]:
-    """Record the statements of a program on arguments, and return its results."""
     known: dict[Operand, Number] = dict(zip((n for _, names in program.inputs for n in names), given, strict=True))
     programs = {called.name: called for called in program.called}
     for statement in program.statements:

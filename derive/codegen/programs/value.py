@@ -15,8 +15,7 @@ from ...algebra import Structure
 from ...algebra.arithmetic import Arithmetic
 from .program import Constant, Operand
 
-Number = Any
-"""Traced :class:`Value` or exact constant; generic code treats both alike."""
+Number = Any  # traced :class:`Value` or exact constant; generic code treats both alike
 
 
 def _operator(operation: str, swapped: bool = False) -> Callable[[Any, Number], Number]:
@@ -63,8 +62,6 @@ def label(number: Number) -> Operand:
 
 
 def _recorded(op: str) -> Callable[..., Number]:
-    """Return the method of an operation that is always recorded."""
-
     def method(self: Folding, *operands: Number) -> Number:
         return self.record(op, *operands)
 
@@ -151,8 +148,6 @@ class Folding(Arithmetic, ABC):
             return -a
         negated = self.negated(a)
         return self.record("neg", a) if negated is None else negated
-
-    # --- elementary functions and selection -----------------------------------------------------------------------
 
     tan, atan2, expm1, log1p = map(_recorded, ("tan", "atan2", "expm1", "log1p"))
 

@@ -1,17 +1,4 @@
-"""Targets of generation: each module has a printer, data for its templates, and a way to execute its text.
-
-========== =====================================================================
-expression steps of a program as expressions, in the dialect of a language
-infix      programs as plain Python
-python     base class and interface of the Python targets
-numpy      NumPy: plain Python, and calls with ``out``
-array_api  arrays of any library
-numba      compiled loops of few outputs
-c99        programs as C functions
-c          headers for C and C++
-native     NumPy functions in C
-========== =====================================================================
-"""
+"""Targets of generation: each module has a printer, data for its templates, and a way to execute its text."""
 
 from __future__ import annotations
 
@@ -24,9 +11,6 @@ from .native import Native
 from .numba import Numba
 from .numpy import Numpy
 
-_ROWS: tuple[Target, ...] = (Numpy(), ArrayApi(), Numba(), C(), Native())
-
-TARGETS: Mapping[str, Target] = {target.name: target for target in _ROWS}
-"""Targets by name."""
+TARGETS: Mapping[str, Target] = {target.name: target for target in (Numpy(), ArrayApi(), Numba(), C(), Native())}
 
 __all__ = ["TARGETS", "Target"]

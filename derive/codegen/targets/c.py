@@ -18,7 +18,7 @@ from ...maps.cayley import EQUATIONS
 from ...maps.chart import Chart
 from ..lowered import ChartPrograms, geometry, printed_geometry
 from ..lowering.scalar_programs import SCALARS, table_names
-from ..package import Data, Facts, cited
+from ..package import Data, Facts, Target, cited
 from ..programs.program import Program
 from ..rows import Array, Function, Table, inside
 from ..signatures import POSES, ROTATIONS
@@ -40,8 +40,7 @@ IDLE: Mapping[str, Program] = {
 }
 """Placeholders of scalar programs that geometry names but some charts never call."""
 
-GATE = 8
-"""Largest error in a differential test, in machine epsilons times the scale of the result."""
+GATE = 8  # largest error in a differential test, in machine epsilons times the scale of the result
 
 
 def interface(row: Function, table: Table) -> Data:
@@ -128,15 +127,13 @@ def own_geometry(facts: Facts, programs: ChartPrograms, known: Mapping[str, Prog
     }
 
 
-class C:
+class C(Target):
     """Target of C and C++ headers."""
 
     name = "c"
     extension = "h"
     entry = "dualcay.h"
     comment = "//"
-    tables: Sequence[Table] = (POSES, ROTATIONS)
-    imports_bases = False
 
     def shared(self) -> Mapping[str, Data]:
         return {
@@ -175,15 +172,9 @@ class C:
     def validate(self, folder: Path, chart: Chart, geometry: bool) -> int:
         return c_text.validate(folder, chart, geometry, self.tables)
 
-    def replay(self, folder: Path, chart: Chart, geometry: bool) -> int:
-        """Return 0: only the compiled test checks floats."""
-        return 0
-
     def test(self, folder: Path, chart: Chart) -> int | None:
         return compiled.test(folder, chart)
 
-
-# ---- tables of a differential test -----------------------------------------------------------------------------
 
 class Values(NamedTuple):
     """Values of an array for each case in C notation; for a result, the scales of its parts too."""

@@ -19,12 +19,8 @@ WIDTH = 120
 ATOM = 9
 NEGATION = 6
 SELECTION = 1
-BINARY = r"(?:[-+*/&|<?:]|==)"
-"""Pattern of infix operators, before which lines break."""
-
-Text = tuple[str, int]
-"""Source text and the binding strength of its outermost operator."""
-
+BINARY = r"(?:[-+*/&|<?:]|==)"  # pattern of infix operators, before which lines break
+Text = tuple[str, int]  # source text and the binding strength of its outermost operator
 Texts = list[str | list[str]]
 """Right-hand side alone, or the arguments of a call: numbers, names of lists, and lists of numbers."""
 
@@ -50,17 +46,13 @@ ARITHMETIC = {
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Notation of a language for expressions, with an infix operator or a function for each operation.
-
-    A selection without a function is a conditional expression. Constants have magnitudes up to ``largest``.
-    ``literal`` returns the text of a constant, and ``passed`` the form of an argument or a selected value.
-    """
+    """Notation of a language, with an infix operator or a function for each operation."""
 
     operators: Mapping[str, Operator]
-    calls: Mapping[str, str]
-    largest: float = float("inf")
-    literal: Callable[[int], str] = str
-    passed: Callable[[str], str] = str
+    calls: Mapping[str, str]  # without ``where``, a selection is a conditional expression
+    largest: float = float("inf")  # magnitude of constants
+    literal: Callable[[int], str] = str  # text of a constant
+    passed: Callable[[str], str] = str  # form of an argument or a selected value
 
     def expression(self, step: Assignment, inlined: Mapping[str, Text]) -> Text:
         """Return the right-hand side of a step, with inlined operands written out."""
@@ -167,8 +159,6 @@ def bracket(text: Text, strength: int) -> str:
 
 
 def renamed(program: Program, names: Mapping[str, str]) -> Program:
-    """Return the program with some of its names replaced."""
-
     def new(operands: Iterable[Any]) -> tuple[Any, ...]:
         return tuple(names.get(operand, operand) for operand in operands)
 

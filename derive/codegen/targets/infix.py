@@ -10,9 +10,7 @@ from .expression import ARITHMETIC, WIDTH, Dialect, Lists, Operator, fill, items
 
 INDENT = "    "
 
-Ask = Callable[[Call, str], str]
-"""Function that returns the text of a call, given the text of its arguments."""
-
+Ask = Callable[[Call, str], str]  # function that returns the text of a call, given the text of its arguments
 OPERATORS = {
     **ARITHMETIC,
     "and": Operator("&", 3, 3, 4),
@@ -27,8 +25,7 @@ def python(prefix: str, literal: Callable[[int], str] = str) -> Dialect:
     return Dialect(OPERATORS, {name: prefix + name for name in (*FUNCTIONS, "where")}, literal=literal)
 
 
-PLAIN = python("m.")
-"""Dialect with functions of the number type in ``m`` and unchanged constants."""
+PLAIN = python("m.")  # dialect with functions of the number type in ``m`` and unchanged constants
 
 
 def ask_namespace(call: Call, arguments: str) -> str:
@@ -43,8 +40,7 @@ def body(
 ) -> str:
     """Return source lines of the program: its contract, unpacked arguments, assignments, and the returned tuple.
 
-    Components of a program that stands `alone` are its parameters: nothing is unpacked. `ask` prints its
-    calls. ``first`` are lines of text before the statements.
+    Components of a program ``alone`` are parameters. ``ask`` prints calls; ``first`` are lines before the statements.
     """
     end = "\n" if "\n" in program.contract else ""
     contract = [textwrap.indent(f'"""{program.contract}{end}"""', INDENT)] if program.contract else []

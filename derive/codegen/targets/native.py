@@ -21,9 +21,7 @@ from ..validation import c_text
 from . import c99
 from .c import C
 
-PACKAGE = "dualcay_native"
-"""Import name of the built package."""
-
+PACKAGE = "dualcay_native"  # import name of the built package
 MOST_AXES = 3
 
 

@@ -24,12 +24,8 @@ from . import infix
 from .expression import WIDTH, Lists, items
 from .python import PythonFunction, PythonTarget, formula_of
 
-MOST_OUTPUTS = 9
-"""Largest number of stores in a loop that LLVM still vectorizes."""
-
-TABLE = "table"
-"""Argument of constants, equal for all poses; for some functions only the chart knows its length."""
-
+MOST_OUTPUTS = 9  # largest number of stores in a loop that LLVM still vectorizes
+TABLE = "table"  # argument of constants, equal for all poses; for some functions only the chart knows its length
 DIALECT = infix.python(prefix="", literal=lambda value: f"_m{-value}" if value < 0 else f"_{value}")
 
 

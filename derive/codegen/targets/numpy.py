@@ -13,8 +13,7 @@ from ..validation import Machinery, motions
 from .expression import items
 from .python import CLASSES, PythonTarget, printed_program, printed_scalars
 
-STEP_KERNELS = ("quaternion", "rate")
-"""Kernels of the chart `LOCAL` that steps of a motion run."""
+STEP_KERNELS = ("quaternion", "rate")  # kernels of the chart `LOCAL` that steps of a motion run
 
 
 class Numpy(PythonTarget):

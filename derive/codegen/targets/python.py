@@ -16,7 +16,7 @@ from ...maps.named import NUMBERED, SINGLE
 from ...proof import shown
 from ..lowered import printed_geometry, shared_with_poses
 from ..lowering.scalar_programs import FORMULAS
-from ..package import Data, Facts, cited, comment
+from ..package import Data, Facts, Target, cited, comment
 from ..programs.program import Program
 from ..programs.shared import with_helpers
 from ..rows import Function, Table, inside
@@ -26,9 +26,7 @@ from ..validation.calls import require_calls
 from . import infix
 
 INTERFACE = "_interface.py"
-
-CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}
-"""Classes of the documented interfaces, by table."""
+CLASSES = {POSES: "PoseKernels", ROTATIONS: "RotationKernels"}  # classes of the documented interfaces, by table
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,22 +39,19 @@ class PythonFunction:
     formula: str = ""
 
 
-class PythonTarget:
+class PythonTarget(Target):
     """Target whose kernels are Python modules."""
 
     extension = "py"
     entry = "__init__.py"
     comment = "#"
     machinery = Machinery()
-    tables: Sequence[Table] = (POSES, ROTATIONS)
     checks: Sequence[runtime.Check] = (runtime.tools, runtime.laws)
     """Checks of run-time parts that are written by hand, on floats or, without a replay, on numbers of 50 digits."""
-    imports_bases = False
     files: tuple[str, ...] = ("_branches.py", "_chart.py", "_checks.py", "_runtime.py", "_tools.py")
     """Files whose templates take no data."""
     tools: tuple[str, ...] = ()
     """Public modules that hold no chart, such as those that import further libraries."""
-    name: str
     options: str
     """Keyword parameters of functions that return one array, with types and defaults."""
 
@@ -105,7 +100,6 @@ class PythonTarget:
         return {"programs": programs, "rows": table.kernels, "same": sorted(same)}
 
     def interface(self, table: Table) -> Data:
-        """Return the data for a table's interface."""
         jacobian = (JACOBIAN if table is POSES else JACOBIAN.of_rotation).shape
         names = {numbers: side for side, numbers in SIDES.items()}
         alone = [kind.partition(" = ")[2] for name, kind in self.keywords.items() if name != "axis"]
@@ -151,11 +145,7 @@ class PythonTarget:
         return count + (runtime.check(folder, chart, self.checks, exact=not libraries) if geometry else 0)
 
     def libraries(self) -> Sequence[Library]:
-        """Return the array libraries of a replay."""
         return (NUMPY,)
-
-    def test(self, folder: Path, chart: Chart) -> int:
-        return 0
 
     def require_complete(self, texts: Mapping[str, str]) -> None:
         for table in self.tables:
@@ -163,13 +153,7 @@ class PythonTarget:
             self.require_interface(texts, table)
 
     def require_interface(self, texts: Mapping[str, str], table: Table = POSES) -> None:
-        """Compare the methods of the interface and their parameters with a table.
-
-        Raises
-        ------
-        ValueError
-            If a function is missing, is in no row, has no docstring, or takes other parameters than its row says.
-        """
+        """Raise ValueError for a missing, further or undocumented function, or other parameters than in its row."""
         where = inside(table, INTERFACE)
         classes = (c for c in ast.parse(texts[where]).body if isinstance(c, ast.ClassDef) and c.name == CLASSES[table])
         found = (method for kernels in classes for method in kernels.body if isinstance(method, ast.FunctionDef))

@@ -36,7 +36,6 @@ class Batch:
 
     @property
     def exact(self) -> bool:
-        """True if results are elements of a ring."""
         return self.tolerance is None
 
     @property
@@ -47,13 +46,7 @@ class Batch:
 
 @lru_cache(maxsize=4)
 def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
-    """Return the calls of every public function of a table.
-
-    Raises
-    ------
-    ValueError
-        If a function has no call, or lacks the exact one that its row requires in an algebraic chart.
-    """
+    """Return the calls of every public function; raise ValueError if a call, or a required exact one, is missing."""
     algebraic = is_algebraic(chart)
     with mpmath.workdps(decimals.EXACT_DIGITS):
         exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if algebraic else []

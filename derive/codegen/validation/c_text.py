@@ -75,7 +75,6 @@ class Kernel:
 
     @property
     def sizes(self) -> list[int]:
-        """Number of components of each result."""
         return [array.size for array in self.row.results]
 
     def plain(self, arguments: Sequence[Flat]) -> Flat:

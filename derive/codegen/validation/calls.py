@@ -46,10 +46,7 @@ class Drawn(NamedTuple):
 
 @dataclass(frozen=True)
 class Case:
-    """Call of a kernel function: flat arguments, a branch or None, and the expected result.
-
-    The result is computed on first access.
-    """
+    """Call of a kernel function: flat arguments, a branch or None, and the expected result, computed once."""
 
     row: Function
     branch: int | None
@@ -120,24 +117,13 @@ def restricted(cases: Iterable[Case], table: Table) -> Iterator[Case]:
         row = table.sources.get(case.function)
         if row and (call := (row.name, case.branch, row.restricted(case.arguments))) not in seen:
             seen.add(call)
-            yield Case(row, *call[1:], partial(_part, row, case))
-
-
-def _part(row: Function, case: Case) -> Flat:
-    return row.part(case.result)
-
-
-# --- arguments at a screw -----------------------------------------------------------------------------------------
-
-
-Rounding = Callable[[Iterable[Any]], Flat]
-"""Function that rounds the components of an array."""
+            yield Case(row, *call[1:], partial(lambda row, case: row.part(case.result), row, case))
 
 
 def at_screw(
-    chart: Vectors, screw: Screw, branch: int, short: Rounding = tuple, regular: bool = True
+    chart: Vectors, screw: Screw, branch: int, short: Callable[[Iterable[Any]], Flat] = tuple, regular: bool = True
 ) -> Iterator[Drawn]:
-    """Yield the quaternions, the matrices and the vectors of a pose, with v on a branch and the way back."""
+    """Yield the quaternions, matrices and ``short`` vectors of a pose, with v on a branch and the way back."""
     q, v, there = flat(quaternion_from_screw(screw)), *(short(flat(chart.at(screw, k))) for k in (0, branch))
     yield Drawn(Kind.QUATERNION, (q,), branch)
     yield Drawn(Kind.QUATERNION, (tuple(-c for c in q),), branch or None)  # None is the default of the interface

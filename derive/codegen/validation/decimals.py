@@ -13,13 +13,8 @@ import mpmath
 from ...maps.chart import Chart
 
 EXACT_DIGITS = 50
-
-CONSTANTS_ERROR = mpmath.mpf(10) ** -40
-"""Error of printed constants, which have 40 digits."""
-
-CONDITION_MAX = mpmath.mpf(10) ** 8
-"""Largest factor by which errors of constants and scalars grow in the results of seeded cases."""
-
+CONSTANTS_ERROR = mpmath.mpf(10) ** -40  # error of printed constants, which have 40 digits
+CONDITION_MAX = mpmath.mpf(10) ** 8  # largest growth of errors from constants and scalars to results
 NUMBERS = decimal.Context(prec=EXACT_DIGITS, Emin=decimal.MIN_EMIN, Emax=decimal.MAX_EMAX, traps=[])
 """Context without traps: a selection also computes the side not taken, where results may be NaN or infinite."""
 

@@ -49,10 +49,10 @@ class Formulas:
 
         return raised(0, at)
 
-    def _operator(self, formula: Formula, v: Vector) -> Isotropic:
+    def _operator(self, formula: Formula, v: Vector, hand: int = 1) -> Isotropic:
         square = v.dot(v)
         a, b, c = (self.lifted(coefficient, square) for coefficient in formula.coefficients)
-        return Isotropic(a, b, c, square)
+        return Isotropic(a, hand * b, c, square)
 
     def quaternion(self, v: Vector) -> Quaternion:
         s, w = (self.lifted(coefficient, v.dot(v)) for coefficient in self.chart.quaternion.coefficients)
@@ -66,13 +66,11 @@ class Formulas:
 
     def tangent(self, v: Vector, hand: int = 1) -> Isotropic:
         """Return T for ``hand`` 1, or its transpose for ``hand`` −1."""
-        T = self._operator(self.chart.tangent, v)
-        return T if hand == 1 else T.transpose
+        return self._operator(self.chart.tangent, v, hand)
 
     def tangent_inv(self, v: Vector, hand: int = 1) -> Isotropic:
         """Return T⁻¹ for ``hand`` 1, or its transpose for ``hand`` −1."""
-        T = self._operator(self.chart.tangent_inv, v)
-        return T if hand == 1 else T.transpose
+        return self._operator(self.chart.tangent_inv, v, hand)
 
 
 def rows_of_pose(pose: Pose) -> Flat:
@@ -99,7 +97,6 @@ def matrix6(columns: Sequence[Vector]) -> Flat:
 
 
 def jacobian(function: Callable[[Vector], Vector], v: Vector) -> Flat:
-    """Return the derivative of a function of dual vectors."""
     zero = 0 * v.c1
     units = ([zero + int(i == j) for i in range(3)] for j in range(3))
     return matrix6([function(moving(v, Vector(*unit))).du for unit in units])
@@ -110,12 +107,10 @@ Operator = Callable[..., Isotropic]
 
 
 def _applied(operator: Operator, hand: int, at: Formulas, v: Flat, w: Flat) -> Flat:
-    """Apply an operator at v to w."""
     return flat(operator(at, dual(v), hand).apply(dual(v), dual(w)))
 
 
 def _applied_jacobian(operator: Operator, hand: int, at: Formulas, v: Flat, w: Flat) -> Flat:
-    """Return the derivative by v of an operator at v applied to the fixed vector w."""
     fixed = moving(dual(w), 0 * dual(w))
     return jacobian(lambda there: operator(at, there, hand).apply(there, fixed), dual(v))
 
@@ -171,21 +166,6 @@ def _transition(hand: int, at: Formulas, v: Flat, v0: Flat) -> Flat:
 BY_QUATERNION: Mapping[str, Value] = {"quaternion": lambda at, v: flat(at.quaternion(dual(v)))}
 """Functions of the quaternion, whose formulas may contain a root."""
 
-BY_TENSORS: Mapping[str, Value] = {
-    "tensor": lambda at, v: flat(at.tensor(dual(v)).tensor(dual(v))),
-    "pose": lambda at, v: rows_of_pose(at.pose(dual(v))),
-    "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
-    "adjoint": _adjoint,
-    "transform_point_jacobians": _point_jacobians,
-    "transform_line_jacobians": _line_jacobians,
-    "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
-    "inverse": lambda at, v: tuple(-c for c in v),
-    "cotangent": partial(_applied, Formulas.tangent, -1),
-    "body_cotangent": partial(_applied, Formulas.tangent, 1),
-    "cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, -1),
-    "body_cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, 1),
-}
-
 BY_HAND: Mapping[str, Value] = {
     "tangent": lambda hand, at, v: flat(at.tangent(dual(v), hand).tensor(dual(v))),
     "tangent_inv": lambda hand, at, v: flat(at.tangent_inv(dual(v), hand).tensor(dual(v))),
@@ -200,12 +180,21 @@ BY_HAND: Mapping[str, Value] = {
 }
 """Functions of the tangent operator: in the space frame with hand 1, in the body frame with hand −1."""
 
-FRAMES = {"": 1, "body_": -1}
-
 ALGEBRAIC: Mapping[str, Value] = {
     **BY_QUATERNION,
-    **BY_TENSORS,
-    **{f"{frame}{name}": partial(made, hand) for name, made in BY_HAND.items() for frame, hand in FRAMES.items()},
+    "tensor": lambda at, v: flat(at.tensor(dual(v)).tensor(dual(v))),
+    "pose": lambda at, v: rows_of_pose(at.pose(dual(v))),
+    "transform_point": lambda at, v, r: tuple(at.pose(dual(v)).apply(Vector(*r))),
+    "adjoint": _adjoint,
+    "transform_point_jacobians": _point_jacobians,
+    "transform_line_jacobians": _line_jacobians,
+    "transform_line": lambda at, v, line: flat(at.tensor(dual(v)).apply(dual(v), dual(line))),
+    "inverse": lambda at, v: tuple(-c for c in v),
+    "cotangent": partial(_applied, Formulas.tangent, -1),
+    "body_cotangent": partial(_applied, Formulas.tangent, 1),
+    "cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, -1),
+    "body_cotangent_jacobian": partial(_applied_jacobian, Formulas.tangent, 1),
+    **{frame + name: partial(made, hand) for name, made in BY_HAND.items() for frame, hand in (("", 1), ("body_", -1))},
 }
 """Expected values by kernel function, as functions of a chart's formulas and flat arguments."""
 

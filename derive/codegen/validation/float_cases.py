@@ -31,24 +31,12 @@ from .vectors import Flat, Vectors, flat, vectors_of
 SEED = 88
 POINTS = 3
 STEP = mpmath.mpf(2) ** -80
-
-COMPONENT_MAX = 3
-"""Largest component of v, divided by φ′(0)."""
-
-GRID = 2**18
-"""Grid steps of arguments per unit: few enough for float32 to hold arguments exactly."""
-
-SMALL = 2.0**-8
-"""Size of the small quaternion components: their rows of 4 q qᵀ lose 16 bits."""
-
-ORDINARY = 4
-"""Number of screws for derivatives: the first ones from `covering`, which are far from every selection."""
-
-SHORTER = 2
-"""Divisor of steps whose Jacobians are tested: near the edge, Jacobians amplify the rounding of α."""
-
-EDGE_MARGIN = 0.1
-"""Least margin to the edge, as defined by `Vectors.finite`: its inverse amplifies the rounding of the principal v."""
+COMPONENT_MAX = 3  # largest component of v, divided by φ′(0)
+GRID = 2**18  # grid steps of arguments per unit: few enough for float32 to hold arguments exactly
+SMALL = 2.0**-8  # size of the small quaternion components: their rows of 4 q qᵀ lose 16 bits
+ORDINARY = 4  # number of screws for derivatives: the first ones from `covering`, which are far from every selection
+SHORTER = 2  # divisor of steps whose Jacobians are tested: near the edge, Jacobians amplify the rounding of α
+EDGE_MARGIN = 0.1  # least margin to the edge (`Vectors.finite`): its inverse amplifies the rounding of v
 
 
 @dataclass(frozen=True)
@@ -93,13 +81,7 @@ class FloatCase(Case):
 
 @lru_cache(maxsize=8)
 def cases(chart: Chart, table: Table = POSES) -> Sequence[FloatCase]:
-    """Return calls of every public function of a table, in the order of its rows.
-
-    Raises
-    ------
-    ValueError
-        If a function has no call with a finite result.
-    """
+    """Return calls of every public function, in the order of rows; raise ValueError if one has no finite result."""
     with mpmath.workdps(EXACT_DIGITS):
         at = vectors_of(chart)
         found = [FloatCase(c.row, c.branch, c.arguments, c.compute, at) for c in restricted(_seeded(at), table)]

@@ -17,7 +17,6 @@ from .expected_values import ALGEBRAIC, Formulas, evaluated, matrix6
 from .vectors import Flat, Vectors, along, axial, dual, flat, screw_of_quaternion
 
 ZERO: Flat = (mpmath.mpf(0),) * 6
-
 IDENTITY = matrix6([Vector(*row) for row in Tensor.identity().rows])
 
 
@@ -82,10 +81,7 @@ def _local(body: bool, chart: Vectors, branch: int, v2: Flat, v1: Flat) -> Flat:
 
 
 def _retract(body: bool, chart: Vectors, branch: int, v: Flat, delta: Flat) -> Flat:
-    """Return the vector of exp(δ) R(v), or R(v) exp(δ) in the body frame.
-
-    The branch is chosen so that the new angle is nearest to the projection of v's own α u onto the new axis.
-    """
+    """Return v of exp(δ) R(v), or R(v) exp(δ), at the angle nearest the projection of α u on the new axis."""
     small, here = _turning(mpmath.mp.prec, *delta), chart.quaternion(dual(v))
     q = here * small if body else small * here
     (length, u), (own, axis) = polar(q.vector), polar(dual(v))

@@ -13,6 +13,7 @@ from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any
+from unittest import mock
 
 from ...maps.chart import Chart
 from ..rows import Table
@@ -31,15 +32,13 @@ def loaded(folder: Path) -> Iterator[str]:
         raise ValidationFailed(f"{folder} is not a package")
     name = f"_dualcay_validated_{next(_serial)}"
     finder = _Finder(name, folder)
-    native, os.environ[NATIVE] = os.environ.get(NATIVE), "0"
     sys.meta_path.insert(0, finder)
     try:
-        importlib.import_module(name)
-        yield name
+        with mock.patch.dict(os.environ, {NATIVE: "0"}):
+            importlib.import_module(name)
+            yield name
     finally:
         sys.meta_path.remove(finder)
-        os.environ.pop(NATIVE)
-        os.environ.update({NATIVE: native} if native is not None else {})
         for module in [key for key in sys.modules if key == name or key.startswith(f"{name}.")]:
             del sys.modules[module]
 

@@ -24,16 +24,12 @@ SCREW, OTHER = np.array([*AXIS, 0.4, -0.2, 0.6]), np.array([*AXIS, -0.3, 0.5, 0.
 STARTS = {("lie", "space"): 0.6, ("lie", "body"): 4.0, ("chart", "space"): 5.0, ("chart", "body"): 0.6}
 """Rotation angle at t = 0 by method and frame: below π, beyond π, and beyond the limit where v changes its branch."""
 
-LIMIT = 3 * pi / 2
-"""Angle where v changes its branch in a chart whose first singular angle is 2π."""
-
+LIMIT = 3 * pi / 2  # angle where v changes its branch in a chart whose first singular angle is 2π
 TIMES = np.linspace(0, 4.4, 5)
 DELAY = 2.0**-12
 SPREAD, NOISE = np.diag([1.0, 2, 3, 4, 5, 6]) + 0.5, np.diag([0.3, 0.1, 0.2, 0.4, 0.2, 0.1]) + 0.05
 
-FACTOR = Fraction(3, 2)
-"""Factor of a multiple of the chart, which needs a multiplication and a division."""
-
+FACTOR = Fraction(3, 2)  # factor of a multiple of the chart, which needs a multiplication and a division
 MULTIPLES = (
     "quaternion", "pose", "transform_line", "twist", "rate", "twist_dot", "rate_dot", "transition", "from_quaternion",
     "from_pose", "from_screw", "to_screw", "angle", "to_exponential", "from_exponential", "shadow", "shadow_jacobian",
@@ -84,7 +80,6 @@ class Turning:
         return moved @ begun if self.frame == "space" else begun @ moved
 
     def angle(self, t: float) -> float:
-        """Return the angle after all switches up to a time."""
         return self.start + t + t**3 / 30 - 2 * pi * int(np.sum(self.switches <= t))
 
     @property

@@ -1,8 +1,7 @@
 """Replay of a package on floats: single poses, blocks, ``out`` and layouts, which exact numbers do not exercise.
 
-Public functions are called on seeded cases, one by one and in arrays. Results agree with the formula to half of the
-digits, or within the error scale of an ill-conditioned case. Checks of the run-time parts, which all charts share, run
-once for a package. Kernels of any Python target are replayed, in the arrays of any library.
+Results agree with the formula to half of the digits, or within the error scale of an ill-conditioned case. Kernels of
+any Python target are replayed, in the arrays of any library.
 """
 
 from __future__ import annotations
@@ -35,23 +34,14 @@ from .run import own_functions
 
 Array: TypeAlias = NDArray[Any]
 
-FEW = 20
-"""Size of the largest batch that runs pose by pose; default for targets without this limit."""
-
-BLOCK = 7
-"""Block size of a replay: small, so that test batches fill several blocks and end with a shorter one."""
-
-CASES_MAX = 4
-"""Largest number of cases of a function and branch: one for each row of 4 q qᵀ from which a quaternion may be read."""
-
+FEW = 20  # size of the largest batch that runs pose by pose; default for targets without this limit
+BLOCK = 7  # block size of a replay: small, so that test batches fill several blocks and end with a shorter one
+CASES_MAX = 4  # largest number of cases of a function and branch: one for each row of 4 q qᵀ
 TOLERANCE = 1 / 2
 """Share of the digits of a type that must be right in well-conditioned results: a replay tests wiring, not rounding."""
 
-GATE = 16
-"""Largest error of an ill-conditioned result, in units of the machine epsilon times the scale of the case."""
-
-TOLERANCE_SAME = 1e-6
-"""Largest relative difference between two calls on the same numbers: some eps of float32."""
+GATE = 16  # largest error of an ill-conditioned result, in units of the machine epsilon times the scale of the case
+TOLERANCE_SAME = 1e-6  # largest relative difference between two calls on the same numbers: some eps of float32
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,17 +58,12 @@ NUMPY = Library("numpy", np.asarray, tuple(map(np.dtype, (np.float64, np.float32
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machinery:
-    """Features of the run-time parts of a target.
+    """Features of the run-time parts of a target."""
 
-    ``out`` tells whether functions take an argument ``out``. ``silent`` tells whether singular points give IEEE results
-    without a warning. ``few`` names the constant (``module.NAME``) with the size of the largest batch that runs
-    pose by pose. ``block`` names the constant with the size of the largest block.
-    """
-
-    out: bool = True
-    silent: bool = True
-    few: str = ""
-    block: str = ""
+    out: bool = True  # True if functions take an argument ``out``
+    silent: bool = True  # True if singular points give IEEE results without a warning
+    few: str = ""  # constant (``module.NAME``) with the size of the largest batch that runs pose by pose
+    block: str = ""  # constant with the size of the largest block
 
 
 def replay(
@@ -256,7 +241,6 @@ def _turned(array: Array, leading: int, axis: int) -> Array:
 
 
 def _strided(array: Array) -> Array:
-    """Return a read-only strided view of the same numbers."""
     wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1]), array.dtype)
     wide[..., ::2] = array
     wide.flags.writeable = False

@@ -20,9 +20,6 @@ from .batches import Batch, ValidationFailed, batches, compare
 from .decimals import EXACT_DIGITS
 from .loading import loaded, module_of
 
-MAKERS = ("identity", "random")
-"""Functions of a module without a kernel program."""
-
 WIRED = ("quaternion", "shadow", "principal")
 """Functions that together read a chart's scalar programs, its ``turns`` and its ``returns``."""
 
@@ -37,12 +34,12 @@ def validate(folder: Path, chart: Chart, geometry: bool, tables: Sequence[Table]
     only `own_functions`. `ValidationFailed` names the function and the first wrong component.
     """
     with loaded(folder) as package, mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
-        return sum(_validate(module_of(package, chart, table), chart, table, geometry) for table in tables)
-
-
-def _validate(module: ModuleType, chart: Chart, table: Table, whole: bool) -> int:
-    require_module(module, chart, table)
-    return sum(_check(module, batch) for batch in chosen(chart, table, whole))
+        count = 0
+        for table in tables:
+            module = module_of(package, chart, table)
+            require_module(module, chart, table)
+            count += sum(_check(module, batch) for batch in chosen(chart, table, geometry))
+        return count
 
 
 def chosen(chart: Chart, table: Table, whole: bool) -> list[Batch]:
@@ -104,7 +101,8 @@ def _array(rows: tuple[tuple[Any, ...], ...], shape: tuple[int, ...]) -> Any:
 
 def require_module(module: ModuleType, chart: Chart, table: Table) -> None:
     """Compare the names and constants of a module with its table and chart."""
-    own = (*table.public, "singular_angles", "switch", *(name for name in MAKERS if hasattr(module.KERNELS, name)))
+    makers = (name for name in ("identity", "random") if hasattr(module.KERNELS, name))
+    own = (*table.public, "singular_angles", "switch", *makers)
     names = {name: name for name in own} | table.aliases(chart)
     for name, method in names.items():
         function = getattr(module, name, None)

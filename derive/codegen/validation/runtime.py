@@ -29,22 +29,14 @@ from .stand_ins import standing_in
 
 Array: TypeAlias = NDArray[Any]
 
-STEP = 2.0**-16
-"""Step of central differences; their error is about its square."""
-
-TOLERANCE = 1e-6
-"""Largest difference of a result from its expected value, relative to the largest component or 1."""
-
+STEP = 2.0**-16  # step of central differences; their error is about its square
+TOLERANCE = 1e-6  # largest difference of a result from its expected value, relative to the largest component or 1
 FAR, NEAR = (0.5, -0.6, 0.4, 0.3, 2.0, -1.0), (0.02, 0.05, -0.01, 0.3, -0.2, 0.1)
 """Two vectors; in charts of order 3 to 8 the first is beyond the principal branch, the second within it."""
 
 RATES = (0.3, 0.1, -0.4, 1.0, 0.5, -0.2), (-0.2, 0.6, 0.3, 0.1, -0.7, 0.4)
-
-OFF = 0.125
-"""Change of a component of an argument that ``check`` must refuse."""
-
-UNCHECKED = {"from_pose": (3, 7, 11)}
-"""Components with any value, by function: the translation of a pose."""
+OFF = 0.125  # change of a component of an argument that ``check`` must refuse
+UNCHECKED = {"from_pose": (3, 7, 11)}  # components with any value, by function: the translation of a pose
 
 
 @dataclass(frozen=True)
@@ -56,11 +48,9 @@ class Loaded:
     exact: bool
 
     def part(self, name: str) -> Any:
-        """Return a run-time module."""
         return importlib.import_module(f"{self.package}.{name}")
 
     def module(self, table: Table = POSES) -> Any:
-        """Return the chart's module for a table."""
         return module_of(self.package, self.chart, table)
 
     def array(self, values: Any) -> Array:
@@ -74,10 +64,7 @@ Check = Callable[[Loaded], Iterator[Case]]
 
 
 def check(folder: Path, chart: Chart, checks: Sequence[Check], exact: bool = False) -> int:
-    """Run checks on a package; return the number of results that agree with the expected values.
-
-    `ValidationFailed` names the function and the case.
-    """
+    """Run checks on a package; return the number of results that agree. `ValidationFailed` names function and case."""
     count = 0
     with loaded(folder) as name, standing_in(), mpmath.workdps(EXACT_DIGITS), np.errstate(all="ignore"):
         for each in checks:

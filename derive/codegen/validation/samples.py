@@ -24,38 +24,22 @@ from .screws import covering, half_turns, steep, translation
 from .vectors import Flat, Vectors, flat, is_whole, vectors_of
 
 SEED = 2011
-
-ROOTS_MAX = 2
-"""Largest number of square roots in an inverse map that is compared exactly; more would take too long."""
-
-LETTERS = ("v", "w", "z")
-"""Letters of the symbols of each argument of a function; the first argument is the vector v of the ring."""
-
+ROOTS_MAX = 2  # largest number of square roots in an inverse map that is compared exactly; more would take too long
+LETTERS = ("v", "w", "z")  # letters of the symbols of each argument; the first is the vector v of the ring
 SMALL = 1e-21 / 7
-"""Size of the small quaternion components: their rows of 4 q qᵀ keep 28 digits.
+"""Size of the small quaternion components: their rows of 4 q qᵀ keep 28 digits. With 1/7 no sum is exact."""
 
-The factor 1/7 prevents sums from being exact."""
-
-SMALL_AT_EDGE = 1e-10 / 7
-"""Size of the small components in charts with edge π: a smaller scalar part would be too near the edge."""
-
-EDGE_MARGIN = 1e-12
-"""Least margin to the edge, as defined by `Vectors.finite`: nearer vectors are too ill-conditioned to compare."""
-
-JACOBIAN_MARGIN = 0.1
-"""Least margin to the edge for Jacobians, whose conditioning is worse by one power of the margin."""
-
-NEAR_TIE = mpmath.mpf(10) ** -30
-"""Angle between a vector and the limit of its branch, in the cases nearest to the limit."""
-
+SMALL_AT_EDGE = 1e-10 / 7  # size in charts with edge π: a smaller scalar part would be too near the edge
+EDGE_MARGIN = 1e-12  # least margin to the edge (`Vectors.finite`): nearer vectors are too ill-conditioned
+JACOBIAN_MARGIN = 0.1  # least margin to the edge for Jacobians, whose conditioning is worse by one power
+NEAR_TIE = mpmath.mpf(10) ** -30  # angle between a vector and the limit of its branch, in the nearest cases
 LATTICE = ((1, 0, 0), (0, -1, 0), (1, 1, 1), (-1, 1, -1), (1, -1, 0))
 """Directions of vectors whose v·v needs no rounding: scalars of a chart vanish exactly at some of them."""
 
 SIZES = ("1e-25", "1e-9", "0.003", "0.3", "0.7", "0.97")
 """Angles of seeded vectors, divided by the first singular angle: some in the range of the series, some beyond it."""
 
-SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))
-"""Step that stays on the branch of its vector."""
+SMALL_STEP = tuple(mpmath.mpf(c) / 64 for c in (1, -2, 2, 1, 0, 3))  # step that stays on the branch of its vector
 STEPS = tuple(tuple(mpmath.mpf(size * c) for c in (1, -2, 2, 1, 0, 3)) for size in (0.25, 0.8125, 2, 3))
 """Steps in the range of the series of the exponential, where its last terms weigh most, and steps beyond it."""
 
@@ -173,8 +157,8 @@ def _further(chart: Vectors, screw: Screw, branch: int) -> Iterator[Drawn]:
 def _half_turns(chart: Vectors, screws: Sequence[Screw], branch: int) -> Iterator[Drawn]:
     """Yield exact half turns: all of them on the principal branch, one on each other branch.
 
-    Axes u and −u then give one rotation, the scalar part is exactly 0, and the rotation matrix is symmetric. Maps from
-    quaternions keep the sign of the vector part; maps from matrices make its first non-zero component positive.
+    Axes u and −u give one rotation. Maps from quaternions keep the sign of the vector part; maps from matrices make its
+    first non-zero component positive.
     """
     for screw in [screws[branch % len(screws)]] if branch else screws:
         if chart.finite(screw, branch, margin(chart)):
@@ -222,10 +206,7 @@ def _steps_to_pole(chart: Vectors, screw: Screw) -> Iterator[Drawn]:
 
 
 def _undecided(chart: Vectors, table: Table) -> Iterator[Drawn]:
-    """Yield vectors with s = 0 or w = 0 exactly, where v or its dual part determines the axis.
-
-    Rotations have no dual part: the axis is chosen as for a translation along v.
-    """
+    """Yield vectors with s = 0 or w = 0 exactly, where v or its dual part, in rotations v alone, gives the axis."""
     half = mpmath.mpf(1) / 2
     sides = (half, -half) if table is POSES else (half,)
     for scale, direction in itertools.product((mpmath.mpf(1), half), LATTICE):

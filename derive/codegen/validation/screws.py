@@ -16,12 +16,8 @@ import mpmath
 from ...algebra import Dual, Vector
 from ...maps.pose import Screw
 
-ANGLES = (0.5, 1.9, 2.6, 3.0)
-"""Rotation angles of the screws, by row: only the first makes the scalar part the largest component."""
-
-SIGNS = (1, 1, -1, 1)
-"""Signs of the dominant component, by row."""
-
+ANGLES = (0.5, 1.9, 2.6, 3.0)  # rotation angles by row: only the first makes the scalar part the largest
+SIGNS = (1, 1, -1, 1)  # signs of the dominant component, by row
 HALF_TURN_AXES = ((-3, 6, 2), (4, 3, 0), (3, -2, 6), (0, -3, 4), (0, 0, -1))
 """Axes whose first non-zero component is the first, second or third, with different signs."""
 
@@ -37,14 +33,12 @@ def covering(draw: random.Random, small: float) -> Iterator[Screw]:
 
 
 def steep(draw: random.Random, small: float, ratio: float = 3) -> Iterator[Screw]:
-    """Yield a screw for each row: quaternion ±1 in that component, ``small · ratioⁱ`` in others, up to scale.
-
-    The first screw's angle is tiny; translation along its axis, here 0, would swamp the axis's digits.
-    """
+    """Yield a screw for each row: quaternion ±1 in that component, ``small · ratioⁱ`` in others, up to scale."""
     for row in range(4):
         e = [mpmath.mpf(small) * mpmath.mpf(ratio) ** i for i in range(4)]
         e[row] = mpmath.mpf(SIGNS[row])
         vector = Vector(*e[1:])
+        # the first angle is tiny: a translation along its axis would swamp the digits of the axis
         yield _screw(draw, 2 * mpmath.atan2(vector.magnitude(), e[0]), vector, pitch=2 if row else 0)
 
 
@@ -55,7 +49,6 @@ def translation(draw: random.Random) -> Screw:
 
 
 def half_turns(draw: random.Random) -> Iterator[Screw]:
-    """Yield screws at half a turn."""
     for axis in HALF_TURN_AXES:
         yield _screw(draw, +mpmath.pi, Vector(*map(mpmath.mpf, axis)))
 

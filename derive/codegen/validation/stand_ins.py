@@ -1,7 +1,4 @@
-"""Short replacements of SciPy and JAX, so that run-time parts that import them are executed without them.
-
-The libraries themselves are not checked: tests call them.
-"""
+"""Short replacements of SciPy and JAX for run-time parts that import them; tests call the libraries themselves."""
 
 from __future__ import annotations
 
@@ -74,41 +71,31 @@ def bisected(function: Callable[[float], float], a: float, b: float) -> float:
 class Kept:
     """Quaternions of SciPy's rotations and transforms, kept as they are given; the scalar is first."""
 
-    def __init__(self, q: Any, scalar_first: bool) -> None:
+    def __init__(self, q: Any, scalar_first: bool = False) -> None:
         halves = np.split(np.asarray(q), np.shape(q)[-1] // 4, axis=-1)
         self.halves = halves if scalar_first else [np.roll(half, 1, axis=-1) for half in halves]
 
     def components(self, scalar_first: bool) -> Any:
         return np.concatenate([h if scalar_first else np.roll(h, -1, axis=-1) for h in self.halves], axis=-1)
 
-    @classmethod
-    def made(cls, q: Any, scalar_first: bool = False) -> Kept:
-        return cls(q, scalar_first)
-
-    from_quat = from_dual_quat = made
     as_quat = as_dual_quat = components
 
 
-class Rule:
-    """Function with a rule of differentiation, as `jax.custom_jvp` makes it."""
-
-    def __init__(self, function: Callable[..., Any]) -> None:
-        self.function = function
-
-    def __call__(self, *given: Any) -> Any:
-        return self.function(*given)
-
-    def defjvp(self, rule: Callable[..., Any]) -> None:
-        self.rule = rule
+def custom_jvp(function: Any) -> Any:
+    """Return a function that takes a rule of differentiation, as in JAX, and keeps it as ``rule``."""
+    function.defjvp = lambda rule: setattr(function, "rule", rule)
+    return function
 
 
+QUATERNIONS = SimpleNamespace(from_quat=Kept, from_dual_quat=Kept)
 SCIPY = SimpleNamespace(
     integrate=SimpleNamespace(DOP853=RungeKutta),
     interpolate=SimpleNamespace(CubicSpline=Polynomial),
     optimize=SimpleNamespace(brentq=bisected),
-    spatial=SimpleNamespace(transform=SimpleNamespace(Rotation=Kept, RigidTransform=Kept)),
+    spatial=SimpleNamespace(transform=SimpleNamespace(Rotation=QUATERNIONS, RigidTransform=QUATERNIONS)),
 )
-JAX = SimpleNamespace(numpy=np, custom_jvp=Rule, jit=lambda f: f, lax=SimpleNamespace(optimization_barrier=lambda x: x))
+BARRIER = SimpleNamespace(optimization_barrier=lambda x: x)
+JAX = SimpleNamespace(numpy=np, custom_jvp=custom_jvp, jit=lambda f: f, lax=BARRIER)
 
 
 def _modules(name: str, value: Any) -> Iterator[tuple[str, Any]]:
@@ -122,13 +109,11 @@ def _modules(name: str, value: Any) -> Iterator[tuple[str, Any]]:
 def standing_in() -> Iterator[None]:
     """Replace SciPy and JAX among the imported modules."""
     replaced = dict([*_modules("scipy", SCIPY), *_modules("jax", JAX)])
-    before = {name: sys.modules.get(name) for name in replaced}
+    before = {name: sys.modules[name] for name in replaced if name in sys.modules}
     sys.modules.update(replaced)
     try:
         yield
     finally:
-        for name, module in before.items():
-            if module is None:
-                del sys.modules[name]
-            else:
-                sys.modules[name] = module
+        for name in replaced:
+            del sys.modules[name]
+        sys.modules.update(before)

@@ -5,7 +5,7 @@ These values are independent of the scalars and inverse map of the chart, whose 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any
@@ -21,22 +21,14 @@ from ...maps.elementary import evaluate
 from ...maps.families import alpha, by_square
 from ...maps.pose import Screw, natural_invariants, orientation, polar, quaternion_from_screw
 
-Flat = tuple[Any, ...]
-"""Components of an array, in C order."""
-
-DIGITS_CANCELLED = 250
-"""Digits that terms of a scalar or its slope may lose by cancellation: enough for terms of size α⁻⁷."""
-
+Flat = tuple[Any, ...]  # components of an array, in C order
+DIGITS_CANCELLED = 250  # digits that terms of a scalar may lose by cancellation: enough for terms of size α⁻⁷
 BRANCHES_MAX = 8
 SOME_BRANCHES = (0, 1, -1, 2)
 """Branches of cases in a chart with infinitely many; other charts have cases on the first `BRANCHES_MAX` branches."""
 
-EDGE_UNITS = 2**20
-"""Relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)."""
-
-REACH = 0.9
-"""Share of a given angle that seeded vectors may reach."""
-
+EDGE_UNITS = 2**20  # relative distance from the edge, in machine epsilons, at which φ′ is compared with φ′(0)
+REACH = 0.9  # share of a given angle that seeded vectors may reach
 
 REST = Screw(Dual(mpmath.mpf(0), mpmath.mpf(0)), Vector.dual(*(3 * (mpmath.nan,),) * 2))
 """Screw of the identity, which has no axis."""
@@ -74,10 +66,6 @@ class Vectors:
             return mpmath.inf if angle.is_infinite else mpmath.mpf(angle.evalf(mpmath.mp.dps + 5))
 
     @cached_property
-    def _slope(self) -> sympy.Expr:
-        return self.chart.phi.diff(alpha)
-
-    @cached_property
     def _known(self) -> dict[Any, Any]:
         """Cache of computed values: points often share a length or a vector."""
         return {}
@@ -95,16 +83,10 @@ class Vectors:
 
     def slope(self, angle: Any) -> Any:
         """Return φ′ of a real angle."""
-        return evaluate(self._slope, alpha, angle)
+        return evaluate(_slope(self.chart.phi), alpha, angle)
 
     def angle(self, size: Any) -> Any:
-        """Return the angle α = φ⁻¹(size) ≥ 0 of a real or dual length.
-
-        Raises
-        ------
-        ArithmeticError
-            If no angle before the edge has this length.
-        """
+        """Return the angle α = φ⁻¹(size) ≥ 0 of a real or dual length; raise ArithmeticError beyond the edge."""
         root = self._once(self._root, real_part(size))
         return Dual(root, size.du / self.slope(root)) if isinstance(size, Dual) else root
 
@@ -115,7 +97,6 @@ class Vectors:
         raise ArithmeticError(f"no angle below {self.chart.edge} has |v| = {mpmath.nstr(size)} in {self.chart.name}")
 
     def reaches(self, size: Any) -> bool:
-        """Tell whether some vector of the chart has this length."""
         try:
             self.angle(size)
         except ArithmeticError:
@@ -181,8 +162,7 @@ class Vectors:
     def screw(self, v: Vector) -> tuple[Screw, int]:
         """Return the screw of the pose of v, with 0 ≤ Re α ≤ π, and the branch of v.
 
-        The axis at odd multiples of π has the direction of ``sin(α/2) u``, the vector part of v's own quaternion.
-        The axis at even multiples has the direction of the translation.
+        The axis has the direction of ``sin(α/2) u`` at odd multiples of π, and of the translation at even ones.
         """
         length, u = axial(v)
         angle = self.angle(length)
@@ -207,18 +187,17 @@ class Vectors:
         screw, own = self.screw(v)
         return self.at(screw, own + branch)
 
-    def odd_half_turns(self) -> Iterator[int]:
-        """Yield the odd multiples 1, 3, 5 … of π below the edge, which separate the tried branches."""
-        for halves in range(1, 2 * BRANCHES_MAX, 2):
-            if halves * sympy.pi < self.chart.edge:
-                yield halves
+    def odd_half_turns(self) -> list[int]:
+        """Return the odd multiples 1, 3, 5 … of π below the edge, which separate the tried branches."""
+        return [halves for halves in range(1, 2 * BRANCHES_MAX, 2) if halves * sympy.pi < self.chart.edge]
 
 
 _by_square = lru_cache(maxsize=256)(by_square)
+_slope = lru_cache(maxsize=256)(lambda phi: phi.diff(alpha))
 
 
 def vectors_of(chart: Chart) -> Vectors:
-    """Return the `Vectors` of a chart in the working precision, cached with the values computed so far."""
+    """Return the `Vectors` of a chart in the working precision, with the values computed so far."""
     return _vectors(chart, mpmath.mp.prec)
 
 
@@ -251,7 +230,6 @@ def is_whole(number: Any) -> bool:
 
 
 def dual(components: Sequence[Any]) -> Vector:
-    """Return the dual vector of six components."""
     return Vector.dual(components[:3], components[3:])
 
 

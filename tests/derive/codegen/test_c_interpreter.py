@@ -122,7 +122,7 @@ def test_arrays_pointers_loops_and_calls() -> None:
         ("const double x = 1; x = 2;", "x cannot be assigned"),
         ("double x; double x;", "x is declared twice"),
         ("while (1) { out[0] = 1; }", "the interpreter of C reads no While"),
-        ("for (int i = 2; 0 < i; ++i) { out[0] = 1; }", "the one loop that the interpreter of C reads"),
+        ("for (int i = 2; 0 < i; ++i) { out[0] = 1; }", "the one loop that the interpreter"),
         ("out[0] += 1;", "the interpreter of C reads no Assignment"),
         ("step(a, 1);", "step takes 3 arguments, not 2"),
         ("static const double x[2] = {1}; out[0] = x[0];", "a list of 2 values is expected"),

@@ -1,6 +1,5 @@
 """Interpreter that executes the text of C headers on exact numbers.
 
-`source` preprocesses and parses a header, `translate` makes Python functions of it, and `memory` checks its pointers.
 Only the subset of C used in emitted headers is read; anything else raises `CError`. Numbers of any Python type may be
 passed in for real arguments, and constants become exact fractions.
 """

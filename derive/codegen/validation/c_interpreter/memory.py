@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Final
 
-UNSET: Final = object()
-"""Content of a cell that was never written."""
+UNSET: Final = object()  # content of a cell that was never written
 
 
 class CError(Exception):

@@ -39,12 +39,10 @@ class Function(NamedTuple):
 
 
 def place(node: Any) -> str:
-    """Return the file name and line of a node of the syntax tree."""
     return f"{PurePath(str(node.coord.file)).name}:{node.coord.line}" if node.coord else "?"
 
 
 def refuse(node: Any, message: str) -> CError:
-    """Return a `CError` with the file name and line of a node."""
     return CError(f"{place(node)}: {message}")
 
 
@@ -59,17 +57,14 @@ def converted(node: Any, value: Value, to: str) -> str:
 
 @dataclass(slots=True)
 class Translator:
-    """Python text of a translation unit, with the C file and line of every Python line.
-
-    ``blocks`` holds the visible variables, innermost block last; ``referred`` holds the functions called in the text.
-    """
+    """Python text of a translation unit."""
 
     lines: list[str] = field(default_factory=list)
-    places: list[str] = field(default_factory=list)
+    places: list[str] = field(default_factory=list)  # C file and line of every Python line
     functions: dict[str, Function] = field(default_factory=dict)
     types: dict[tuple[str, ...], str] = field(default_factory=lambda: dict(NAMES))
-    referred: set[str] = field(default_factory=set)
-    blocks: list[dict[str, Value]] = field(default_factory=list)
+    referred: set[str] = field(default_factory=set)  # functions called in the text
+    blocks: list[dict[str, Value]] = field(default_factory=list)  # visible variables, innermost block last
     result: str = ""
 
     def external(self, node: c_ast.Node) -> None:
@@ -197,7 +192,6 @@ class Translator:
         return converted(node, self._value(node), "int")
 
     def _value(self, node: Any) -> Value:
-        """Return an expression as Python text after checking its types."""
         match node:
             case c_ast.ID():
                 for block in self.blocks:
