@@ -121,22 +121,16 @@ class QuaternionChart(Chart):
         at.fi = fi
         return at
 
-    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the sign of sin α on the branch of v.
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
+        """Return the principal angle, ``dα/dr``, and the sign of sin α on the branch of v.
 
         The sign for sin α = 0 is the sign of w at half a turn, or of the translation along v at a whole turn.
         """
-        return self._direction(self.scalars(x, m), y, m)
-
-    def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
+        at = self.scalars(x, m)
         # at half a turn s is 0 up to rounding; for w > 0 keep the direction of v
         kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
         turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
         one = m.name("one", at.s - at.s + 1)  # NaN where x overflows
-        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
-
-    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
-        at = self.scalars(x, m)
-        sign = self._direction(at, y, m)
+        sign = m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
         return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

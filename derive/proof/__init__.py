@@ -8,10 +8,10 @@ from __future__ import annotations
 from ..algebra.element import Element
 from .identity import Proof, decide
 from .proved import ProofFailed, Proved, citing, proofs, prove, shown, theorems
-from .scalars import is_algebraic, root_of
+from .scalars import root_of
 from .vector_ring import Ring
 
 __all__ = [
-    "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "is_algebraic", "proofs", "prove",
-    "root_of", "shown", "theorems",
+    "Element", "Proof", "ProofFailed", "Proved", "Ring", "citing", "decide", "proofs", "prove", "root_of", "shown",
+    "theorems",
 ]  # fmt: skip

@@ -19,7 +19,7 @@ from .limit_theorems import GROWING_ORDER
 from .map_theorems import MAP_THEOREMS
 from .phi_theorems import ANY_PHI
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
-from .scalars import ScalarProofs, instance, is_algebraic
+from .scalars import ScalarProofs, instance
 from .texts import MARKED, compared, shown_with
 from .theorem import decided
 from .transport_theorems import TRANSPORT_THEOREMS
@@ -100,7 +100,7 @@ class Proved:
 def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
     """Decide every statement about a chart and return all proofs, including failed ones; see `Ring` for `backend`."""
     decided = tuple(_proofs_of_order(chart.cayley, backend)) if chart.cayley else ()
-    return (*decided, *(ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)))
+    return (*decided, *(ScalarProofs(chart, backend).proofs() if chart.algebraic else instance(chart)))
 
 
 def prove(chart: Chart) -> Proved:

@@ -74,16 +74,7 @@ DERIVATIVES = tuple(
 SECOND_DERIVATIVES = tuple(
     Equation(sympy.Symbol(name), 2 * prime(of)) for name, of in zip(BENDS, (fy, gy, hy, fiy, hiy))
 )
-ANGLE = (
-    Equation((f + x * h) * slope, 1),
-    Equation(Shifted(s, x, 0), 1),
-    Equation(Shifted(phi, alpha, 0), 0),
-)
-
-
-def is_algebraic(chart: Chart) -> bool:
-    """Return whether the formulas of a chart are functions of x that the exact ring can represent."""
-    return all(coefficient.free_symbols <= {x} for coefficient in _coefficients(chart))
+ANGLE = (Equation((f + x * h) * slope, 1), Equation(Shifted(s, x, 0), 1), Equation(Shifted(phi, alpha, 0), 0))
 
 
 def _coefficients(chart: Chart) -> list[sympy.Expr]:
