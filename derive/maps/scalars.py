@@ -73,11 +73,7 @@ class DependentScalars:
     sy = scalar(lambda at: -at.m.div(at.rate * at.w, 2))
     wy = scalar(lambda at: at.m.div(at.s * at.h, 2) - at.w * at.ww)
 
-    @cached_property
-    def wyy(self) -> Coefficient:
-        bend = self.m.div(self.sy * self.h + self.s * self.hy, 2)
-        return self.m.name("wyy", bend - 3 * (self.ww * self.wy))
-
+    wyy = scalar(lambda at: at.m.div(at.sy * at.h + at.s * at.hy, 2) - 3 * (at.ww * at.wy))
     f = scalar(lambda at: 2 * (at.s * at.w))
     g = scalar(lambda at: 2 * at.ww)
     fy = scalar(lambda at: at.h - at.rate * at.g)
@@ -86,11 +82,7 @@ class DependentScalars:
     hi = scalar(lambda at: (at.g - at.fi * at.h) / at.rate)
     fiy = scalar(lambda at: -(at.h / at.g))
 
-    @cached_property
-    def hiy(self) -> Coefficient:
-        change = self.gy - self.fiy * self.h - self.fi * self.hy - self.hi * self.ratey
-        return self.m.name("hiy", change / self.rate)
-
+    hiy = scalar(lambda at: (at.gy - at.fiy * at.h - at.fi * at.hy - at.hi * at.ratey) / at.rate)
     fyy = scalar(lambda at: at.hy - at.ratey * at.g - at.rate * at.gy)
     gyy = scalar(lambda at: at.fy * at.h + at.f * at.hy - 2 * (at.g * at.gy))
     fiyy = scalar(lambda at: -((at.hy + at.fiy * at.gy) / at.g))
