@@ -20,15 +20,9 @@ from .polynomial_backend import Polynomial, polynomials
 class RationalFunctions:
     """Field Q(names), or quotients of Q[names] modulo relations.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Generators, in lexicographic order. A relation eliminates its first generator.
-    point : mapping of str to Fraction, optional
-        Reference point for signs, including signs of square roots; by default distinct positive numbers.
-    backend : {"flint", "sympy"}, optional
-    lowest_terms : bool
-        True to reduce products and quotients to lowest terms. False keeps every divisor in the denominators.
+    The names are generators in lexicographic order; a relation eliminates its first generator. Signs, also of square
+    roots, are taken at a reference `point`, by default at distinct positive numbers. Without `lowest_terms`, every
+    divisor stays in the denominators. The `backend` is "flint" or "sympy".
     """
 
     def __init__(

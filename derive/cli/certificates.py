@@ -12,7 +12,7 @@ from ..papers.entry_certificate import certificate as of_equation
 from ..proof import Proof
 from ..proof.certificate import Certificate
 from ..proof.certificate import certificate as of_proof
-from ..proof.proved import claims
+from ..proof.proved import CLAIMS
 from ..proof.theorem import decided
 
 FORMAT = (
@@ -28,7 +28,7 @@ FORMAT = (
 
 def certified(results: Iterable[Result], proofs: Iterable[Proof], orders: Sequence[int]) -> dict[str, Any]:
     """Return the certificates of all theorems, of further proofs and of results, and the decisions without one."""
-    known = {proof.name: proof for proof in decided(claims())}
+    known = {proof.name: proof for proof in decided(CLAIMS)}
     others = (proof for proof in proofs if (proof.name, proof.scope) not in {(p.name, p.scope) for p in known.values()})
     found = [(f"{proof.name} [{proof.scope}]", of_proof(proof, known)) for proof in (*known.values(), *others)]
     found += [(f"{result.paper} ({result.equation.number})", of_equation(result, orders)) for result in results]

@@ -200,18 +200,10 @@ class Cayley(BranchesOfOrder):
     def at_angle(self, x: Coefficient, fi: Coefficient, angle: Coefficient, m: Arithmetic) -> CayleyScalars:
         return self.scalars(x, m)
 
-    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the sign of p q, for the axis ``u = sign(p q) v/|v|``.
-
-        The result is the sign of q where p = 0, and the sign of the translation along v where q = 0.
-        """
-        sign, _ = self._direction(self.scalars(x, m), y, r, m)
-        return sign
-
     def _direction(self, at: CayleyScalars, y: Coefficient, r: Coefficient, m: Arithmetic) -> Pair:
-        """Return the direction and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
+        """Return the sign of p q and ``r |q|``; both are NaN where p, ``r |q|`` or (n = 1) x overflows.
 
-        At half a turn, p is 0 up to rounding and q > 0. The direction is then the direction of v.
+        The sign is that of q where p = 0, up to rounding at half a turn, and of the translation along v where q = 0.
         """
         sine = m.name("rq", r * m.abs(at.q))
         either = at.x if self.order == 1 else m.name("either", sine + at.p)

@@ -125,11 +125,7 @@ class CayleyScalars:
         fourth = self.m.name("x4", square * square)
         return self.m.name("u", self.m.div(fourth, fourth) / self._beyond_one)
 
-    def _horner(self, name: str, polynomial: Any) -> Coefficient:
-        return self.m.name(name, horner(polynomial, self.x))
-
     def _at_x(self, letter: str, derivative: int) -> Coefficient:
-        """Return a derivative of p, q, c or d by Horner's rule."""
         pair = polynomials.ring_pair if letter in "pq" else polynomials.ring_brackets
         polynomial = pair(self.order)[letter in "qd"]
         for _ in range(derivative):
@@ -145,11 +141,7 @@ class CayleyScalars:
     c = _polynomial("c", 0, lambda at, p, q: 2 * (at.p * at.dq - at.q * at.dp))
     dc = _polynomial("c", 1, lambda at, p, q: 4 * (at.p * q.half_second - at.q * p.half_second))
 
-    @cached_property
-    def _cubic(self) -> Coefficient:
-        p, q = self._jets
-        return 3 * (self.p * q.sixth_third - self.q * p.sixth_third)
-
+    _cubic = cached_property(lambda at: 3 * (at.p * at._jets[1].sixth_third - at.q * at._jets[0].sixth_third))
     ddc = _polynomial("c", 2, lambda at, p, q: 4 * (at._cubic + p.first * q.half_second - q.first * p.half_second))
     # [(1+x) q − n p]/x = q − 2 q′ − 2 p′
     d = _polynomial("d", 0, lambda at, p, q: at.q - 2 * (at.dq + at.dp))
@@ -175,8 +167,8 @@ class CayleyScalars:
         """Values of p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
-            p, q = polynomials.ring_pair(half)
-            return self._horner("ph", p), self._horner("qh", q)
+            p, q = (horner(polynomial, self.x) for polynomial in polynomials.ring_pair(half))
+            return self.m.name("ph", p), self.m.name("qh", q)
         first, second = self._chain[half]
         return first.value, second.value
 
@@ -226,11 +218,9 @@ class CayleyScalars:
         bend = 8 * ((self.q * self.ddq + self.dq * self.dq) * self._twice_inverse_norm)
         return self.m.name("gyy", bend - (self._growing_gy + self._growth * self._rising) + self._falling_g)
 
-    @cached_property
-    def hyy(self) -> Coefficient:
-        """Second slope of h, ``2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h``."""
-        bend = 4 * (self.ddc * self._twice_inverse_norm)
-        return self.m.name("hyy", bend - self._growth * (self.hy + self._bending) + self._falling * self.h)
+    # 2 hy′ = 8 c″/N − e (hy + 4 c′/N) + (e²/n) h
+    _bend = property(lambda at: 4 * (at.ddc * at._twice_inverse_norm))
+    hyy = scalar(lambda at: at._bend - at._growth * (at.hy + at._bending) + at._falling * at.h)
 
     # --- T⁻¹ = (fi I − skew(v) + hi v⊗v)/2, CP23 (89) ----------------------------------------------------------
 
@@ -241,17 +231,10 @@ class CayleyScalars:
     hi = scalar(lambda at: at.m.div(at._bracket, at.order))
     fiy = scalar(lambda at: -(at.c * (at._inverse_q * at._inverse_q)))  # 2 fi′ = −c/q²
 
-    @cached_property
-    def hiy(self) -> Coefficient:
-        """Slope of h_i, ``2 hi′ = 2 (d′ − d q′/q)/(n q)``."""
-        change = 2 * self.dd - 2 * self.dq * self._bracket
-        return self.m.name("hiy", self.m.div(change * self._inverse_q, self.order))
-
-    @cached_property
-    def fiyy(self) -> Coefficient:
-        """Second slope of f_i, ``2 fiy′ = (4 c q′/q − 2 c′)/q²``."""
-        change = 4 * self.c * self._log_slope - 2 * self.dc
-        return self.m.name("fiyy", change * self._inverse_q * self._inverse_q)
+    # 2 hi′ = 2 (d′ − d q′/q)/(n q)
+    hiy = scalar(lambda at: at.m.div((2 * at.dd - 2 * at.dq * at._bracket) * at._inverse_q, at.order))
+    # 2 fiy′ = (4 c q′/q − 2 c′)/q²
+    fiyy = scalar(lambda at: (4 * at.c * at._log_slope - 2 * at.dc) * at._inverse_q * at._inverse_q)
 
     @cached_property
     def hiyy(self) -> Coefficient:

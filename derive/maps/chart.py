@@ -164,9 +164,9 @@ class Chart(Typeset, ABC):
 
     # --- branches -------------------------------------------------------------------------------------------------
 
-    @abstractmethod
     def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
         """Return the sign, 1 or −1, in the axis ``u = ±v/|v|`` of the principal angle, for ``r = |v|``."""
+        return self.natural(x, y, r, m)[2]
 
     @abstractmethod
     def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:

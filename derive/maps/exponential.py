@@ -21,7 +21,7 @@ from ..algebra.arithmetic import Arithmetic
 from . import stumpff
 from .angle_chart import AngleChart
 from .families import alpha
-from .order_charts import Derivatives, double_angle
+from .order_charts import Derivatives, half_angle
 from .polynomials import Pair
 from .pose import is_zero
 from .scalars import DependentScalars, scalar
@@ -61,22 +61,16 @@ class ExponentialScalars(DependentScalars):
     _near = scalar(lambda at: at.m.less(at.x, stumpff.LIMIT), "near")
 
     @cached_property
-    def _half(self) -> stumpff.HalfAngle:
-        """Stumpff functions of the half angle by series; beyond the limit, unused values at angle 0."""
+    def _near_zero(self) -> stumpff.Stumpff:
+        """Stumpff functions by series; beyond the limit, unused values at angle 0."""
         zeta = self.m.name("z", self.m.div(self.m.where(self._near, self.x, self.x - self.x), 4))
-        return stumpff.HalfAngle(zeta, self.m)
-
-    _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
+        return stumpff.Stumpff(zeta, self.m)
 
     # α² if beyond the limit, else an unused value beyond the limit
     _square = scalar(lambda at: at.m.where(at._near, stumpff.LIMIT + at.x, at.x), "xx")
     _angle = scalar(lambda at: at.m.sqrt(at._square), "alpha")  # α beyond the limit
 
-    @cached_property
-    def _trigonometry(self) -> Pair:
-        """Values of ``cos(α/2)`` and ``sin(α/2)/α``."""
-        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self._angle, 4))), self.m)
-        return cosine, sine / self._angle
+    _circular = cached_property(lambda at: half_angle(at._angle, at._angle, at.m))
 
     @cached_property
     def _turned(self) -> Pair:
@@ -105,26 +99,13 @@ class ExponentialScalars(DependentScalars):
     def _bounded(self, left: Coefficient) -> Coefficient:
         return self.m.where(self.m.less(self._angle, 8), left, 0)
 
-    s = scalar(lambda at: at.m.where(at._near, at._half.c0, at._trigonometry[0]))
-    w = scalar(lambda at: at.m.where(at._near, at.m.div(at._half.c1, 2), at._trigonometry[1]))
-    f = scalar(lambda at: at.m.where(at._near, at._half.c0 * at._half.c1, at._turned[0] / at._angle))
-
-    @cached_property
-    def g(self) -> Coefficient:
-        near = self.m.div(self._half.square, 2)
-        return self.m.name("g", self.m.where(self._near, near, self._turned[1] / self._square))
-
-    h = scalar(lambda at: at.m.where(at._near, at._whole.c3, (1 - at.f) / at._square))
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        near = 3 * self._whole.c5 - self._whole.c4
-        return self.m.name("hy", self.m.where(self._near, near, (self.g - 3 * self.h) / self._square))
-
-    @cached_property
-    def hyy(self) -> Coefficient:
-        near = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
-        return self.m.name("hyy", self.m.where(self._near, near, (self.gy - 5 * self.hy) / self._square))
+    s = scalar(lambda at: at.m.where(at._near, at._near_zero.C0, at._circular[0]))
+    w = scalar(lambda at: at.m.where(at._near, at.m.div(at._near_zero.C1, 2), at._circular[1]))
+    f = scalar(lambda at: at.m.where(at._near, at._near_zero.C0 * at._near_zero.C1, at._turned[0] / at._angle))
+    g = scalar(lambda at: at.m.where(at._near, at.m.div(at._near_zero.CC1, 2), at._turned[1] / at._square))
+    h = scalar(lambda at: at.m.where(at._near, at._near_zero.c3, (1 - at.f) / at._square))
+    hy = scalar(lambda at: at.m.where(at._near, at._near_zero.slope, (at.g - 3 * at.h) / at._square))
+    hyy = scalar(lambda at: at.m.where(at._near, at._near_zero.bend, (at.gy - 5 * at.hy) / at._square))
 
 
 class PrincipalScalars(ExponentialScalars):

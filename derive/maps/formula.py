@@ -17,33 +17,17 @@ from .polynomials import x
 
 @dataclass(frozen=True, slots=True)
 class Formula(Typeset):
-    """Map of order n whose coefficients are functions of ``x = v · v``, exact and reduced.
+    """Map of order n whose coefficients are functions of ``x = v · v``, exact and reduced."""
 
-    Parameters
-    ----------
-    name : str
-        ``quaternion``, ``tensor``, ``tangent`` or ``tangent_inv``.
-    order : int
-    coefficients : tuple of Expr
-    equations : tuple of int
-        Equation numbers in CP23: the general equations, then the one printed for this order, if any.
-    identities : tuple of str
-        Identities that the formula satisfies.
-    domain, singular : str
-        Texts on the domain of the map, and on the singular set of the map or its inverse.
-    symbol, definition : str
-        LaTeX of the left-hand side and of the right-hand side in p_n, q_n.
-    """
-
-    name: str
+    name: str  # quaternion, tensor, tangent or tangent_inv
     order: int
     coefficients: tuple[sympy.Expr, ...]
-    equations: tuple[int, ...]
+    equations: tuple[int, ...]  # numbers in CP23: the general equations, then the one for this order, if printed
     identities: tuple[str, ...] = field(repr=False)
     domain: str = field(repr=False)
-    singular: str = field(repr=False)
-    symbol: str = field(repr=False)
-    definition: str = field(repr=False)
+    singular: str = field(repr=False)  # text on the singular set of the map or its inverse
+    symbol: str = field(repr=False)  # LaTeX of the left-hand side
+    definition: str = field(repr=False)  # LaTeX of the right-hand side in p_n, q_n
 
     basis: ClassVar[tuple[str, ...]] = ()
     """LaTeX of the basis that the coefficients multiply."""

@@ -144,9 +144,6 @@ class Multiple(Chart):
         fi = m.name("fi_w", divided(fi, self.factor, m))
         return MultipleScalars(self.base.at_angle(self._square(x, m), fi, angle, m), self.factor, m)
 
-    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        return self.base.direction(self._square(x, m), y, self._length(r, m), m)
-
     def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
         angle, slope, sign = self.base.natural(self._square(x, m), y, self._length(r, m), m)
         return angle, divided(slope, self.factor, m), sign

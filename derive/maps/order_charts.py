@@ -240,3 +240,9 @@ def double_angle(t: Coefficient, m: Arithmetic) -> Pair:
     tt = m.name("tt", t * t)
     below = m.name("below", 1 + tt)
     return 2 * t / below, (1 - tt) / below
+
+
+def half_angle(angle: Coefficient, length: Coefficient, m: Arithmetic) -> Pair:
+    """Return ``cos(α/2)`` and ``sin(α/2)/length``."""
+    sine, cosine = double_angle(m.name("t", m.tan(m.div(angle, 4))), m)
+    return cosine, sine / length

@@ -73,11 +73,7 @@ class DependentScalars:
     sy = scalar(lambda at: -at.m.div(at.rate * at.w, 2))
     wy = scalar(lambda at: at.m.div(at.s * at.h, 2) - at.w * at.ww)
 
-    @cached_property
-    def wyy(self) -> Coefficient:
-        bend = self.m.div(self.sy * self.h + self.s * self.hy, 2)
-        return self.m.name("wyy", bend - 3 * (self.ww * self.wy))
-
+    wyy = scalar(lambda at: at.m.div(at.sy * at.h + at.s * at.hy, 2) - 3 * (at.ww * at.wy))
     f = scalar(lambda at: 2 * (at.s * at.w))
     g = scalar(lambda at: 2 * at.ww)
     fy = scalar(lambda at: at.h - at.rate * at.g)
@@ -86,11 +82,7 @@ class DependentScalars:
     hi = scalar(lambda at: (at.g - at.fi * at.h) / at.rate)
     fiy = scalar(lambda at: -(at.h / at.g))
 
-    @cached_property
-    def hiy(self) -> Coefficient:
-        change = self.gy - self.fiy * self.h - self.fi * self.hy - self.hi * self.ratey
-        return self.m.name("hiy", change / self.rate)
-
+    hiy = scalar(lambda at: (at.gy - at.fiy * at.h - at.fi * at.hy - at.hi * at.ratey) / at.rate)
     fyy = scalar(lambda at: at.hy - at.ratey * at.g - at.rate * at.gy)
     gyy = scalar(lambda at: at.fy * at.h + at.f * at.hy - 2 * (at.g * at.gy))
     fiyy = scalar(lambda at: -((at.hy + at.fiy * at.gy) / at.g))
@@ -121,22 +113,16 @@ class QuaternionChart(Chart):
         at.fi = fi
         return at
 
-    def direction(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the sign of sin α on the branch of v.
+    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
+        """Return the principal angle, ``dα/dr``, and the sign of sin α on the branch of v.
 
         The sign for sin α = 0 is the sign of w at half a turn, or of the translation along v at a whole turn.
         """
-        return self._direction(self.scalars(x, m), y, m)
-
-    def _direction(self, at: DependentScalars, y: Coefficient, m: Arithmetic) -> Coefficient:
+        at = self.scalars(x, m)
         # at half a turn s is 0 up to rounding; for w > 0 keep the direction of v
         kept = m.name("kept", m.where(m.less(at.w, 0), 0, NOISE))
         turned = m.name("turned", m.where(m.less(kept + at.s, kept), -at.w, at.w))
         backwards = m.both(m.equal(at.w, 0), m.less(y, 0))
         one = m.name("one", at.s - at.s + 1)  # NaN where x overflows
-        return m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
-
-    def natural(self, x: Coefficient, y: Coefficient, r: Coefficient, m: Arithmetic) -> Triple:
-        at = self.scalars(x, m)
-        sign = self._direction(at, y, m)
+        sign = m.name("sign", one * m.where(m.either(m.less(turned, 0), backwards), -1, 1))
         return m.name("angle", 2 * m.atan2(r * m.abs(at.w), m.abs(at.s))), at.rate, sign

@@ -68,12 +68,7 @@ class SineScalars(DependentScalars):
     ratey = scalar(lambda at: at.rate / at.cc, "rhoy")
     h = scalar(lambda at: at._value(at.H) / at.c)
 
-    @cached_property
-    def hy(self) -> Coefficient:
-        """Slope of h, ``(2 H′ + H/c²)/c``."""
-        direct = 2 * self._at("dH", self.H.diff(RING_X)) / self.c
-        return self.m.name("hy", direct + self.h / self.cc)
-
+    hy = scalar(lambda at: 2 * at._at("dH", at.H.diff(RING_X)) / at.c + at.h / at.cc)  # (2 H′ + H/c²)/c
     rateyy = scalar(lambda at: 3 * (at.ratey / at.cc), "rhoyy")
 
     @cached_property

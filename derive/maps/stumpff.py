@@ -50,41 +50,31 @@ def series(zeta: Coefficient, m: Arithmetic) -> Coefficient:
     return m.div(above, below)
 
 
-class HalfAngle:
-    """Stumpff functions c₀ … c₇ of the half angle, at ``ζ = ξ/4`` below the limit."""
+class Stumpff:
+    """Stumpff functions c₃ … c₇ of an angle below the limit, from C₀ … C₇ of the half angle, at ``ζ = ξ/4``."""
 
     def __init__(self, zeta: Coefficient, m: Arithmetic) -> None:
         self.zeta = zeta
         self.m = m
 
-    c7 = scalar(lambda at: at.m.div(series(at.zeta, at.m), 5040), "C7")
-    c5 = scalar(lambda at: at.m.div(1 - 120 * (at.zeta * at.c7), 120), "C5")
-    c3 = scalar(lambda at: at.m.div(1 - 6 * (at.zeta * at.c5), 6), "C3")
-    c1 = scalar(lambda at: 1 - at.zeta * at.c3, "C1")
-    square = scalar(lambda at: at.c1 * at.c1, "CC1")  # c₁²
-    c0 = scalar(lambda at: at.m.sqrt(1 - at.zeta * at.square), "C0")
-    _beside = scalar(lambda at: 1 + at.c0, "C01")
-    c2 = scalar(lambda at: at.square / at._beside, "C2")  # c₁²/(1 + c₀), by sin² + cos² = 1
-    _cube = scalar(lambda at: at.c3 * at.c3, "CC3")
+    C7 = scalar(lambda at: at.m.div(series(at.zeta, at.m), 5040))
+    C5 = scalar(lambda at: at.m.div(1 - 120 * (at.zeta * at.C7), 120))
+    C3 = scalar(lambda at: at.m.div(1 - 6 * (at.zeta * at.C5), 6))
+    C1 = scalar(lambda at: 1 - at.zeta * at.C3)
+    CC1 = scalar(lambda at: at.C1 * at.C1)
+    C0 = scalar(lambda at: at.m.sqrt(1 - at.zeta * at.CC1))
+    C01 = scalar(lambda at: 1 + at.C0)
+    C2 = scalar(lambda at: at.CC1 / at.C01)  # C₁²/(1 + C₀), by sin² + cos² = 1
+    CC3 = scalar(lambda at: at.C3 * at.C3)
     # by sin² + cos² = 1; used only in sums with larger terms
-    c4 = scalar(lambda at: (4 * at.c3 - at.c2 - 2 * (at.zeta * at._cube)) / (2 * at._beside), "C4")
+    C4 = scalar(lambda at: (4 * at.C3 - at.C2 - 2 * (at.zeta * at.CC3)) / (2 * at.C01))
     # by sin² + cos² = 1
-    c6 = scalar(lambda at: at.m.div(4 * at.c5 + 2 * at._cube - at.c4 - 2 * (at.c2 * at.c4), 4), "C6")
+    C6 = scalar(lambda at: at.m.div(4 * at.C5 + 2 * at.CC3 - at.C4 - 2 * (at.C2 * at.C4), 4))
 
-
-class WholeAngle:
-    """Stumpff functions c₃ … c₇ of the whole angle, from the half angle."""
-
-    def __init__(self, half: HalfAngle, m: Arithmetic) -> None:
-        self.half = half
-        self.m = m
-
-    c3 = cached_property(lambda at: at.m.div(at.half.c3 + at.half.c1 * at.half.c2, 4))
-    c4 = scalar(lambda at: at.m.div(at.half.c3 * (1 + at.half.c1), 8))
-    c5 = scalar(lambda at: at.m.div(at.half.c5 + at.half.c4 + at.half.c2 * at.half.c3, 16))
-    c6 = scalar(lambda at: at.m.div(2 * at.half.c5 + at.half.c3 * at.half.c3, 32))
-
-    @cached_property
-    def c7(self) -> Coefficient:
-        total = self.half.c7 + self.half.c6 + self.half.c3 * self.half.c4 + self.m.div(self.half.c5, 2)
-        return self.m.div(total, 64)
+    c3 = cached_property(lambda at: at.m.div(at.C3 + at.C1 * at.C2, 4))
+    c4 = scalar(lambda at: at.m.div(at.C3 * (1 + at.C1), 8))
+    c5 = scalar(lambda at: at.m.div(at.C5 + at.C4 + at.C2 * at.C3, 16))
+    c6 = scalar(lambda at: at.m.div(2 * at.C5 + at.C3 * at.C3, 32))
+    c7 = cached_property(lambda at: at.m.div(at.C7 + at.C6 + at.C3 * at.C4 + at.m.div(at.C5, 2), 64))
+    slope = property(lambda at: 3 * at.c5 - at.c4)  # 2 c₃′
+    bend = property(lambda at: 15 * at.c7 - 7 * at.c6 + at.c5)  # 4 c₃″

@@ -20,7 +20,7 @@ from ..maps.polynomials import x
 from ..proof.identity import Proof
 from ..proof.notation import beta, latex, n, prime, r_k, text
 from ..proof.phi_theorems import phi, phi_1, phi_2, psi, psi_1, rho
-from ..proof.proved import claims, proofs, require
+from ..proof.proved import CLAIMS, proofs, require
 from ..proof.statement import Equation
 from ..proof.theorem import Theorem, decided
 from .theorems import title
@@ -144,7 +144,7 @@ NEXT_ANGLE = {psi: Exponential().phi + 2 * sympy.pi * k, psi_1: 1}
 
 def sheet(claimed: Iterable[Theorem] | None = None) -> tuple[Page, ...]:
     """Return the four pages, with all claimed theorems decided; raise `ProofFailed` if one of a line is not proved."""
-    known = {proof.name: proof for proof in decided(claims() if claimed is None else claimed)}
+    known = {proof.name: proof for proof in decided(CLAIMS if claimed is None else claimed)}
 
     def blocks(table: Mapping[str, tuple[Wanted, ...]]) -> tuple[Block, ...]:
         return tuple(Block(heading, tuple(_lines(wanted, known))) for heading, wanted in table.items())

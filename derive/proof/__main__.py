@@ -19,7 +19,7 @@ from ..pages.theorems import page, title
 from .controls import Control, controls, controls_at, controls_of
 from .displacement_theorems import CLOSED_AT
 from .identity import ALL_ORDERS, Proof
-from .proved import claims, proofs
+from .proved import CLAIMS, proofs
 from .theorem import decided
 
 ORDERS = (1, 2, 3, 4, 5)
@@ -37,13 +37,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     with bar(2 + 2 * len(ORDERS)) as step:
         step("theorems")
-        general = decided(claims())
+        general = decided(CLAIMS)
         again = {}
         for n in ORDERS:
             step(f"proofs at n = {n}")
             again[n] = at_order(n)
         step("controls of theorems")
-        altered = [*controls(claims(), {proof.name: proof for proof in general})]
+        altered = [*controls(CLAIMS, {proof.name: proof for proof in general})]
         for n in ORDERS:
             step(f"controls at n = {n}")
             altered += controlled_at(n)
@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def at_order(n: int) -> tuple[Proof, ...]:
-    """Return the proofs at order n, without the theorems of `claims`."""
+    """Return the proofs at order n, without the theorems of `CLAIMS`."""
     once = {theorem.name for theorem in chain(*CLOSED_AT.values())}
     return tuple(proof for proof in proofs(Cayley(n)) if proof.scope != ALL_ORDERS and proof.name not in once)
 

@@ -15,7 +15,7 @@ import sympy
 
 from ..maps import Cayley, closed_forms, polynomials
 from .evaluation import NoValueError
-from .formulas import Formulas
+from .formulas import tangent, tangent_inv, tensor
 from .identity import Checks, Proof, Sides, decide
 from .notation import R, Shifted, c, d, dcay, dcay_inv, n, p, q, q_hat, text, x
 from .statement import Equation
@@ -52,7 +52,7 @@ class AtOrder:
         self.x, root = self.ring.x, self.ring.generator**order
         p_n, q_n = map(self.ring.element, polynomials.pair(order, self.x))
         power = (1 + self.x) ** order
-        tensors = {R: Formulas.tensor, dcay: Formulas.tangent, dcay_inv: Formulas.tangent_inv}
+        tensors = {R: tensor, dcay: tangent, dcay_inv: tangent_inv}
         self.values: Mapping[sympy.Expr, tuple[Any, ...]] = {
             p: (p_n,),
             q: (q_n,),
@@ -107,13 +107,7 @@ def instances(cayley: Cayley) -> tuple[Proof, ...]:
 
 
 def computations(order: int, functions: Mapping[str, Function] = FUNCTIONS) -> tuple[Proof, ...]:
-    """Prove that functions agree with the theorems at an order.
-
-    Returns
-    -------
-    tuple of Proof
-        Proofs for binomial sums, pairs and brackets, each closed form, and singular angles (sin α/2 and q_n vanish).
-    """
+    """Prove that functions (sums, pairs, closed forms, singular angles) agree with the theorems at an order."""
     at = at_order(order)
     halves = [polynomials.pair(k, at.x) if k else (1, 0) for k in (order // 2, order - order // 2)]
     arguments = {"multiply": (*halves, at.x), **dict.fromkeys(SUMS, (order,))}

@@ -14,7 +14,7 @@ from ..algebra import Dual, Isotropic, Quaternion, Vector, dual_part, functions,
 from ..maps import polynomials
 from . import notation as m
 from .evaluation import Evaluation, mapped
-from .formulas import Formulas
+from .formulas import tangent, tangent_inv, tensor
 from .identity import Checks
 from .statement import Equation
 
@@ -31,12 +31,10 @@ class AtPoint(Evaluation):
         x = v.dot(v)
         p, q = (Dual(sympy.Integer(1)) * value for value in polynomials.pair_by_squaring(n, x))
         root = functions.sqrt(1 + x)
-        formulas, rates = Formulas(), v.map(dual_part)
-        tensors = {m.R: formulas.tensor, m.dcay: formulas.tangent, m.dcay_inv: formulas.tangent_inv}
+        tensors = {m.R: tensor, m.dcay: tangent, m.dcay_inv: tangent_inv}
         values = {symbol: Isotropic(*formula(n, x, p, q), x).tensor(v) for symbol, formula in tensors.items()}
-        omega = values[m.dcay].map(real_part) @ rates
-        z = Quaternion(p, v * q)
-        known = {m.x: x, m.p: p, m.q: q, m.v: v, m.v_dot: rates, m.omega: omega}
+        rates, z = v.map(dual_part), Quaternion(p, v * q)
+        known = {m.x: x, m.p: p, m.q: q, m.v: v, m.v_dot: rates, m.omega: values[m.dcay].map(real_part) @ rates}
         known |= {m.point: Vector(*map(sympy.Integer, OTHER)), m.z: z, m.q_hat: z * (1 / root**n)}
         super().__init__(known | values)
 

@@ -17,8 +17,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy
 
-from .formulas import Formulas
-from .map_theorems import MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE
+from .formulas import tangent, tangent_inv
+from .map_theorems import INVERSE, MOTION, MOVING, ORIGIN_P, ORIGIN_Q, SQUARE, TANGENT, TENSOR
 from .methods import identity
 from .notation import *
 from .polynomial_theorems import SLOPES
@@ -36,8 +36,6 @@ SLOPES_OF = tuple(
 )
 OF_X = Symbols((p, q, x, n), free=(x,))
 SPEED = dot(v, v_dot)
-FORWARD, BACKWARD = (g, h, f_y, g_y, h_y), (h_i, f_iy, h_iy)
-
 
 FIRST = (
     Equation(f_y, h - GROWTH * g),
@@ -60,59 +58,6 @@ SECOND = (
     Equation(2 * prime(h_iy), 4 * (prime(prime(d)) - d * prime(_Q_X) / q) / (n * q) - 4 * _Q_X / q * h_iy),
 )
 """Second slopes of f, g, h, f_i, h_i, valid at x = 0 too."""
-
-
-def calculus_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on derivatives of the given formulas."""
-    tangent, inverse = formulas.defined(dcay, "tangent"), formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
-    f_inverse, _, h_inverse = formulas.tangent_inv(n, x, p, q)
-    values = (*formulas.tangent(n, x, p, q), 2 * f_inverse, 2 * h_inverse)
-    coefficients = {a: definition(a, value) for a, value in zip((f, g, h, f_i, h_i), values, strict=True)}
-    given = (*coefficients.values(), *SLOPES_OF, *BRACKETS, *SLOPES.given(), ORIGIN_P, ORIGIN_Q)
-    slopes = identity("slopes of the tangent operators", OF_X, FIRST, *given)
-    known = coefficients | {premise.equation.left: premise for premise in slopes.given()}
-    return (
-        slopes,
-        identity("second slopes of the tangent operators", OF_X, SECOND, *given),
-        *_along_motions(known, tangent, inverse),
-        *_structure(known, tangent, formulas.defined(R, "tensor")),
-        *_transitions(known, tangent, inverse, formulas.defined(R, "tensor")),
-    )
-
-
-def _along_motions(known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
-    """Return the theorems on the rates of T and T⁻¹, and on the derivatives by v of ``T a`` and ``T⁻¹ a``."""
-    turned = dyad(v, v_dot) + dyad(v_dot, v)
-    forward = *(known[symbol] for symbol in FORWARD), BRACKETS[0], tangent
-    backward = *(known[symbol] for symbol in BACKWARD), *BRACKETS
-    of_tangent = SPEED * (f_y * I + g_y * skew(v) + h_y * dyad(v, v)) + g * skew(v_dot) + h * turned
-    of_inverse = (SPEED * (f_iy * I + h_iy * dyad(v, v)) - skew(v_dot) + h_i * turned) / 2
-    return (
-        identity("rate of the tangent operator", MOVING, (Equation(rate(dcay), of_tangent),), *forward, *MOTION),
-        identity(
-            "rate of the inverse operator", MOVING,
-            (Equation(rate(dcay_inv), of_inverse), Equation(dcay * rate(dcay_inv), -rate(dcay) * dcay_inv)),
-            *backward, tangent, inverse, *MOTION, ORIGIN_Q,
-        ),
-        _image("Jacobian of the twist", dcay, _jacobian, (twist_jacobian, body_jacobian), *forward, *MOTION),
-        _image(
-            "Jacobian of the rate", dcay_inv, rate_jacobian_of, (rate_jacobian, body_rate_jacobian), *backward, inverse,
-            *MOTION[:-1], ORIGIN_Q,
-        ),
-    )  # fmt: skip
-
-
-def _transitions(
-    known: dict[sympy.Expr, Premise], tangent: Premise, inverse: Premise, tensor: Premise
-) -> Iterator[Theorem]:
-    """Yield the theorems on the derivative of v(t) by v(0), for a twist given in space, and in the body."""
-    for frame in ("space", "body"):
-        claim, motion = transition(frame, dcay, dcay_inv)
-        yield identity(
-            f"transition, {frame} twist given", Symbols((p, q, x, n), (v, a, b), (x,)), claim,
-            *(known[symbol] for symbol in BACKWARD), *BRACKETS, tangent, inverse, tensor, *motion, *MOTION[1:-1],
-            ORIGIN_P, ORIGIN_Q,
-        )  # fmt: skip
 
 
 def transition(
@@ -171,23 +116,67 @@ def _image(
     )  # fmt: skip
 
 
-def _structure(known: dict[sympy.Expr, Premise], tangent: Premise, tensor: Premise) -> tuple[Theorem, ...]:
-    """Return the theorems on the Maurer-Cartan equation in space and body; in the body, J_B(b) a = Rᵀ J(a) b."""
-    body_of_b = body_jacobian.func("J_B(b)", commutative=False)
-    of_a = definition(twist_jacobian, _jacobian(a))
-    common = SQUARE, SLOPES.premise(1), ORIGIN_P
-    space = identity(
+_FI, _, _HI = tangent_inv(n, x, p, q)
+_VALUES = (*tangent(n, x, p, q), 2 * _FI, 2 * _HI)
+COEFFICIENTS = {a: definition(a, value) for a, value in zip((f, g, h, f_i, h_i), _VALUES, strict=True)}
+GIVEN = (*COEFFICIENTS.values(), *SLOPES_OF, *BRACKETS, *SLOPES.given(), ORIGIN_P, ORIGIN_Q)
+OF_SLOPES = identity("slopes of the tangent operators", OF_X, FIRST, *GIVEN)
+KNOWN = COEFFICIENTS | {premise.equation.left: premise for premise in OF_SLOPES.given()}
+
+
+def known(*symbols: sympy.Expr) -> Iterator[Premise]:
+    """Yield the premises that define coefficients and slopes."""
+    return (KNOWN[symbol] for symbol in symbols)
+
+
+TURNING = dyad(v, v_dot) + dyad(v_dot, v)
+RATE = SPEED * (f_y * I + g_y * skew(v) + h_y * dyad(v, v)) + g * skew(v_dot) + h * TURNING
+RATE_OF_INVERSE = (SPEED * (f_iy * I + h_iy * dyad(v, v)) - skew(v_dot) + h_i * TURNING) / 2
+FORWARD, BACKWARD = (*known(g, h, f_y, g_y, h_y), BRACKETS[0], TANGENT), (*known(h_i, f_iy, h_iy), *BRACKETS)
+ALONG_MOTIONS = (
+    identity("rate of the tangent operator", MOVING, (Equation(rate(dcay), RATE),), *FORWARD, *MOTION),
+    identity(
+        "rate of the inverse operator", MOVING,
+        (Equation(rate(dcay_inv), RATE_OF_INVERSE), Equation(dcay * rate(dcay_inv), -rate(dcay) * dcay_inv)),
+        *BACKWARD, TANGENT, INVERSE, *MOTION, ORIGIN_Q,
+    ),
+    _image("Jacobian of the twist", dcay, _jacobian, (twist_jacobian, body_jacobian), *FORWARD, *MOTION),
+    _image(
+        "Jacobian of the rate", dcay_inv, rate_jacobian_of, (rate_jacobian, body_rate_jacobian), *BACKWARD, INVERSE,
+        *MOTION[:-1], ORIGIN_Q,
+    ),
+)  # fmt: skip
+"""Theorems on the rates of T and T⁻¹, and on the derivatives by v of ``T a`` and ``T⁻¹ a``."""
+_BODY_OF_B, _OF_A = body_jacobian.func("J_B(b)", commutative=False), definition(twist_jacobian, _jacobian(a))
+_COMMON = SQUARE, SLOPES.premise(1), ORIGIN_P
+STRUCTURE = (
+    identity(
         "structure equation", Symbols((p, q, x, n, h, h_y), (v, a, b), (x,)),
         (Equation(twist_jacobian_b * a - twist_jacobian * b, cross(dcay * a, dcay * b)),),
-        of_a, definition(twist_jacobian_b, _jacobian(b)), *(known[e] for e in (g, f_y, g_y)), tangent, *common,
-    )  # fmt: skip
-    body = identity(
+        _OF_A, definition(twist_jacobian_b, _jacobian(b)), *known(g, f_y, g_y), TANGENT, *_COMMON,
+    ),
+    identity(
         "structure equation in the body", Symbols((p, q, x, n, h_y), (v, a, b), (x,)),
         (
-            Equation(body_of_b * a - body_jacobian * b, -cross(transpose(dcay) * a, transpose(dcay) * b)),
-            Equation(body_of_b * a, transpose(R) * twist_jacobian * b),
+            Equation(_BODY_OF_B * a - body_jacobian * b, -cross(transpose(dcay) * a, transpose(dcay) * b)),
+            Equation(_BODY_OF_B * a, transpose(R) * twist_jacobian * b),
         ),
-        of_a, definition(body_jacobian, _jacobian(a, -1)), definition(body_of_b, _jacobian(b, -1)),
-        *(known[symbol] for symbol in (g, h, f_y, g_y)), tangent, tensor, *common,
+        _OF_A, definition(body_jacobian, _jacobian(a, -1)), definition(_BODY_OF_B, _jacobian(b, -1)),
+        *known(g, h, f_y, g_y), TANGENT, TENSOR, *_COMMON,
+    ),
+)  # fmt: skip
+"""Theorems on the Maurer-Cartan equation in space and body; in the body, J_B(b) a = Rᵀ J(a) b."""
+
+
+def _transition(frame: str) -> Theorem:
+    claim, motion = transition(frame, dcay, dcay_inv)
+    return identity(
+        f"transition, {frame} twist given", Symbols((p, q, x, n), (v, a, b), (x,)), claim,
+        *BACKWARD, TANGENT, INVERSE, TENSOR, *motion, *MOTION[1:-1], ORIGIN_P, ORIGIN_Q,
     )  # fmt: skip
-    return space, body
+
+
+CALCULUS_THEOREMS = (
+    OF_SLOPES, identity("second slopes of the tangent operators", OF_X, SECOND, *GIVEN), *ALONG_MOTIONS, *STRUCTURE,
+    _transition("space"), _transition("body"),
+)  # fmt: skip

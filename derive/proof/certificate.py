@@ -16,13 +16,7 @@ from .statement import Premise
 Certificate = dict[str, Any]
 
 def certificate(proof: Proof, known: Mapping[str, Proof]) -> Certificate | str:
-    """Return the certificate of a proof, or the reason why there is none.
-
-    Parameters
-    ----------
-    known : mapping of str to Proof
-        Proofs that the premises cite, by name.
-    """
+    """Return the certificate of a proof, or the reason why there is none; premises cite the `known` proofs by name."""
     if any(equation.right.has(sympy.Sum) for equation in proof.claim):
         parts: dict[str, Any] = {"series": series(proof)}
     else:

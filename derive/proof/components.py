@@ -93,15 +93,7 @@ def _conjugate(a: Array) -> Array:
 
 
 class Components:
-    """Definition and formulas of one Cayley map, expanded in six real symbols.
-
-    Parameters
-    ----------
-    cayley : Cayley
-        Map to prove, e.g. ``derive.Cayley(7)``.
-    backend : {"flint", "sympy"}, optional
-        Polynomial library of the exact ring.
-    """
+    """Definition and formulas of one Cayley map, expanded in six real symbols."""
 
     def __init__(self, cayley: Cayley, backend: str | None = None) -> None:
         self.cayley = cayley

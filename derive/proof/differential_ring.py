@@ -30,14 +30,8 @@ from .notation import n
 class DifferentialRing(RationalFunctions):
     """Polynomials in some symbols modulo relations, and their quotients.
 
-    Parameters
-    ----------
-    generators : sequence of Symbol
-        Generators in order; a relation eliminates its first generator.
-    free : iterable of Symbol
-        Generators that vary independently of everything else, and are 0 at the origin.
-    zeroed : Expr, optional
-        Factor taken as 0 when differences are multiplied by it; only controls give one.
+    A relation eliminates its first generator. The `free` generators vary independently of everything else, and are 0
+    at the origin. Controls give a factor `zeroed`, taken as 0 when differences are multiplied by it.
     """
 
     def __init__(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy
 
-from .formulas import Formulas
-from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE
+from .formulas import defined, tensor
+from .map_theorems import ORIGIN_P, QUATERNION, ROOT, SQUARE, TANGENT, TENSOR
 from .methods import determined, identity
 from .notation import *
 from .polynomial_theorems import ANGLES, ONE, SLOPES, pairs, turning
@@ -118,58 +118,40 @@ SECOND_INVERSE = identity(
 )  # fmt: skip
 CLOSED_AT = {1: (FIRST_INVERSE, FIRST_ORDER), 2: (SECOND_INVERSE, SECOND_ORDER)}
 """Theorems on closed forms of the inverse map and of composition, by order."""
-
-
-def displacement_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on displacements by the given formulas."""
-    tensor = formulas.defined(R, "tensor")
-    line = identity(
-        "line", Symbols((p, q, x, n), (v, point, along, rho), (x,)),
-        (
-            Equation(
-                (I + epsilon * skew(rho)) * R * (along + epsilon * cross(point, along)),
-                R * along + epsilon * cross(R * point + rho, R * along),
-            ),
+LINE = identity(
+    "line", Symbols((p, q, x, n), (v, point, along, rho), (x,)),
+    (
+        Equation(
+            (I + epsilon * skew(rho)) * R * (along + epsilon * cross(point, along)),
+            R * along + epsilon * cross(R * point + rho, R * along),
         ),
-        tensor, SQUARE, ORIGIN_P,
-    )  # fmt: skip
-    return (
-        DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL, _screw(tensor), _pose(formulas), line, TURNED,
-        *(_shadow(formulas, sign) for sign in (1, -1)), COMPOSITION,
-    )  # fmt: skip
-
-
-def _screw(tensor: Premise) -> Theorem:
-    """Return the theorem on screws: quaternion and tensor of v along the axis u, with the dual angle α."""
-    on_axis = ((theta, alpha / (2 * n)),)
-    return identity(
-        "screw", Symbols((*HALF, *PART), (u,), (PART[0],)),
-        (
-            Equation(q_hat, HALF[1] + u * HALF[0], (23, 37, 48)),
-            Equation(R, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),
-        ),
-        definition(v, PART[0] / PART[1] * u), definition(x, dot(v, v)), UNIT, definition(ROOT, 1 / PART[1] ** n),
-        QUATERNION, tensor, ANGLES.premise(0, *on_axis), ANGLES.premise(1, *on_axis), *DOUBLE_ANGLE.given(),
-        pythagoras(alpha / 2), definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
-    )  # fmt: skip
-
-
-def _pose(formulas: Formulas) -> Theorem:
-    """Return the theorem on poses: R is the rotation Q followed by the translation dcay v°."""
-    follow = 2 * epsilon * dot(v, v_dual)
-    return identity(
-        "pose", Symbols((p, q, x, n), (v, v_dual), (x,)),
-        (Equation(R_dual, (I + epsilon * skew(rho)) * Q, (14,)),),
-        definition(V, v + epsilon * v_dual),
-        definition(x_dual, dot(V, V)),
-        definition(p_dual, p + follow * prime(p)),
-        definition(q_dual, q + follow * prime(q)),
-        formulas.defined(R_dual, "tensor", (n, x_dual, p_dual, q_dual), V),
-        definition(Q, real(R_dual)),
-        formulas.defined(dcay, "tangent"),
-        definition(rho, dcay * v_dual),
-        SQUARE, *SLOPES.given(), ORIGIN_P,
-    )  # fmt: skip
+    ),
+    TENSOR, SQUARE, ORIGIN_P,
+)  # fmt: skip
+_ON_AXIS = ((theta, alpha / (2 * n)),)
+SCREW = identity(
+    "screw", Symbols((*HALF, *PART), (u,), (PART[0],)),
+    (
+        Equation(q_hat, HALF[1] + u * HALF[0], (23, 37, 48)),
+        Equation(R, I + FULL[0] * skew(u) + (1 - FULL[1]) * skew(u) ** 2, (17,)),
+    ),
+    definition(v, PART[0] / PART[1] * u), definition(x, dot(v, v)), UNIT, definition(ROOT, 1 / PART[1] ** n),
+    QUATERNION, TENSOR, ANGLES.premise(0, *_ON_AXIS), ANGLES.premise(1, *_ON_AXIS), *DOUBLE_ANGLE.given(),
+    pythagoras(alpha / 2), definition(Shifted(PART[1], alpha, 0), 1, wrong=sympy.Integer(0)),
+)  # fmt: skip
+"""Theorem on quaternion and tensor of v along the axis u, with the dual angle α."""
+_FOLLOW = 2 * epsilon * dot(v, v_dual)
+POSE = identity(
+    "pose", Symbols((p, q, x, n), (v, v_dual), (x,)),
+    (Equation(R_dual, (I + epsilon * skew(rho)) * Q, (14,)),),
+    definition(V, v + epsilon * v_dual),
+    definition(x_dual, dot(V, V)),
+    definition(p_dual, p + _FOLLOW * prime(p)),
+    definition(q_dual, q + _FOLLOW * prime(q)),
+    defined(R_dual, tensor, (n, x_dual, p_dual, q_dual), V),
+    definition(Q, real(R_dual)), TANGENT, definition(rho, dcay * v_dual), SQUARE, *SLOPES.given(), ORIGIN_P,
+)  # fmt: skip
+"""Theorem that R is the rotation Q followed by the translation dcay v°."""
 
 
 def branch_step(sign: int) -> tuple[Premise, ...]:
@@ -178,13 +160,17 @@ def branch_step(sign: int) -> tuple[Premise, ...]:
     return cosine, definition(sympy.sin(n * beta), 0), ORIGIN_P
 
 
-def _shadow(formulas: Formulas, sign: int) -> Theorem:
+def _shadow(sign: int) -> Theorem:
     """Return the theorem on shadows: a Moebius step by an angle β with nβ = kπ leaves R unchanged."""
     cosine, sine = sympy.cos(beta), sympy.sin(beta)
     return identity(
         f"shadow, {'even' if sign == 1 else 'odd'} branch", Symbols((p, q, sine, cosine, r), (u,), (r, sine, cosine)),
         (Equation(R_k, R),),
-        formulas.defined(R, "tensor", (n, r**2, p, q), r * u),
-        formulas.defined(R_k, "tensor", (n, r_k**2, p_k, q_k), r_k * u),
+        defined(R, tensor, (n, r**2, p, q), r * u), defined(R_k, tensor, (n, r_k**2, p_k, q_k), r_k * u),
         *TURNED.given(), MOEBIUS, *branch_step(sign),
     )  # fmt: skip
+
+
+DISPLACEMENT_THEOREMS = (
+    DOUBLE_ANGLE, EXPONENTIAL, VERSOR_EXPONENTIAL, SCREW, POSE, LINE, TURNED, _shadow(1), _shadow(-1), COMPOSITION,
+)  # fmt: skip

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from ..algebra import Coefficient
@@ -34,18 +33,10 @@ def tangent_inv(n: Coefficient, x: Coefficient, p: Coefficient, q: Coefficient) 
     return p / (2 * q), (x - x - 1) / 2, bracket / (2 * n * q)
 
 
-@dataclass(frozen=True)
-class Formulas:
-    """Formulas in the theorems, each a function of (n, x, p_n, q_n); tests replace one of them."""
-
-    tensor: CoefficientsOfOrder = tensor
-    tangent: CoefficientsOfOrder = tangent
-    tangent_inv: CoefficientsOfOrder = tangent_inv
-
-    def defined(
-        self, symbol: Any, name: str, at: Any = SYMBOLS, v: Any = notation.v, numbers: tuple[int, ...] = ()
-    ) -> Premise:
-        """Return the definition of a symbol by one of the formulas, ``a I + b skew(v) + c v⊗v``."""
-        a, b, c = getattr(self, name)(*at)
-        rest = b * notation.skew(v) + c * notation.dyad(v, v)
-        return definition(symbol, a * notation.I + rest, numbers, wrong=2 * a * notation.I + rest)
+def defined(
+    symbol: Any, formula: CoefficientsOfOrder, at: Any = SYMBOLS, v: Any = notation.v, numbers: tuple[int, ...] = ()
+) -> Premise:
+    """Return the definition of a symbol by a formula at (n, x, p_n, q_n), ``a I + b skew(v) + c v⊗v``."""
+    a, b, c = formula(*at)
+    rest = b * notation.skew(v) + c * notation.dyad(v, v)
+    return definition(symbol, a * notation.I + rest, numbers, wrong=2 * a * notation.I + rest)

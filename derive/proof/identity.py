@@ -69,41 +69,18 @@ Checks = Iterable[Check | tuple[str, Any, Sides] | Multiplier]
 
 @dataclass(frozen=True)
 class Proof(Typeset):
-    """Outcome of deciding one statement.
+    """Outcome of deciding one statement."""
 
-    Attributes
-    ----------
-    name : str
-        Name by which other theorems cite it.
-    claim : tuple of Equation
-        Equations that were decided; `statement` and `latex` print them.
-    premises : tuple of Premise
-        Definitions, and equations proved by other theorems.
-    conditions : tuple of Equation
-        Definitions from cited theorems that also apply here, because no premise contradicts or repeats them.
-    scope : str
-        "all n", or one order, as in "n = 7".
-    status : {"proved", "failed"}
-    method : str
-        Method of the decision.
-    seconds : float
-        Time of the decision.
-    multipliers : tuple of Multiplier
-        Factors of all denominators.
-    residues : tuple of Residue
-        All checked differences.
-    """
-
-    name: str
+    name: str  # by which other theorems cite it
     claim: tuple[Equation, ...]
-    premises: tuple[Premise, ...] = field(repr=False)
-    conditions: tuple[Equation, ...] = field(repr=False)
-    scope: str
+    premises: tuple[Premise, ...] = field(repr=False)  # definitions, and equations proved by other theorems
+    conditions: tuple[Equation, ...] = field(repr=False)  # definitions in cited theorems, not contradicted or repeated
+    scope: str  # "all n", or one order, as in "n = 7"
     status: Literal["proved", "failed"]
     method: str
     seconds: float = field(compare=False)
-    multipliers: tuple[Multiplier, ...] = field(compare=False, repr=False)
-    residues: tuple[Residue, ...] = field(compare=False, repr=False)
+    multipliers: tuple[Multiplier, ...] = field(compare=False, repr=False)  # factors of all denominators
+    residues: tuple[Residue, ...] = field(compare=False, repr=False)  # all checked differences
 
     @property
     def statement(self) -> str:
@@ -154,15 +131,10 @@ def decide(
     premises: tuple[Premise, ...] = (),
     conditions: tuple[Equation, ...] = (),
 ) -> Proof:
-    """Decide a statement; see :class:`Proof` for its parts.
+    """Decide a statement by the residues and multipliers that `checks` yields.
 
     The statement is proved if residues exist, all are exactly zero, and all multipliers are certified. An operation
     without a result (a division by zero, a symbol without a value) counts as a residue that is not zero.
-
-    Parameters
-    ----------
-    checks : callable
-        Function that yields multipliers, and pairs (label, left side minus right side) in an exact ring.
     """
     start = time.perf_counter()
     residues: list[Residue] = []

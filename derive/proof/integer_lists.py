@@ -21,17 +21,11 @@ PLACES = (*map(Fraction, (1, 2, 0, -1)), Fraction(3, 5), Fraction(4, 5))
 
 
 class IntegerLists:
-    """Integer lists of elements of one ring.
-
-    Attributes
-    ----------
-    factors : list of Polynomial
-        Irreducible factors of all denominators so far.
-    """
+    """Integer lists of elements of one ring."""
 
     def __init__(self, ring: RationalFunctions) -> None:
         self.ring = ring
-        self.factors: list[Polynomial] = []
+        self.factors: list[Polynomial] = []  # irreducible factors of all denominators so far
 
     def polynomial(self, a: Polynomial) -> tuple[int, Terms]:
         """Return the least common denominator of the coefficients, and the polynomial times this denominator."""

@@ -5,13 +5,12 @@ Vectors are generic: v, its rate and rotated points have independent components.
 
 from __future__ import annotations
 
-from .formulas import Formulas
+from .formulas import defined, tangent, tangent_inv, tensor
 from .methods import identity
 from .notation import *
 from .polynomial_theorems import NORM, ORIGIN, SLOPES, VECTOR_POWERS
 from .setting import Symbols
-from .statement import Equation, Premise, definition
-from .theorem import Theorem
+from .statement import Equation, definition
 
 SQUARE = definition(dot(v, v), x)
 ORIGIN_P, ORIGIN_Q = ORIGIN.premise(0), ORIGIN.premise(1)
@@ -26,101 +25,80 @@ POWER = (1 + x) ** n
 F, G, BRACKET = 2 * p * q / POWER, 2 * q**2 / POWER, 2 * (n * (1 + x) ** (n - 1) - p * q)
 """Coefficients as printed in CP23."""
 BODY = definition(omega_body, transpose(R) * omega)
-STRETCHED = 2 * n / (1 + x) * v
+STRETCHED, INVERSE_BRACKET = 2 * n / (1 + x) * v, ((1 + x) * q - n * p) / (2 * n * x * q)
+TENSOR, TANGENT, INVERSE = defined(R, tensor), defined(dcay, tangent), defined(dcay_inv, tangent_inv, numbers=(89,))
 
-
-def map_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on the given formulas."""
-    tensor, tangent = formulas.defined(R, "tensor"), formulas.defined(dcay, "tangent")
-    inverse = formulas.defined(dcay_inv, "tangent_inv", numbers=(89,))
-    return (*_of_tensor(tensor), *_of_tangent(tangent, inverse), *_of_motion(tensor, tangent, inverse))
-
-
-def _of_tensor(tensor: Premise) -> tuple[Theorem, ...]:
-    return (
-        identity(
-            "tensor", AT_V,
-            (Equation(R, I + F * skew(v) + G * skew(v) ** 2, (57,)),),
-            tensor, SQUARE, *NORM.given(), ORIGIN_P,
+TWIST = identity(
+    "twist", MOVING,
+    (Equation(omega, dcay * rate(v), (86,)), Equation(rate(R), skew(omega) * R, (70,))),
+    TENSOR, TANGENT, definition(omega, vect(rate(R) * transpose(R))), *MOTION,
+)  # fmt: skip
+MAP_THEOREMS = (
+    identity(
+        "tensor", AT_V,
+        (Equation(R, I + F * skew(v) + G * skew(v) ** 2, (57,)),),
+        TENSOR, SQUARE, *NORM.given(), ORIGIN_P,
+    ),
+    identity(
+        "orthogonality", AT_V,
+        (Equation(R * transpose(R), I, (13, 72, 73)), Equation(det(R), 1, (13, 73))),
+        TENSOR, SQUARE, ORIGIN_P,
+    ),
+    identity(
+        "quaternion", Symbols(SCALARS, (v, point), (x,)),
+        (
+            Equation(q_hat, (1 + v) ** n / ROOT, (53,)),
+            Equation(q_hat * conjugate(q_hat), 1),
+            Equation(q_hat * point * conjugate(q_hat), R * point),
         ),
-        identity(
-            "orthogonality", AT_V,
-            (Equation(R * transpose(R), I, (13, 72, 73)), Equation(det(R), 1, (13, 73))),
-            tensor, SQUARE, ORIGIN_P,
+        QUATERNION, TENSOR, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P,
+    ),
+    identity(
+        "tangent", AT_V,
+        (Equation(dcay, F * I + G * skew(v) + BRACKET / (x * POWER) * dyad(v, v), (88,)),),
+        TANGENT, *NORM.given(), ORIGIN_P,
+    ),
+    identity(
+        "tangent_inv", AT_V,
+        (Equation(dcay_inv, p / (2 * q) * I - skew(v) / 2 + INVERSE_BRACKET * dyad(v, v), (89,)),),
+        INVERSE, ORIGIN_Q,
+    ),
+    identity(
+        "inverse", AT_V,
+        (Equation(dcay * dcay_inv, I), Equation(dcay_inv * dcay, I)),
+        TANGENT, INVERSE, SQUARE, ORIGIN_P, ORIGIN_Q,
+    ),
+    identity(
+        "axis", AT_V,
+        (Equation(dcay * v, STRETCHED), Equation(transpose(dcay) * v, STRETCHED)),
+        TANGENT, SQUARE, ORIGIN_P,
+    ),
+    identity(
+        "determinant", AT_V,
+        (Equation(det(dcay), 8 * n * q**2 / (1 + x) ** (n + 1)),),
+        TANGENT, SQUARE, *NORM.given(), ORIGIN_P,
+    ),
+    TWIST,
+    identity(
+        "body twist", MOVING,
+        (
+            Equation(transpose(dcay), transpose(R) * dcay),
+            Equation(omega_body, transpose(dcay) * rate(v), (86,)),
+            Equation(rate(R), R * skew(omega_body), (74,)),
         ),
-        identity(
-            "quaternion", Symbols(SCALARS, (v, point), (x,)),
-            (
-                Equation(q_hat, (1 + v) ** n / ROOT, (53,)),
-                Equation(q_hat * conjugate(q_hat), 1),
-                Equation(q_hat * point * conjugate(q_hat), R * point),
-            ),
-            QUATERNION, tensor, SQUARE, *NORM.given(), *VECTOR_POWERS.given(), ORIGIN_P,
+        TENSOR, TANGENT, TWIST.premise(0), BODY, *MOTION,
+    ),
+    identity(
+        "quaternion rate", MOVING,
+        (Equation(rate(q_hat), omega * q_hat / 2, (75,)), Equation(rate(q_hat), q_hat * omega_body / 2, (76,))),
+        TENSOR, TANGENT, QUATERNION, TWIST.premise(0), BODY, *MOTION, ROOT_SLOPE,
+    ),
+    identity(
+        "rates of v", MOVING,
+        (
+            Equation(rate(v), dcay_inv * omega, (87, 90)),
+            Equation(rate(v), transpose(dcay_inv) * omega_body, (87, 91)),
         ),
-    )  # fmt: skip
-
-
-def _of_tangent(tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
-    bracket = ((1 + x) * q - n * p) / (2 * n * x * q)
-
-    return (
-        identity(
-            "tangent", AT_V,
-            (Equation(dcay, F * I + G * skew(v) + BRACKET / (x * POWER) * dyad(v, v), (88,)),),
-            tangent, *NORM.given(), ORIGIN_P,
-        ),
-        identity(
-            "tangent_inv", AT_V,
-            (Equation(dcay_inv, p / (2 * q) * I - skew(v) / 2 + bracket * dyad(v, v), (89,)),),
-            inverse, ORIGIN_Q,
-        ),
-        identity(
-            "inverse", AT_V,
-            (Equation(dcay * dcay_inv, I), Equation(dcay_inv * dcay, I)),
-            tangent, inverse, SQUARE, ORIGIN_P, ORIGIN_Q,
-        ),
-        identity(
-            "axis", AT_V,
-            (Equation(dcay * v, STRETCHED), Equation(transpose(dcay) * v, STRETCHED)),
-            tangent, SQUARE, ORIGIN_P,
-        ),
-        identity(
-            "determinant", AT_V,
-            (Equation(det(dcay), 8 * n * q**2 / (1 + x) ** (n + 1)),),
-            tangent, SQUARE, *NORM.given(), ORIGIN_P,
-        ),
-    )  # fmt: skip
-
-
-def _of_motion(tensor: Premise, tangent: Premise, inverse: Premise) -> tuple[Theorem, ...]:
-    twist = identity(
-        "twist", MOVING,
-        (Equation(omega, dcay * rate(v), (86,)), Equation(rate(R), skew(omega) * R, (70,))),
-        tensor, tangent, definition(omega, vect(rate(R) * transpose(R))), *MOTION,
-    )  # fmt: skip
-    spatial = twist.premise(0)
-    return (
-        twist,
-        identity(
-            "body twist", MOVING,
-            (
-                Equation(transpose(dcay), transpose(R) * dcay),
-                Equation(omega_body, transpose(dcay) * rate(v), (86,)),
-                Equation(rate(R), R * skew(omega_body), (74,)),
-            ),
-            tensor, tangent, spatial, BODY, *MOTION,
-        ),
-        identity(
-            "quaternion rate", MOVING,
-            (Equation(rate(q_hat), omega * q_hat / 2, (75,)), Equation(rate(q_hat), q_hat * omega_body / 2, (76,))),
-            tensor, tangent, QUATERNION, spatial, BODY, *MOTION, ROOT_SLOPE,
-        ),
-        identity(
-            "rates of v", MOVING,
-            (
-                Equation(rate(v), dcay_inv * omega, (87, 90)),
-                Equation(rate(v), transpose(dcay_inv) * omega_body, (87, 91)),
-            ),
-            tensor, tangent, inverse, spatial, BODY, *MOTION[:3], ORIGIN_P, ORIGIN_Q,
-        ),
-    )  # fmt: skip
+        TENSOR, TANGENT, INVERSE, TWIST.premise(0), BODY, *MOTION[:3], ORIGIN_P, ORIGIN_Q,
+    ),
+)  # fmt: skip

@@ -69,15 +69,9 @@ def identity(
 
 @dataclass(frozen=True)
 class Determined(InRing):
-    """Method that compares the starts and laws of both sides of each equation.
+    """Method that compares the starts and laws of both sides of each equation."""
 
-    Attributes
-    ----------
-    start : Equation
-        Index or variable, and its value at the start.
-    """
-
-    start: Equation
+    start: Equation  # index or variable, and its value at the start
 
     @property
     def by_steps(self) -> bool:

@@ -11,59 +11,47 @@ from itertools import chain
 from ..maps import Cayley
 from ..maps.chart import Chart
 from .at_order import computations, instances
-from .calculus_theorems import calculus_theorems
+from .calculus_theorems import CALCULUS_THEOREMS
 from .components import Components
-from .displacement_theorems import CLOSED_AT, displacement_theorems
-from .formulas import Formulas
+from .displacement_theorems import CLOSED_AT, DISPLACEMENT_THEOREMS
 from .identity import Proof
 from .limit_theorems import GROWING_ORDER
-from .map_theorems import map_theorems
+from .map_theorems import MAP_THEOREMS
 from .phi_theorems import ANY_PHI
 from .polynomial_theorems import POLYNOMIAL_THEOREMS
-from .scalars import ScalarProofs, instance, is_algebraic
+from .scalars import ScalarProofs, instance
 from .texts import MARKED, compared, shown_with
-from .theorem import Theorem, decided
-from .transport_theorems import transport_theorems
+from .theorem import decided
+from .transport_theorems import TRANSPORT_THEOREMS
 
 _MADE_HERE = object()
 
 
-def stated(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return all theorems on the given formulas, each after the theorems it uses."""
-    of_maps = (map_theorems, displacement_theorems, calculus_theorems, transport_theorems)
-    return (*POLYNOMIAL_THEOREMS, *(theorem for theorems_of in of_maps for theorem in theorems_of(formulas)))
+STATED = (*POLYNOMIAL_THEOREMS, *MAP_THEOREMS, *DISPLACEMENT_THEOREMS, *CALCULUS_THEOREMS, *TRANSPORT_THEOREMS)
+"""Theorems for every n, each after the theorems it uses."""
 
-
-def claims() -> tuple[Theorem, ...]:
-    """Return all theorems that are proved once instead of at each order."""
-    return (*stated(Formulas()), *chain(*CLOSED_AT.values()), *ANY_PHI, *GROWING_ORDER)
+CLAIMS = (*STATED, *chain(*CLOSED_AT.values()), *ANY_PHI, *GROWING_ORDER)
+"""Theorems that are proved once instead of at each order."""
 
 
 def citing(numbers: Container[int]) -> tuple[Proof, ...]:
     """Prove the theorems that claim the given equations of CP23, after all theorems they use."""
-    claimed = stated(Formulas())
-    wanted = {t.name for t in claimed if any(n in numbers for equation in t.claim for n in equation.numbers)}
+    wanted = {t.name for t in STATED if any(n in numbers for equation in t.claim for n in equation.numbers)}
     needed = set(wanted)
-    for theorem in reversed(claimed):  # each theorem stands after the theorems it uses
+    for theorem in reversed(STATED):
         if theorem.name in needed:
             needed |= {premise.theorem for premise in theorem.premises}
-    return tuple(proof for proof in decided(t for t in claimed if t.name in needed) if proof.name in wanted)
+    return tuple(proof for proof in decided(t for t in STATED if t.name in needed) if proof.name in wanted)
 
 
 @cache
 def theorems() -> tuple[Proof, ...]:
     """Return the proofs of scope "all n", decided once per process."""
-    return decided(stated(Formulas()))
+    return decided(STATED)
 
 
 class ProofFailed(Exception):
-    """Error for statements about a formula that are not proved.
-
-    Attributes
-    ----------
-    failed : tuple of Proof
-        Failed statements; each lists its residues in ``failures``.
-    """
+    """Error for statements about a formula that are not proved; each of the `failed` proofs lists its ``failures``."""
 
     def __init__(self, failed: tuple[Proof, ...]) -> None:
         self.failed = failed
@@ -92,14 +80,9 @@ def shown(text: str, cayley: Cayley | None = None) -> str:
 class Proved:
     """Chart with the proofs of its formulas, made only by :func:`prove`.
 
-    Attributes
-    ----------
-    formulas : Chart
-        The proved chart.
-    proofs : tuple of Proof
-        A Cayley map has theorems for all n, their instances at its order, and proofs by components. An algebraic
-        chart has proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its
-        formulas in α are instances of the theorems on every φ.
+    A Cayley map has theorems for all n, their instances at its order, and proofs by components. An algebraic chart has
+    proofs that its scalars agree with its formulas and its φ. For any other chart, proofs show that its formulas in α
+    are instances of the theorems on every φ.
     """
 
     formulas: Chart
@@ -115,17 +98,9 @@ class Proved:
 
 
 def proofs(chart: Chart, backend: str | None = None) -> tuple[Proof, ...]:
-    """Decide every statement about a chart and return all proofs, including failed ones.
-
-    Parameters
-    ----------
-    chart : Chart
-        Chart to prove, e.g. ``derive.Cayley(7)``.
-    backend : {"flint", "sympy"}, optional
-        Library of polynomials in x; by default python-flint if installed.
-    """
+    """Decide every statement about a chart and return all proofs, including failed ones; see `Ring` for `backend`."""
     decided = tuple(_proofs_of_order(chart.cayley, backend)) if chart.cayley else ()
-    return (*decided, *(ScalarProofs(chart, backend).proofs() if is_algebraic(chart) else instance(chart)))
+    return (*decided, *(ScalarProofs(chart, backend).proofs() if chart.algebraic else instance(chart)))
 
 
 def prove(chart: Chart) -> Proved:

@@ -74,16 +74,7 @@ DERIVATIVES = tuple(
 SECOND_DERIVATIVES = tuple(
     Equation(sympy.Symbol(name), 2 * prime(of)) for name, of in zip(BENDS, (fy, gy, hy, fiy, hiy))
 )
-ANGLE = (
-    Equation((f + x * h) * slope, 1),
-    Equation(Shifted(s, x, 0), 1),
-    Equation(Shifted(phi, alpha, 0), 0),
-)
-
-
-def is_algebraic(chart: Chart) -> bool:
-    """Return whether the formulas of a chart are functions of x that the exact ring can represent."""
-    return all(coefficient.free_symbols <= {x} for coefficient in _coefficients(chart))
+ANGLE = (Equation((f + x * h) * slope, 1), Equation(Shifted(s, x, 0), 1), Equation(Shifted(phi, alpha, 0), 0))
 
 
 def _coefficients(chart: Chart) -> list[sympy.Expr]:
@@ -91,13 +82,7 @@ def _coefficients(chart: Chart) -> list[sympy.Expr]:
 
 
 def root_of(expressions: Iterable[sympy.Expr]) -> int:
-    """Return the integer k of the root sqrt(1 + x/k) in expressions in x; 0 without a root.
-
-    Raises
-    ------
-    ValueError
-        If there is another root, or several.
-    """
+    """Return the integer k of the root sqrt(1 + x/k) in expressions in x; 0 without a root, ValueError for others."""
     powers = {power for expression in expressions for power in expression.atoms(sympy.Pow)}
     roots = {power for power in powers if not power.exp.is_Integer}
     if not roots:
@@ -119,14 +104,7 @@ def _divisor(root: sympy.Pow) -> sympy.Integer | None:
 
 
 class ScalarProofs:
-    """Proofs about the scalars of a chart.
-
-    Parameters
-    ----------
-    chart : Chart
-    backend : {"flint", "sympy"}, optional
-        Polynomial library of the exact ring.
-    """
+    """Proofs about the scalars of a chart."""
 
     def __init__(self, chart: Chart, backend: str | None = None) -> None:
         self.chart = chart

@@ -17,21 +17,11 @@ from .notation import Shifted, latex, text
 
 @dataclass(frozen=True)
 class Equation(Typeset):
-    """Equation ``left = right``.
-
-    Attributes
-    ----------
-    left, right : Expr
-        Expressions in the symbols and operators of :mod:`~derive.proof.notation`.
-    numbers : tuple of int
-        Numbers of the equation in CP23.
-    wrong : Expr, optional
-        False right side for controls, by default twice the right side. Theorems that use it must fail.
-    """
+    """Equation ``left = right``. Theorems with the right side `wrong`, by default twice the right side, must fail."""
 
     left: sympy.Expr
     right: sympy.Expr
-    numbers: tuple[int, ...] = ()
+    numbers: tuple[int, ...] = ()  # of the equation in CP23
     wrong: sympy.Expr | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:

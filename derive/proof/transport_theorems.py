@@ -10,32 +10,12 @@ from __future__ import annotations
 import sympy
 
 from .displacement_theorems import MOEBIUS, TURNED, TURNED_ROOT, UNIT, branch_step, pythagoras
-from .formulas import Formulas
+from .formulas import defined, tangent
 from .methods import identity
 from .notation import *
 from .setting import Symbols
 from .statement import Equation, Premise, definition
 from .theorem import Theorem
-
-
-def transport_theorems(formulas: Formulas) -> tuple[Theorem, ...]:
-    """Return the theorems on branches and products of displacements for the given formulas."""
-    return (STEP, TWICE, *(_transport(formulas, sign) for sign in (1, -1)), PRODUCT)
-
-
-def _transport(formulas: Formulas, sign: int) -> Theorem:
-    """Return the theorem that a step S_k between branches keeps the twist; S_kᵀ transforms momenta."""
-    cosine, sine = sympy.cos(beta), sympy.sin(beta)
-    return identity(
-        f"transport, {'even' if sign == 1 else 'odd'} branch",
-        Symbols((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine)),
-        (Equation(dcay_k * transport, dcay),),
-        definition(transport, _transported(r_k, r, TURNED_ROOT)),
-        formulas.defined(dcay, "tangent", (n, r**2, p, q), r * u),
-        formulas.defined(dcay_k, "tangent", (n, r_k**2, p_k, q_k), r_k * u),
-        *TURNED.given(), STEP.premise(0), UNIT, *branch_step(sign),
-    )  # fmt: skip
-
 
 STEP = identity(
     "slope of a Moebius step",
@@ -51,6 +31,19 @@ BOTH_ROOT = sympy.cos(BOTH) - r * sympy.sin(BOTH)
 def _transported(there: sympy.Expr, here: sympy.Expr, root: sympy.Expr) -> sympy.Expr:
     """Return the tensor S of a step from ``here u`` to ``there u``; `root` is the divisor of the step."""
     return there / here * (I - dyad(u, u)) + dyad(u, u) / root**2
+
+
+def _transport(sign: int) -> Theorem:
+    """Return the theorem that a step S_k between branches keeps the twist; S_kᵀ transforms momenta."""
+    cosine, sine = sympy.cos(beta), sympy.sin(beta)
+    return identity(
+        f"transport, {'even' if sign == 1 else 'odd'} branch",
+        Symbols((p, q, r_k, sine, cosine, r, n), (u,), (r, r_k, sine, cosine)),
+        (Equation(dcay_k * transport, dcay),),
+        definition(transport, _transported(r_k, r, TURNED_ROOT)),
+        defined(dcay, tangent, (n, r**2, p, q), r * u), defined(dcay_k, tangent, (n, r_k**2, p_k, q_k), r_k * u),
+        *TURNED.given(), STEP.premise(0), UNIT, *branch_step(sign),
+    )  # fmt: skip
 
 
 TWICE = identity(
@@ -85,3 +78,5 @@ PRODUCT = identity(
     definition(scalar_2**2 + dot(second, second), 1),
 )  # fmt: skip
 """Theorem that implies ``T(v) v' = T(v2) v2' + R(v2) T(v1) v1'`` for ``R(v) = R(v2) R(v1)``."""
+
+TRANSPORT_THEOREMS = (STEP, TWICE, _transport(1), _transport(-1), PRODUCT)

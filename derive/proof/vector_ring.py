@@ -18,21 +18,11 @@ NEAR_ZERO = Fraction(1, 10**30)
 
 
 class Ring(RationalFunctions):
-    """Rational functions of the components v1, v2, v3 of a vector ``v``, of its square ``x``, and of further symbols.
+    """Rational functions of the components v1, v2, v3 of a vector ``v``, of its square ``x``, and of `extra` symbols.
 
-    A second vector w has the components w1, w2, w3 and the square ``y``.
-
-    Parameters
-    ----------
-    extra : sequence of str
-        Further independent symbols (dual parts, rates, points).
-    root : int
-        Integer k of the generator s = sqrt(1 + x/k), in which the ring expresses x. Odd powers of 1 + x/k then have a
-        square root. With 0, the generator is x.
-    backend : {"flint", "sympy"}, optional
-        Library for the polynomials; by default python-flint if installed.
-    vectors : str
-        Letters of the vectors, "v" or "vw". The root of the second vector is t.
+    A second vector w (`vectors` "vw") has the components w1, w2, w3 and the square ``y``. For a `root` k other than 0,
+    the generator is s = sqrt(1 + x/k) in place of x. Odd powers of 1 + x/k then have a square root. The root of the
+    second vector is t. The `backend` of the polynomials is "flint" or "sympy"; see `polynomials`.
     """
 
     def __init__(
@@ -51,14 +41,7 @@ class Ring(RationalFunctions):
             self.relations.append((c3**2 + c2**2 + c1**2 - square).numerator)
 
     def derivative(self, element: Element, name: str) -> Element:
-        """Return a partial derivative.
-
-        Parameters
-        ----------
-        element : Element
-        name : str
-            A component or an extra symbol, or ``"x"`` for the square x with all components fixed.
-        """
+        """Return a derivative by a component, an extra symbol, or ``"x"``: the square x with all components fixed."""
         if name == "x":
             return self._by_square(element, 0)
         slope = element.derivative({self.index(name): self.constant(1)})

@@ -10,7 +10,6 @@ from typing import Any
 import mpmath
 
 from ...maps.chart import Chart
-from ...proof import is_algebraic
 from ..rows import Function, Table
 from ..signatures import POSES
 from . import decimals, samples
@@ -47,15 +46,14 @@ class Batch:
 @lru_cache(maxsize=4)
 def batches(chart: Chart, table: Table = POSES) -> Sequence[Batch]:
     """Return the calls of every public function; raise ValueError if a call, or a required exact one, is missing."""
-    algebraic = is_algebraic(chart)
     with mpmath.workdps(decimals.EXACT_DIGITS):
-        exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if algebraic else []
+        exactly = [Batch(case.row, (), (case,)) for case in samples.on_symbols(chart, table)] if chart.algebraic else []
         closely = [
             Batch(cases[0].row, branch, tuple(map(_decimal, cases)), decimals.tolerance(chart, cases[0].row.remainder))
             for branch, cases in grouped(samples.at_numbers(chart, table))
         ]
     require("a call", table.public, (batch.function for batch in exactly + closely))
-    if algebraic:
+    if chart.algebraic:
         exact = [name for name, row in table.public.items() if row.exact]
         require("an exact call", exact, (batch.function for batch in exactly))
     return (*exactly, *closely)

@@ -13,7 +13,7 @@ from ...algebra import Dual, Tensor, Vector
 from ...maps import Formula
 from ...maps.chart import Chart
 from ...maps.pose import Pose, Screw, tensor_from_pose, tensor_from_screw
-from ...proof import Ring, is_algebraic, root_of
+from ...proof import Ring, root_of
 from ..lowering.scalar_programs import scalar_program
 from ..rows import Function, Table
 from ..signatures import POSES
@@ -93,7 +93,7 @@ def at_numbers(chart: Chart, table: Table) -> Iterator[Case]:
 @lru_cache(maxsize=1)  # the table of rotations reuses the calls of poses
 def _seeded(chart: Vectors) -> Sequence[Case]:
     found = list(selecting(chart, _regimes(chart, random.Random(SEED))))
-    return found if is_algebraic(chart.chart) else [*found, *algebraic(chart, list(_points(chart)))]
+    return found if chart.chart.algebraic else [*found, *algebraic(chart, list(_points(chart)))]
 
 
 def _points(chart: Vectors) -> Iterator[Sequence[Flat]]:

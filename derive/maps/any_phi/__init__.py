@@ -9,20 +9,6 @@ near v = 0                ``a(x) = α/|v|`` is analytic. An interpolating polyno
 beyond                    Newton's method finds the angle from ``|v|``. Scalars follow from α, φ and its derivatives.
 ========================  ==========================================================================================
 
-The modules, in the order of their use:
-
-====================  ==============================================================================================
-grammar               Check the text against a list of allowed syntax, without evaluation and without SymPy.
-expressions           Build the SymPy expression. Decide whether it is odd, or a multiple of a named chart.
-edges                 Find the edge: the first pole of φ or zero of φ′, or 4π. Invert φ in closed form.
-near_zero             Interpolate a(x) with a bound of the error, proved by interval arithmetic on a circle.
-first_guess           Choose the start of Newton's method, and count the steps that it needs.
-phi_values            Write φ and its derivatives as arithmetic of ``+ − × /``, roots, tangents, exponentials.
-general               The chart itself: scalars in both ranges.
-parameterization      The chart of a φ: a named chart, a multiple of one, or a general chart.
-====================  ==============================================================================================
-
-Other modules of `derive.maps` import `parameterization` alone.
-
-This file imports nothing, so that `grammar` can be used before SymPy is loaded.
+In the order of their use: `grammar`, `expressions`, `edges`, `near_zero`, `first_guess`, `phi_values`, `general`,
+`parameterization`. Other rooms import the last one alone. This file imports nothing: `grammar` works without SymPy.
 """

@@ -21,8 +21,7 @@ from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
 from ..angle_chart import AngleChart
 from ..families import alpha
-from ..order_charts import Derivatives, double_angle
-from ..polynomials import Pair
+from ..order_charts import Derivatives, half_angle
 from ..real_constants import plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
@@ -59,29 +58,23 @@ class GeneralScalars(DependentScalars):
 
     _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 
-    @cached_property
-    def _half(self) -> stumpff.HalfAngle:
-        zeta = self.m.name("zeta", self.m.div(self._x * self._aa, 4))
-        return stumpff.HalfAngle(zeta, self.m)
-
-    _whole = cached_property(lambda at: stumpff.WholeAngle(at._half, at.m))
-
-    _c3 = scalar(lambda at: at._whole.c3, "c3")
-    _bend = scalar(lambda at: 3 * at._whole.c5 - at._whole.c4, "c3x")  # 2 c₃′
+    _zeta = scalar(lambda at: at.m.div(at._x * at._aa, 4), "zeta")
+    _stumpff = cached_property(lambda at: stumpff.Stumpff(at._zeta, at.m))
+    _c3 = scalar(lambda at: at._stumpff.c3, "c3")
+    _bend = scalar(lambda at: at._stumpff.slope, "c3x")
     _rate_near = scalar(lambda at: at._a(0) + 2 * (at._x * at._a(1)), "rhon")
     _ratey_near = scalar(lambda at: 6 * at._a(1) + 4 * (at._x * at._a(2)), "rhony")
     _growth = scalar(lambda at: at._a(0) * at._rate_near, "xix")  # dξ/dx
     _cube = scalar(lambda at: at._aa * at._a(0), "aaa")
 
-    @property
-    def _hy_near(self) -> Coefficient:
-        direct = 6 * (self._aa * self._a(1)) * self._c3 + 4 * self._a(2)
-        return direct + self._cube * self._growth * self._bend
+    _hy_near = property(
+        lambda at: 6 * (at._aa * at._a(1)) * at._c3 + 4 * at._a(2) + at._cube * at._growth * at._bend
+    )
 
     @property
     def _hyy_near(self) -> Coefficient:
         a, a1, a2, a3 = map(self._a, range(4))
-        twist = 15 * self._whole.c7 - 7 * self._whole.c6 + self._whole.c5
+        twist = self._stumpff.bend
         of_growth = self.m.div(2 * (a1 * self._rate_near) + a * self._ratey_near, 2)
         direct = (12 * (a * a1 * a1) + 6 * (self._aa * a2)) * self._c3 + 4 * a3
         first = 6 * (self._aa * a1) * self._growth * self._bend
@@ -108,12 +101,7 @@ class GeneralScalars(DependentScalars):
         """Return α for a length r, where ``r² = x``."""
         return self.m.name("alpha", self._select(self._a(0) * r, self.far_angle))
 
-    @cached_property
-    def _trigonometry(self) -> Pair:
-        """Values of ``cos(α/2)`` and ``sin(α/2)/|v|``."""
-        sine, cosine = double_angle(self.m.name("t", self.m.tan(self.m.div(self.far_angle, 4))), self.m)
-        return cosine, sine / self._length
-
+    _circular = cached_property(lambda at: half_angle(at.far_angle, at._length, at.m))
     _slopes = cached_property(lambda at: PhiValues(at.far_angle, at.m))
 
     def _derivative(self, count: int) -> Coefficient:
@@ -134,8 +122,8 @@ class GeneralScalars(DependentScalars):
 
     # --- in both ranges -----------------------------------------------------------------------------------------
 
-    s = scalar(lambda at: at._select(at._half.c0, at._trigonometry[0]))
-    w = scalar(lambda at: at._select(at.m.div(at._a(0) * at._half.c1, 2), at._trigonometry[1]))
+    s = scalar(lambda at: at._select(at._stumpff.C0, at._circular[0]))
+    w = scalar(lambda at: at._select(at.m.div(at._a(0) * at._stumpff.C1, 2), at._circular[1]))
     rate = scalar(lambda at: at._select(at._rate_near, at._rate_far), "rho")
     ratey = scalar(lambda at: at._select(at._ratey_near, at._ratey_far), "rhoy")
     rateyy = scalar(lambda at: at._select(20 * at._a(2) + 8 * (at._x * at._a(3)), at._rateyy_far), "rhoyy")

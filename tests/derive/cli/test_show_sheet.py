@@ -14,7 +14,7 @@ import pytest
 from derive.output.files import RefusedError
 from derive.pages import sheet_files as sheet
 from derive.pages.sheet_files import FLAGS, pieces
-from derive.proof.proved import claims
+from derive.proof.proved import CLAIMS
 from docs._ext import sheet as site
 from tests.support import browsers
 from tests.support.command import ROOT, dualcay
@@ -67,7 +67,7 @@ def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], message: 
 
 
 def test_altered_theorem_leaves_the_file_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    altered = [t.with_claim(0, t.claim[0].altered()) if t.name == "twist" else t for t in claims()]
+    altered = [t.with_claim(0, t.claim[0].altered()) if t.name == "twist" else t for t in CLAIMS]
     monkeypatch.setattr("derive.pages.sheet.claims", lambda: altered)
     output = tmp_path / "sheet.html"
     output.write_text("old", encoding="utf-8")

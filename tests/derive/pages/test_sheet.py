@@ -16,7 +16,7 @@ from derive.pages import sheet
 from derive.pages.theorems import title
 from derive.proof import ProofFailed
 from derive.proof.identity import Proof
-from derive.proof.proved import claims
+from derive.proof.proved import CLAIMS
 from derive.proof.theorem import decided
 
 THEOREMS = (Path(__file__).parents[3] / "docs" / "theorems.md").read_text(encoding="utf-8")
@@ -26,7 +26,7 @@ WANTED = [wanted for table in TABLES for wanted in chain.from_iterable(table.val
 
 @pytest.fixture(scope="module")
 def known() -> Mapping[str, Proof]:
-    return {proof.name: proof for proof in decided(claims())}
+    return {proof.name: proof for proof in decided(CLAIMS)}
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +62,7 @@ def test_lines_of_an_unproved_theorem_are_refused(known: Mapping[str, Proof], wa
 
 @pytest.mark.parametrize("name", ["twist", "any phi: inverse"])
 def test_altered_theorem_is_refused(name: str) -> None:
-    altered = [t.with_claim(0, t.claim[0].altered()) if t.name == name else t for t in claims()]
+    altered = [t.with_claim(0, t.claim[0].altered()) if t.name == name else t for t in CLAIMS]
     with pytest.raises(ProofFailed, match="not proved"):
         sheet.sheet(altered)
 

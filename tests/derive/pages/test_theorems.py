@@ -26,7 +26,7 @@ COUNTS = {
 @pytest.fixture(scope="module")
 def claimed() -> tuple[Proof, ...]:
     """Return the proofs of all theorems; a proof uses only earlier proofs."""
-    return decided(command.claims())
+    return decided(command.CLAIMS)
 
 
 def test_page_is_current(claimed: tuple[Proof, ...]) -> None:
@@ -66,7 +66,7 @@ SAMPLE = 16
 """Stride of the sample of theorems whose controls are tested; `make check-theorems` runs those of all."""
 
 
-@pytest.mark.parametrize("theorem", command.claims()[::SAMPLE], ids=lambda theorem: theorem.name)
+@pytest.mark.parametrize("theorem", command.CLAIMS[::SAMPLE], ids=lambda theorem: theorem.name)
 def test_controls_fail(theorem: Theorem, claimed: tuple[Proof, ...]) -> None:
     scope = "" if theorem.scope == "all n" else f" [{theorem.scope}]"
     found = [*controls([theorem], {proof.name: proof for proof in claimed})]

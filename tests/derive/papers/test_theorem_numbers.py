@@ -20,10 +20,9 @@ from derive.proof import formulas
 from derive.proof import notation as m
 from derive.proof.components import STATEMENTS
 from derive.proof.displacement_theorems import CLOSED_AT
-from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.phi_theorems import ANY_PHI
-from derive.proof.proved import stated
+from derive.proof.proved import STATED
 from derive.proof.statement import Equation
 
 SYMBOLS = {
@@ -137,7 +136,7 @@ def says(number: int, equation: Equation) -> bool:
 @cache
 def equations() -> list[Equation]:
     """Return the equations of all claims and definitions of the theorems."""
-    found = [e for t in (*stated(Formulas()), *chain(*CLOSED_AT.values())) for e in (*t.claim, *_definitions(t))]
+    found = [e for t in (*STATED, *chain(*CLOSED_AT.values())) for e in (*t.claim, *_definitions(t))]
     return list({(e.left, e.right, e.numbers): e for e in found}.values())
 
 
@@ -193,10 +192,10 @@ def test_numbers_of_maps_match_entries(name: str, n: int) -> None:
     assert list(EQUATIONS[name]) == general
 
 
-STATED = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANTITIES if hasattr(at, name)]
+WRITTEN = [getattr(at, name) for at in (closed_forms, formulas) for name in QUANTITIES if hasattr(at, name)]
 
 
-@pytest.mark.parametrize("function", STATED, ids=lambda function: f"{function.__module__}.{function.__name__}")
+@pytest.mark.parametrize("function", WRITTEN, ids=lambda function: f"{function.__module__}.{function.__name__}")
 def test_numbers_in_docstrings_match_maps(function: Callable[..., Any]) -> None:
     assert function.__doc__
     cited = re.findall(r"CP23 \((\d+)\)", function.__doc__)

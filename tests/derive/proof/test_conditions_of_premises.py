@@ -9,7 +9,6 @@ import sympy
 
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import TURNED
-from derive.proof.formulas import Formulas
 from derive.proof.limit_theorems import GROWING_ORDER
 from derive.proof.methods import Identity
 from derive.proof.notation import Shifted, m, n, p, p_double, p_m, p_sum, q, q_double, q_m, q_sum, v, x
@@ -28,7 +27,7 @@ from derive.proof.polynomial_theorems import (
     TURN,
     TWICE,
 )
-from derive.proof.proved import stated
+from derive.proof.proved import STATED
 from derive.proof.setting import Setting, Symbols
 from derive.proof.statement import Equation, Premise, definition
 from derive.proof.theorem import Theorem
@@ -51,7 +50,7 @@ def test_a_theorem_at_one_order_is_no_premise_for_others() -> None:
 TERMS = {p: n, q: n, p_m: m, q_m: m, p_sum: m + n, q_sum: m + n, p_double: 2 * n, q_double: 2 * n}
 INSTANCES = [
     premise
-    for theorem in (*stated(Formulas()), *ANY_PHI, *GROWING_ORDER)
+    for theorem in (*STATED, *ANY_PHI, *GROWING_ORDER)
     for premise in theorem.premises
     if premise.instance
 ]
@@ -87,7 +86,7 @@ def test_an_instance_with_terms_of_another_index_is_no_premise(
     assert [residue.label for residue in proof.failures][:2] == 2 * ["premise by addition"]
 
 
-@pytest.mark.parametrize("theorem", [TURNED, next(t for t in stated(Formulas()) if t.name == "inverse")])
+@pytest.mark.parametrize("theorem", [TURNED, next(t for t in STATED if t.name == "inverse")])
 def test_instances_replace_all_symbols_of_an_index(theorem: Theorem) -> None:
     premise = theorem.premise(0, (n, 2 * n), (p, p_double), (q, q_double))
     symbols = Identity(Symbols((p_double, q_double, x, n), (v,), (x,)))
@@ -174,14 +173,14 @@ def test_order_is_not_free() -> None:
 
 
 def test_controls_detect_an_unused_theorem() -> None:
-    axis = next(theorem for theorem in stated(Formulas()) if theorem.name == "axis")
+    axis = next(theorem for theorem in STATED if theorem.name == "axis")
     padded = replace(axis, premises=(*axis.premises, NORM.premise(0)))
     unnoticed = [control for control in controls([padded], known()) if not control.noticed]
     assert [control.proof.premises[-1].equation.left for control in unnoticed] == [(1 + x) ** n]
 
 
 def test_controls_detect_a_needless_free_symbol() -> None:
-    axis = next(theorem for theorem in stated(Formulas()) if theorem.name == "axis")
+    axis = next(theorem for theorem in STATED if theorem.name == "axis")
     assert isinstance(axis.method, Identity)
     symbols = replace(axis.method.symbols, scalars=(*axis.method.symbols.scalars, TURN), free=(x, TURN))
     wider = replace(axis, method=replace(axis.method, symbols=symbols))

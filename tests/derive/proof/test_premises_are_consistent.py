@@ -11,11 +11,10 @@ from derive.maps import family
 from derive.proof.at_order import at_order, same_as_theorem
 from derive.proof.displacement_theorems import EXPONENTIAL, ROTATION
 from derive.proof.evaluation import NoValueError
-from derive.proof.formulas import Formulas
 from derive.proof.methods import Determined, Identity
 from derive.proof.notation import R, Shifted, alpha, cross, dot, n, p, prime, q, rate, skew, u, v, x
 from derive.proof.polynomial_theorems import ANGLES, COSINE, NORM, ONE, RISE, SINE, SUMS, TURN, recurring
-from derive.proof.proved import stated
+from derive.proof.proved import STATED
 from derive.proof.scalars import FORMULAS, instance
 from derive.proof.setting import Symbols
 from derive.proof.statement import Equation, Premise, definition
@@ -129,7 +128,7 @@ def test_sums_check_conditions_of_cited_theorems() -> None:
 def test_a_failed_theorem_is_no_premise() -> None:
     failed = known()
     failed["slopes"] = replace(failed["slopes"], status="failed")
-    twist = next(theorem for theorem in stated(Formulas()) if theorem.name == "twist")
+    twist = next(theorem for theorem in STATED if theorem.name == "twist")
     assert [residue.label for residue in twist.decide(failed).failures] == 2 * ["premise by slopes"]
 
 

@@ -10,18 +10,17 @@ from derive.maps import polynomials
 from derive.proof import citing, formulas, theorems
 from derive.proof.controls import controls
 from derive.proof.displacement_theorems import CLOSED_AT, DOUBLE_ANGLE, EXPONENTIAL
-from derive.proof.formulas import Formulas
 from derive.proof.identity import ALL_ORDERS
-from derive.proof.notation import I, alpha, dcay, det, n, p, q, skew, u, v, x
+from derive.proof.notation import I, R, alpha, dcay, dcay_inv, det, n, p, q, skew, u, v, x
 from derive.proof.polynomial_theorems import BRACKET_SUMS, POWERS, SLOPES, SUMS
-from derive.proof.proved import stated
+from derive.proof.proved import STATED
 from derive.proof.statement import Equation, definition
 from derive.proof.theorem import Theorem, decided
 from tests.support.theorems import known
 
 
 def theorem(name: str) -> Theorem:
-    return next(found for found in stated(Formulas()) if found.name == name)
+    return next(found for found in STATED if found.name == name)
 
 
 def test_everything_is_proved_for_all_orders() -> None:
@@ -68,8 +67,13 @@ def test_a_wrong_coefficient_fails(name: str, index: int, change: str) -> None:
         coefficients[index] = -coefficients[index] if change == "sign" else coefficients[index] * n
         return tuple(coefficients)
 
-    altered: dict[str, Any] = {name: wrong}
-    failed = [proof for proof in decided(stated(Formulas(**altered))) if not proof.proved]
+    symbol = {"tensor": R, "tangent": dcay, "tangent_inv": dcay_inv}[name]
+    before, after = (formulas.defined(symbol, formula) for formula in (right, wrong))
+    altered = [
+        replace(t, premises=tuple(after if e.equation.right == before.equation.right else e for e in t.premises))
+        for t in STATED
+    ]
+    failed = [proof for proof in decided(altered) if not proof.proved]
     assert failed
     assert all(proof.failures for proof in failed)
 
