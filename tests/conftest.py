@@ -31,8 +31,7 @@ MISSING = {
 os.environ.setdefault("DUALCAY_NATIVE", "0")
 
 
-SELECTED = {"browser", "compiler", "coq", "smoke", "thorough", "torch"}
-"""Markers of this project that select tests."""
+SELECTED = {"browser", "compiler", "coq", "smoke", "thorough", "torch"}  # markers of this project that select tests
 
 
 def _require_named(items: list[pytest.Item]) -> None:

@@ -13,10 +13,8 @@ from benchmarks import derivatives, forms, kernels, timing
 from benchmarks.peers import Poses
 from tests.support.kernels import load
 
-ORDER = 1
-"""Order at which SymPy derives every function in a second."""
-CLOSE = {"rtol": 1e-12, "atol": 1e-12}
-"""Tolerances for sums of some hundred terms of size 1 to 10, away from poles."""
+ORDER = 1  # order at which SymPy derives every function in a second
+CLOSE = {"rtol": 1e-12, "atol": 1e-12}  # tolerances for sums of some hundred terms of size 1 to 10, away from poles
 FUNCTIONS = tuple(derivatives.ARGUMENTS)
 
 

@@ -107,8 +107,7 @@ def test_fractions_stay_fractions(number: str) -> None:
     assert all(isinstance(c, Fraction) for c in rate)
 
 
-END = 6.0
-"""Almost a whole period of the tumbling body."""
+END = 6.0  # almost a whole period of the tumbling body
 
 
 def end_pose(equation: MotionEquation, rtol: float, frame: str) -> np.ndarray:

@@ -201,8 +201,7 @@ LIBRARIES: dict[str, Callable[[], Row]] = {
     "jaxlie": of_jaxlie,
     "Basilisk": of_basilisk,
 }
-STATED = {"ROS"}
-"""Rows of definitions without a library to call."""
+STATED = {"ROS"}  # rows of definitions without a library to call
 
 
 def tables(corner: str) -> dict[str, dict[str, str]]:

@@ -24,8 +24,7 @@ FLAGS = (
     *("--disable-background-networking", "--disable-component-update", "--enable-logging=stderr"),
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 )
-SECONDS = 240
-"""Time for a page to come back."""
+SECONDS = 240  # time for a page to come back
 
 FRAME = r"""<body style="margin: 0"><iframe width="WIDTH" height="900" style="border: 0"></iframe><script>
 const frame = document.querySelector("iframe");

@@ -45,8 +45,7 @@ def test_every_function_meets_all_regimes():
     assert len(met) == len(REGIMES) * len(PUBLIC)
 
 
-LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)
-"""Distances from the edge, as shares of the edge angle."""
+LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle
 
 
 EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name != "exponential" for k in (0, 2)]

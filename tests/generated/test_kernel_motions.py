@@ -14,8 +14,7 @@ from tests.support.nilpotent import Nil
 from tests.support.oracle import Oracle, oracle_of
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley8", "exponential", "lambert")
-CLOSE = 1e-12
-"""Tolerance, relative to the operators in a product; each operator is accurate to 8 eps of its norm."""
+CLOSE = 1e-12  # tolerance, relative to the operators in a product; each operator is accurate to 8 eps of its norm
 
 
 @pytest.fixture(params=NAMES)

@@ -20,8 +20,7 @@ from tests.support.oracle import Oracle, oracle_of
 
 PRINTED = 1e-12
 """Tolerance for published numbers, which have at least 13 digits after the point; Basilisk's tests allow 1e-10."""
-ROUNDING = 1e-15
-"""Tolerance for rounding errors of results up to 5."""
+ROUNDING = 1e-15  # tolerance for rounding errors of results up to 5
 
 DEGREE = np.pi / 180
 ANGLES, OMEGA = np.array([30, -40, 15]) * DEGREE, np.array([0.2, 0.1, -0.5])

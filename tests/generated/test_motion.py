@@ -20,11 +20,9 @@ from tests.support import examples, motions
 
 NAMES = ("cayley1", "cayley2", "cayley3", "cayley5", "exponential")
 FRAMES, METHODS = ("space", "body"), ("lie", "chart")
-OMEGA = np.array([0.3, 0.8, -0.5, 0.4, -0.2, 0.6]) / np.sqrt(0.98)
-"""Constant twist of one radian per second."""
+OMEGA = np.array([0.3, 0.8, -0.5, 0.4, -0.2, 0.6]) / np.sqrt(0.98)  # constant twist of one radian per second
 
-START = np.array([0.4, -1.0, 0.7, 0.3, 2.0, -1.0])
-"""Exponential coordinates of a pose."""
+START = np.array([0.4, -1.0, 0.7, 0.3, 2.0, -1.0])  # exponential coordinates of a pose
 
 
 def steady(t: float) -> tuple[float, ...]:

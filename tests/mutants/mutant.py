@@ -17,8 +17,7 @@ from time import monotonic
 
 KILLED, SURVIVED, EQUIVALENT = "killed", "survived", "equivalent"
 
-TRIAL_SECONDS = 900.0
-"""Time limit of one trial, in seconds; a mutant that exceeds it counts as killed."""
+TRIAL_SECONDS = 900.0  # time limit of one trial, in seconds; a mutant that exceeds it counts as killed
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,8 +22,7 @@ OPPOSITE = {"add": "sub", "sub": "add", "mul": "div", "div": "mul", "and": "or",
 ORDERED = {"sub": (0, 1), "div": (0, 1), "lt": (0, 1), "atan2": (0, 1), "where": (1, 2)}
 DROPPED = {"neg": (0,), "abs": (0,), "sqrt": (0,), "tan": (0,), "where": (1, 2)}
 TRUTHS = ("lt", "eq", "and", "or")
-GEOMETRY_CHARTS = (Cayley(3), Cayley(2))
-"""Charts used in the validation of a changed geometry program."""
+GEOMETRY_CHARTS = (Cayley(3), Cayley(2))  # charts used in the validation of a changed geometry program
 
 Changed = tuple[str, str, Program]
 """Type of a change: operator, change in words, and changed program."""

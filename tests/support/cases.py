@@ -26,11 +26,9 @@ from tests.support.rotations import RotationTrial
 
 FILE = Path(__file__).parents[2] / "benchmarks" / "worst_cases.json"
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64, "longdouble": np.longdouble}
-KEPT = 2
-"""Number of cases kept per function, inside and again outside the principal range."""
+KEPT = 2  # number of cases kept per function, inside and again outside the principal range
 
-CASES_MAX = 190
-"""Largest number of cases in the file; cases nearest to their gates are kept."""
+CASES_MAX = 190  # largest number of cases in the file; cases nearest to their gates are kept
 
 TRIALS: dict[str, type[Trial]] = {POSES.name: CalculusTrial, ROTATIONS.name: RotationTrial}
 """Class of trials by name of the table of functions."""

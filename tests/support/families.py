@@ -78,12 +78,9 @@ ORACLES = {
 
 
 DIGITS = 60
-GATE = 8
-"""Largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it."""
-VECTORS = ("v0", "v1", "v2", "delta")
-"""Names of further arguments that are vectors of the chart, or steps."""
-BY_STEPS = ("retract_jacobians", "body_retract_jacobians")
-"""Functions with products of operators as results."""
+GATE = 8  # largest allowed error, in eps of size and condition of a result; `make accuracy` found half of it
+VECTORS = ("v0", "v1", "v2", "delta")  # names of further arguments that are vectors of the chart, or steps
+BY_STEPS = ("retract_jacobians", "body_retract_jacobians")  # functions with products of operators as results
 STEPS = ("retract", "body_retract", *BY_STEPS)
 
 

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-PITCHES = 0.5, 0.8
-"""Translation per radian along each axis."""
+PITCHES = 0.5, 0.8  # translation per radian along each axis
 
 
 def angles(t: Any, library: ModuleType = np) -> tuple[Any, Any, Any, Any]:

@@ -25,8 +25,7 @@ from derive.output import files
 from tests.support.packages import Otherwise
 from tests.support.signatures import components_first, components_last
 
-PLAIN = "optimization=0"
-"""Option without vector code, which would make compilation ten times slower."""
+PLAIN = "optimization=0"  # option without vector code, which would make compilation ten times slower
 
 
 def build(place: Path, charts: Iterable[Chart], *options: str, only: str = "") -> None:

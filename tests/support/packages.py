@@ -13,8 +13,7 @@ import pytest
 ORDERS = {"array-api": (1, 2, 3, 8), "numba": (1, 2, 3, 4, 8), "c": (1, 3, 8, 16)}
 """Orders in the packages shared by tests, by target."""
 
-EXECUTED = ("validate", "replay", "test")
-"""Names of the members of a target that execute its text."""
+EXECUTED = ("validate", "replay", "test")  # names of the members of a target that execute its text
 
 
 class Otherwise:

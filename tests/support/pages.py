@@ -13,8 +13,7 @@ from derive.cli.commands import cli
 from tests.support import examples
 
 ROOT = Path(__file__).parents[2]
-QUICK = ("show", "list", "verify --eq")
-"""Commands that are run; tests/derive/cli tests slower ones."""
+QUICK = ("show", "list", "verify --eq")  # commands that are run; tests/derive/cli tests slower ones
 
 
 def blocks(text: str, language: str) -> list[str]:

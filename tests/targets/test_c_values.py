@@ -17,8 +17,7 @@ from derive.maps import Cayley
 pytestmark = [pytest.mark.compiler, pytest.mark.thorough]
 
 ORDERS = (1, 3, 8)
-LIBRARY = {"tan", "atan2"}
-"""Functions rounded differently by C libraries and NumPy."""
+LIBRARY = {"tan", "atan2"}  # functions rounded differently by C libraries and NumPy
 
 COUNT = 300
 

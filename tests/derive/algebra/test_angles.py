@@ -11,8 +11,7 @@ from derive.algebra.angles import AngleField
 from derive.algebra.element import Element, NotExactError
 
 STEPS = 3
-NEAR = 1e-3
-"""Tolerance; at the reference point an angle and its tangent t ≤ 1/37 differ by t³/3."""
+NEAR = 1e-3  # tolerance; at the reference point an angle and its tangent t ≤ 1/37 differ by t³/3
 
 
 @pytest.fixture(scope="module")

@@ -33,8 +33,7 @@ PHI: dict[str, tuple[str, Share]] = {
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (1.2, 1.4), (0.3, 3.1), (3.2, 6.0))
 """Ranges of angles below a whole turn; one contains the limit between the formulas near 0 and beyond."""
-QUICK = ("steep", "bounded")
-"""Charts with a fast oracle, without sums of series."""
+QUICK = ("steep", "bounded")  # charts with a fast oracle, without sums of series
 
 
 @pytest.fixture(
@@ -66,8 +65,7 @@ def test_no_band_of_angles_loses_digits(kernels: ModuleType, oracle: OfSquare, r
         assert families.worst(kernels, oracle, function, v) <= families.GATE, function
 
 
-DIGITS = 350
-"""Digits of the reference values, enough to hold 1 + 1e-300."""
+DIGITS = 350  # digits of the reference values, enough to hold 1 + 1e-300
 ARGUMENTS = (-30.0, -3.0, -0.4, -1e-9, 1e-300, 1e-9, 0.4, 3.0, 30.0)
 
 

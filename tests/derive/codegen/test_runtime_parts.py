@@ -15,8 +15,7 @@ from derive.codegen.targets import TARGETS
 from derive.codegen.validation.loading import loaded
 from derive.output import files
 
-LINE = 64
-"""Size of a cache line and of the widest vector register, in bytes."""
+LINE = 64  # size of a cache line and of the widest vector register, in bytes
 
 
 @pytest.fixture(scope="module")

@@ -62,8 +62,7 @@ def test_missing_value_is_no_failed_control() -> None:
     assert not Control("t", "a", decide("t", (), "", checks)).noticed
 
 
-SAMPLE = 16
-"""Stride of the sample of theorems whose controls are tested; `make check-theorems` runs those of all."""
+SAMPLE = 16  # stride of the sample of theorems whose controls are tested; `make check-theorems` runs those of all
 
 
 @pytest.mark.parametrize("theorem", command.CLAIMS[::SAMPLE], ids=lambda theorem: theorem.name)

@@ -26,8 +26,7 @@ HOLDS_IF = {
     *("39", "40", "41", "44", "45", "92", "99", "106", "113", "120", "126", "127", "128"),
 }
 EVIDENCE = {"arc-tangent", "quaternion-norm", "25", "42", "43"}
-SAMPLE = 6
-"""Stride of the sample: tests decide every sixth entry that holds; `make check` decides all."""
+SAMPLE = 6  # stride of the sample: tests decide every sixth entry that holds; `make check` decides all
 
 
 @pytest.fixture(scope="module")

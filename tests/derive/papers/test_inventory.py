@@ -15,8 +15,7 @@ pytestmark = pytest.mark.smoke
 ROOT = Path(__file__).parents[3]
 NUMBERED = {"condurache-popa-2023": 131, "karakilic-2010": 22}
 LAST_LINE = {"condurache-popa-2023": 469, "karakilic-2010": 269}
-WITHOUT_NUMBERS = {"7"}
-"""Numbered equations with no formula in the extracted text."""
+WITHOUT_NUMBERS = {"7"}  # numbered equations with no formula in the extracted text
 
 
 @pytest.fixture(params=PAPERS, ids=lambda paper: paper.short)

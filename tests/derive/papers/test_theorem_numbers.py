@@ -123,8 +123,7 @@ CHAINS = {
     int(entry.number): [set(map(sympy.expand, members)) for members in chains(decided_form(entry))]
     for entry in PAPERS[0].entries() if entry.number.isdecimal()
 }  # fmt: skip
-RENAMED = {m.R_dual: m.R}
-"""Tensor of a dual vector, named R in the paper."""
+RENAMED = {m.R_dual: m.R}  # tensor of a dual vector, named R in the paper
 
 
 def says(number: int, equation: Equation) -> bool:
