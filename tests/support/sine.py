@@ -148,6 +148,8 @@ class Sine:
     selection = ("--phi", "sin(alpha/6)")
     order = 1
     title = "Sine of a sixth of the angle"
+    vector = "dual vector"
+    algebraic = True
     parameter = "sin(α/6)"
     phi = sympy.sin(alpha / 6)
     edge = 3 * sympy.pi
