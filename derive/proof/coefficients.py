@@ -160,7 +160,6 @@ class _Reader:
 
 
 def _zero(label: str, series: Series, first: int) -> Checks:
-    """Yield the residues of all coefficients of a series that must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:

@@ -67,8 +67,6 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
 
 
 class _Builder:
-    """Builder of the SymPy expression for one text."""
-
     def __init__(self, text: str, order: int | None) -> None:
         self.text = text
         self.order = order

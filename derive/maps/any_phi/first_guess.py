@@ -32,7 +32,6 @@ STEPS_MAX = 7
 
 
 def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
-    """Return x divided by a constant."""
     return m.name("share", times(1 / size, x, m, "ratio"))
 
 
@@ -165,7 +164,6 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 
 
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
-    """Yield guesses in the order of trial."""
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle more accurately than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:

@@ -87,7 +87,6 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
 
 
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
-    """Return a limit of x rounded down to a fraction of small integers."""
     if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
         raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
@@ -234,7 +233,6 @@ def _functions() -> dict[Any, Callable[[Any], Any]]:
 
 
 def _nonzero(value: Any) -> Any:
-    """Return the value; raise if the interval contains 0."""
     if not abs(value).a > 0:
         raise ValueError(NOT_INTERVALS)
     return value
