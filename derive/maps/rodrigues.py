@@ -40,10 +40,7 @@ def rodrigues_vector(A: Tensor) -> Vector:
 
 
 def direction(b: Vector, library: Any = functions) -> Vector:
-    """Return ``ŝ = b/|b|`` of a dual vector, K10 (7): the unit dual Rodrigues vector.
-
-    The real part must not be 0; `library` provides ``sqrt`` of the coefficients.
-    """
+    """Return ``ŝ = b/|b|`` of a dual vector with Re b ≠ 0, K10 (7); `library` provides ``sqrt`` of the coefficients."""
     s: Vector = b / library.sqrt(b.dot(b))
     return s
 

@@ -37,13 +37,10 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Guess(ABC):
-    """Angle near φ⁻¹(r), with the number of Newton steps from this angle to the root.
+    """Angle near φ⁻¹(r)."""
 
-    ``edge`` is the edge of the chart as a number.
-    """
-
-    edge: Any
-    steps: int
+    edge: Any  # of the chart, as a number
+    steps: int  # of Newton's method from this angle to the root
 
     def at(self, x: Any) -> Any:
         """Return the guess at ``x = r²``, an mpmath number."""
