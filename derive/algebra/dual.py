@@ -50,7 +50,6 @@ class Structure(Typeset):
         return self.from_components(components)
 
     def _matches(self, other: object) -> bool:
-        """Return whether the other value can be added to this one."""
         return type(other) is type(self)
 
     def map(self, f: Callable[[Any], Any]) -> Self:

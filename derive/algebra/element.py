@@ -149,7 +149,6 @@ class Element:
         return (rate - Element(self.ring, self.numerator, self.ring.library.one) * growth) * over
 
     def _derived(self, a: Polynomial, rates: Mapping[int, Element]) -> Element:
-        """Return the derivative of a polynomial."""
         library, total = self.ring.library, self.ring.constant(0)
         for generator, rate in rates.items():
             slope = library.derivative(a, generator)

@@ -14,10 +14,7 @@ Row: TypeAlias = tuple[Coefficient, Coefficient, Coefficient]
 
 @dataclass(frozen=True, slots=True)
 class Vector(Structure):
-    """Vector with components ``c1, c2, c3`` in a right-handed orthonormal basis.
-
-    `Dual` components make it a dual vector.
-    """
+    """Vector ``c1, c2, c3`` in a right-handed orthonormal basis; `Dual` components make it a dual vector."""
 
     c1: Coefficient
     c2: Coefficient

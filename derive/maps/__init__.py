@@ -20,15 +20,9 @@ if TYPE_CHECKING:
 __all__ = ["Cayley", "Formula", "IsotropicMap", "PhiError", "QuaternionMap", "family", "parameterization", "x"]
 
 _HOMES = {
-    "PhiError": "phi_error",
-    "Cayley": "cayley",
-    "Formula": "formula",
-    "IsotropicMap": "formula",
-    "QuaternionMap": "formula",
-    "family": "named",
-    "parameterization": "any_phi.parameterization",
-    "x": "polynomials",
-}
+    "Cayley": "cayley", **dict.fromkeys(("Formula", "IsotropicMap", "QuaternionMap"), "formula"), "family": "named",
+    "PhiError": "phi_error", "parameterization": "any_phi.parameterization", "x": "polynomials",
+}  # fmt: skip
 
 if not TYPE_CHECKING:
 

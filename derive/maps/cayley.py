@@ -235,13 +235,10 @@ class Cayley(BranchesOfOrder):
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the notation of the paper."""
-        return self._aligned(
-            *((f"{letter}_{{{self.order}}}", latex(value)) for letter, value in self.letters)
-        )
+        return self._aligned(*((f"{letter}_{{{self.order}}}", latex(value)) for letter, value in self.letters))
 
 
 def _definitions(n: int) -> dict[str, str]:
-    """Return the right-hand sides of the four maps in LaTeX."""
     p, q, norm = f"p_{{{n}}}", f"q_{{{n}}}", _power(n)
     rotation = rf"\frac{{2 {p} {q}}}{{{norm}}}"
     return {

@@ -164,7 +164,6 @@ class CayleyScalars:
 
     @cached_property
     def _half(self) -> Pair:
-        """Values of p and q of order n/2."""
         half = self.order // 2
         if self._expanded:
             p, q = (horner(polynomial, self.x) for polynomial in polynomials.ring_pair(half))

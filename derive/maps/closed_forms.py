@@ -1,4 +1,4 @@
-r"""Cayley maps of order n in closed form, at ``x = v · v`` of any number type.
+"""Cayley maps of order n in closed form, at ``x = v · v`` of any number type; `cayley_scalars` has the formulas.
 
 Elements of Q(x) give formulas, other numbers give values, and `Dual` numbers give values at dual vectors.
 Angles: ``v = tan(α/2n) u`` with α the dual angle and u the unit dual vector of the screw axis.
@@ -6,7 +6,7 @@ Angles: ``v = tan(α/2n) u`` with α the dual angle and u the unit dual vector o
 
 from __future__ import annotations
 
-from ..algebra import Coefficient, Isotropic, Quaternion, Vector
+from ..algebra import Coefficient, Isotropic
 from ..algebra.arithmetic import PLAIN
 from .cayley_scalars import CayleyScalars
 from .polynomials import Pair, require_order
@@ -18,33 +18,22 @@ def scalars(n: int, at: Coefficient) -> CayleyScalars:
 
 
 def quaternion(n: int, at: Coefficient) -> Pair:
-    r"""Return (s, w) of the unit dual quaternion ``s + w v``, CP23 (50), (55).
+    """Return (s, w) of the unit dual quaternion ``s + w v``, CP23 (50), (55), defined for every v.
 
-    .. math:: \hat q = \frac{p_n + q_n v}{(1+x)^{n/2}}
-
-    The map is defined for every v. For v on branch k and even n, the result is ``(−1)ᵏ`` times the principal q̂.
+    For v on branch k and even n, the result is ``(−1)ᵏ`` times the principal q̂.
     """
     at_x = scalars(n, at)
     return at_x.s, at_x.w
 
 
 def tensor(n: int, at: Coefficient) -> Isotropic:
-    r"""Return the orthogonal dual tensor, CP23 (57).
-
-    .. math:: R = I + \frac{2 p_n q_n}{(1+x)^n}\,\tilde v + \frac{2 q_n^2}{(1+x)^n}\,\tilde v^2
-
-    The map is defined for every v. Since ``ṽ² = v⊗v − x I``, the coefficient of I is ``1 − x g``.
-    """
+    """Return the orthogonal dual tensor, CP23 (57), defined for every v; note ``ṽ² = v⊗v − x I``."""
     at_x = scalars(n, at)
     return Isotropic(1 - at * at_x.g, at_x.f, at_x.g, at)
 
 
 def tangent(n: int, at: Coefficient) -> Isotropic:
-    r"""Return the tangent operator dcay_n, CP23 (88): space twist ``ω = dcay_n v̇``.
-
-    .. math::
-        \mathrm{dcay}_n = \frac{2 p_n q_n}{(1+x)^n}\,I + \frac{2 q_n^2}{(1+x)^n}\,\tilde v
-            + \frac{2 c_n}{(1+x)^n}\,v \otimes v, \qquad x\,c_n = n (1+x)^{n-1} - p_n q_n
+    """Return the tangent operator dcay_n, CP23 (88): space twist ``ω = dcay_n v̇``.
 
     The operator is defined for every v. Its rank drops at ``q_n = 0``: at Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋.
     """
@@ -53,20 +42,10 @@ def tangent(n: int, at: Coefficient) -> Isotropic:
 
 
 def tangent_inv(n: int, at: Coefficient) -> Isotropic:
-    r"""Return the inverse tangent operator dcay_n⁻¹, CP23 (89): ``v̇ = dcay_n⁻¹ ω`` from the space twist.
-
-    .. math::
-        \mathrm{dcay}_n^{-1} = \frac{p_n}{2 q_n}\,I - \frac12\,\tilde v + \frac{d_n}{2 n q_n}\,v \otimes v,
-            \qquad x\,d_n = (1+x)\,q_n - n\,p_n
+    """Return the inverse tangent operator dcay_n⁻¹, CP23 (89): ``v̇ = dcay_n⁻¹ ω`` from the space twist.
 
     The operator is defined where ``Re q_n ≠ 0``. The poles are Re α = 2πk, 1 ≤ k ≤ ⌊(n−1)/2⌋ (none for n = 1, 2).
     """
     at_x = scalars(n, at)
     one = 1 + 0 * at  # at n = 1 all values are int, and int / int would not have the type of `at`
     return Isotropic(one * at_x.fi / 2, -one / 2, one * at_x.hi / 2, at)
-
-
-def quaternion_from_vector(n: int, v: Vector) -> Quaternion:
-    """Return the unit (dual) quaternion of the vector `v`, CP23 (50)."""
-    s, w = quaternion(n, v.dot(v))
-    return Quaternion(s, v * w)

@@ -46,8 +46,6 @@ def _steps(expression: sympy.Expr, symbol: sympy.Symbol) -> Sequence[Step]:
 
 
 class _Reader:
-    """Ordered steps that compute an expression."""
-
     def __init__(self, symbol: sympy.Symbol) -> None:
         self.steps: list[Step] = [lambda known, value, library: value]
         self._symbol, self._places = symbol, {symbol: 0}

@@ -39,10 +39,7 @@ def tangent(tensor: Callable[[Vector], Tensor], v: Vector) -> Tensor:
 
 
 def axis_rates(tensor: Callable[[Coefficient, Vector], Tensor], alpha: Coefficient, u: Vector) -> Tensor:
-    """Return the operator that takes the space twist of ``tensor(α, u)`` to u̇, from three independent motions.
-
-    A twist that does not determine u̇ raises ZeroDivisionError.
-    """
+    """Return the operator from the space twist of ``tensor(α, u)`` to u̇; ZeroDivisionError if u̇ is not determined."""
     across = (u.cross(Vector(*row)) for row in Tensor.identity().rows)
     first = next(w for w in across if not is_zero(real_part(w.dot(w))))
     motions = ((1, u * 0), (0, first), (0, u.cross(first)))

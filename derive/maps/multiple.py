@@ -59,15 +59,11 @@ class MultipleScalars:
         self.base = base
         self.factor = factor
         self.m = m
-        self._known: dict[str, Coefficient] = {}
 
     def __getattr__(self, name: str) -> Coefficient:
         if name not in POWERS:
             raise AttributeError(name)
-        if name not in self._known:
-            value = divided(getattr(self.base, name), self.factor, self.m, POWERS[name])
-            self._known[name] = self.m.name(f"{name}_v", value)
-        return self._known[name]
+        return self.m.name(f"{name}_v", divided(getattr(self.base, name), self.factor, self.m, POWERS[name]))
 
     @property
     def ray(self) -> Triple:

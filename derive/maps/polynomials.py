@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 
 import sympy
 
-from ..algebra import Coefficient, Dual
+from ..algebra import Coefficient, Dual, dual_part, real_part
 
 x = sympy.Symbol("x")
 """Square ``v · v`` of the parameter vector, a dual number."""
@@ -87,20 +87,13 @@ def pair_by_squaring(n: int, at: Coefficient) -> Pair:
     return result
 
 
-def pair_with_derivative(n: int, at: Coefficient) -> tuple[Coefficient, Coefficient, Coefficient, Coefficient]:
-    """Return (p_n, q_n, p_n′, q_n′), with ′ = d/dx, from the pair at the dual number ``at + ε``."""
-    if require_order(n) == 1:
-        return 1, 1, 0, 0
-    p, q = (value if isinstance(value, Dual) else Dual(value, 0) for value in pair_by_squaring(n, Dual(at, 1)))
-    return p.re, q.re, p.du, q.du
-
-
 def brackets(n: int, at: Coefficient) -> Pair:
-    """Return (c_n, d_n) at any number: ``c_n = 2 (p q′ − q p′)``, ``d_n = q − 2 q′ − 2 p′``.
+    """Return (c_n, d_n) from the pair at ``at + ε``: ``c_n = 2 (p q′ − q p′)``, ``d_n = q − 2 q′ − 2 p′``.
 
     Unlike the alternating sums of `c_binomial` and `d_binomial`, the formulas lose no digits on shadows at high order.
     """
-    return brackets_of(*pair_with_derivative(n, at))
+    p, q = pair_by_squaring(n, Dual(at, 1))
+    return brackets_of(real_part(p), real_part(q), dual_part(p), dual_part(q))
 
 
 def brackets_of(p: Coefficient, q: Coefficient, dp: Coefficient, dq: Coefficient) -> Pair:
@@ -176,5 +169,4 @@ def poles(n: int) -> tuple[sympy.Expr, ...]:
 
 
 def _sum(coefficients: Any) -> sympy.Expr:
-    """Return the polynomial with ascending `coefficients`."""
     return RING.from_dict({(k,): value for k, value in enumerate(coefficients) if value}).as_expr()

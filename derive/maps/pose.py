@@ -18,10 +18,7 @@ from ..algebra.functions import atan2, cos, cot, sin
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Element of SE(3), the homogeneous matrix ``[[Q, ρ], [0, 1]]``: ``r -> Q r + ρ``.
-
-    `rotation` and `displacement` are the structural invariants of CP23 Theorem 1.
-    """
+    """Element of SE(3), ``r -> Q r + ρ``, by its structural invariants Q and ρ (CP23 Theorem 1)."""
 
     rotation: Tensor
     displacement: Vector
@@ -58,10 +55,7 @@ def tensor_from_pose(pose: Pose) -> Tensor:
 
 
 def pose_from_tensor(R: Tensor) -> Pose:
-    """Return φ⁻¹ of an orthogonal dual tensor, ``Q = Re R``, ``ρ = vect(Du R Qᵀ)``, CP23 (16).
-
-    Q and ρ are the structural invariants. Orthogonality of R is not checked.
-    """
+    """Return φ⁻¹ of an orthogonal dual tensor, ``Q = Re R``, ``ρ = vect(Du R Qᵀ)``, CP23 (16); R is not checked."""
     Q = R.re
     return Pose(Q, (R.du @ Q.transpose).vect())
 

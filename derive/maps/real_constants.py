@@ -47,13 +47,10 @@ def shifted(value: Coefficient, bits: int, m: Arithmetic) -> Coefficient:
 
 @dataclass(frozen=True)
 class Polynomial:
-    """Polynomial ``Σ c_k t^k`` in ``t = (x − centre)/2^scale``, with coefficients split into levels.
-
-    The first level is divided by ``2^shift``.
-    """
+    """Polynomial ``Σ c_k t^k`` in ``t = (x − centre)/2^scale``, with coefficients split into levels."""
 
     levels: tuple[tuple[int, ...], ...]
-    shift: int
+    shift: int  # the first level is divided by 2^shift
     scale: int
     centre: Fraction = Fraction(0)
 

@@ -21,15 +21,13 @@ def cayley_matrix(A: Tensor) -> Tensor:
     A half turn or a reflection A raises ZeroDivisionError, since ``A + I`` is exactly singular.
     """
     unit = Tensor.identity()
-    B: Tensor = (A - unit) @ (A + unit).inverse()
-    return B
+    return (A - unit) @ (A + unit).inverse()
 
 
 def cayley_formula(b: Vector) -> Tensor:
     """Return ``A = (I + B)(I − B)⁻¹`` with ``B = skew(b)``, K10's Cayley formula; ``det(I − B) = 1 + b·b``."""
     unit, B = Tensor.identity(), Tensor.skew(b)
-    A: Tensor = (unit + B) @ (unit - B).inverse()
-    return A
+    return (unit + B) @ (unit - B).inverse()
 
 
 def rodrigues_vector(A: Tensor) -> Vector:
@@ -42,10 +40,7 @@ def rodrigues_vector(A: Tensor) -> Vector:
 
 
 def direction(b: Vector, library: Any = functions) -> Vector:
-    """Return ``ŝ = b/|b|`` of a dual vector, K10 (7): the unit dual Rodrigues vector.
-
-    The real part must not be 0; `library` provides ``sqrt`` of the coefficients.
-    """
+    """Return ``ŝ = b/|b|`` of a dual vector with Re b ≠ 0, K10 (7); `library` provides ``sqrt`` of the coefficients."""
     s: Vector = b / library.sqrt(b.dot(b))
     return s
 

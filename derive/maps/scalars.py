@@ -32,10 +32,7 @@ for ``cot(α/2)``.
 
 
 class scalar:
-    """Scalar of a class with an arithmetic ``m``, computed by its formula from other scalars on first use.
-
-    Its name in programs is, by default, the name of the attribute.
-    """
+    """Scalar of a class with an arithmetic ``m``, computed once by its formula; its default name is the attribute's."""
 
     def __init__(self, formula: Callable[[Any], Coefficient], name: str = "") -> None:
         self.formula = formula

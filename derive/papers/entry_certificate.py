@@ -7,7 +7,7 @@ from typing import Any
 
 from ..algebra.element import Element
 from ..proof.certificate import Certificate, part
-from ..proof.identity import Residue, Sides
+from ..proof.identity import Sides
 from .decide import ORDERS, Pairs, prove
 from .language import operator_table
 from .language.printed import Apply, Term, text
@@ -44,7 +44,7 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
         "method": "both sides evaluated at generic values, fractions not reduced",
         "claims": [claim],
         "premises": [{"text": f"{d.symbol.name} as defined in derive.maps", "by": "definition"} for d in entry.where],
-        "parts": [part([_residue(claim, *pair) for pair in pairs]) for pairs in pairs if pairs],
+        "parts": [part([(claim, _sides(*pair)) for pair in pairs]) for pairs in pairs if pairs],
     }
 
 
@@ -59,9 +59,9 @@ def _only_equations(statement: Term) -> bool:
     )
 
 
-def _residue(claim: str, left: Any, right: Any) -> Residue:
+def _sides(left: Any, right: Any) -> Sides:
     ring = next(side.ring for side in (left, right) if isinstance(side, Element))
-    return Residue(claim, 0, Sides(ring.element(left), ring.element(right)))
+    return Sides(ring.element(left), ring.element(right))
 
 
 def _alike(left: Any, right: Any) -> bool:

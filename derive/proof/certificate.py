@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 
 from .differential_ring import DifferentialRing
-from .identity import Proof, Residue
+from .identity import Proof, Sides
 from .integer_lists import IntegerLists
 from .series_certificate import series
 from .statement import Premise
@@ -20,10 +20,10 @@ def certificate(proof: Proof, known: Mapping[str, Proof]) -> Certificate | str:
     if any(equation.right.has(sympy.Sum) for equation in proof.claim):
         parts: dict[str, Any] = {"series": series(proof)}
     else:
-        compared = [residue for residue in proof.residues if residue.sides is not None]
+        compared = [(residue.label, residue.sides) for residue in proof.residues if residue.sides is not None]
         if not proof.proved or not compared:
             return f"{proof.status}: {proof.method}"
-        if not any(premise.theorem for premise in proof.premises) and all(map(_alike, compared)):
+        if not any(premise.theorem for premise in proof.premises) and all(_alike(sides) for _, sides in compared):
             return "both sides come out in one form; " + proof.method
         parts = {"parts": [part(compared)]}
     name = proof.name if proof.name in known else f"{proof.name} [{proof.scope}]"
@@ -41,35 +41,28 @@ def _premise(premise: Premise, known: Mapping[str, Proof]) -> dict[str, str]:
     return {"text": premise.equation.text, "by": premise.theorem, "claim": cited.text}
 
 
-def _alike(residue: Residue) -> bool:
-    """Return whether both sides were evaluated to the same numerator and denominator."""
-    sides = residue.sides
-    assert sides is not None
+def _alike(sides: Sides) -> bool:
     same = sides.left.numerator == sides.right.numerator and sides.left.denominator == sides.right.denominator
     return sides.moved is None and bool(same)
 
 
-def part(compared: list[Residue]) -> dict[str, Any]:
-    """Return variables, relations, factors and equations of residues in one ring."""
-    first = compared[0].sides
-    assert first is not None
-    ring = first.left.ring
+def part(compared: list[tuple[str, Sides]]) -> dict[str, Any]:
+    """Return variables, relations, factors and equations, given labels and sides in one ring."""
+    ring = compared[0][1].left.ring
     lists = IntegerLists(ring)
-    equations = [_equation(residue, lists) for residue in compared]
+    equations = [_equation(label, sides, lists) for label, sides in compared]
     found = {"variables": list(ring.names), "relations": [lists.polynomial(r)[1] for r in ring.relations]}
     return {**found, **_factors(lists, ring), "equations": equations}
 
 
-def _equation(residue: Residue, lists: IntegerLists) -> dict[str, Any]:
+def _equation(label: str, sides: Sides, lists: IntegerLists) -> dict[str, Any]:
     """Return both sides of a compared equation; a moved term takes the place of the left side."""
-    sides = residue.sides
-    assert sides is not None
     right = lists.side(sides.right)
     if sides.moved is None:
-        return {"label": residue.label, "left": lists.side(sides.left), "right": right}
+        return {"label": label, "left": lists.side(sides.left), "right": right}
     term, values = sides.moved()
     moved = {"term": lists.side(term), "values": [lists.side(lists.ring.element(value)) for value in values]}
-    return {"label": residue.label, sides.move: moved, "right": right}
+    return {"label": label, sides.move: moved, "right": right}
 
 
 def _factors(lists: IntegerLists, ring: Any) -> dict[str, Any]:

@@ -46,13 +46,10 @@ class NotDecidedError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Series:
-    """Power series in x: a polynomial with coefficients in n, and tails.
-
-    A tail is given by its first index, and by its general coefficient in n and j.
-    """
+    """Power series in x: a polynomial with coefficients in n, and tails."""
 
     head: Mapping[int, sympy.Expr] = field(default_factory=dict)
-    tails: tuple[tuple[int, sympy.Expr], ...] = ()
+    tails: tuple[tuple[int, sympy.Expr], ...] = ()  # first index, and general coefficient in n and j
 
     def __add__(self, other: Series) -> Series:
         total = defaultdict(lambda: sympy.Integer(0), self.head)
@@ -160,7 +157,6 @@ class _Reader:
 
 
 def _zero(label: str, series: Series, first: int) -> Checks:
-    """Yield the residues of all coefficients of a series that must be zero."""
     general = sum((e for _, e in series.tails), sympy.Integer(0))
     begun = max([start for start, _ in series.tails], default=0)
     if general.has(n) or not series.tails:

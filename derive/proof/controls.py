@@ -162,7 +162,6 @@ def controls_of(chart: Chart) -> Iterator[Control]:
 
 
 def _altered_statements(cayley: Cayley) -> Iterator[Control]:
-    """Yield the controls of the proofs by components with a false claim or a false premise."""
     components = Components(cayley)
     false = [(name, tuple(e.altered() for e in claim), premises) for name, claim, premises in STATEMENTS]
     for proof in components.proofs(false):

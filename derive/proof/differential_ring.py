@@ -99,7 +99,6 @@ class DifferentialRing(RationalFunctions):
         return symbols <= self.free and sum(bool(symbols & self.occurring(r)) for r in self.relations) <= 1
 
     def _certified(self, factor: Polynomial) -> bool:
-        """Return whether a factor is certified as not identically 0 at any n."""
         factor = self.bases.get(self.expression(factor), factor)
         if self.is_free(factor):
             return bool(self.normal_form(factor))

@@ -41,14 +41,11 @@ MEANING: Mapping[Any, Callable[..., Any]] = {
 
 
 class Evaluation:
-    """Values of expressions, given the values of symbols and terms; the identity and ε are known.
-
-    Further symbols and terms may have a defining expression in ``definitions``.
-    """
+    """Values of expressions, given the values of symbols and terms; the identity and ε are known."""
 
     def __init__(self, values: Mapping[sympy.Expr, Any]) -> None:
         self.values: dict[sympy.Expr, Any] = {**values, notation.I: Tensor.identity(), notation.epsilon: Dual(0, 1)}
-        self.definitions: dict[sympy.Expr, sympy.Expr] = {}
+        self.definitions: dict[sympy.Expr, sympy.Expr] = {}  # of further symbols and terms
 
     def number(self, value: Fraction) -> Any:
         """Return a rational number as a value."""

@@ -22,14 +22,11 @@ Check = tuple[str, Any]
 
 @dataclass(frozen=True)
 class Multiplier:
-    """Power of a polynomial by which both sides were multiplied before the comparison.
-
-    The flag `nonzero` certifies that it is no zero divisor at any order. Otherwise the comparison proves nothing.
-    """
+    """Power of a polynomial by which both sides were multiplied before the comparison."""
 
     expression: sympy.Expr
     power: int
-    nonzero: bool
+    nonzero: bool  # certified as no zero divisor at any order; otherwise the comparison proves nothing
 
     @property
     def text(self) -> str:
@@ -54,14 +51,11 @@ class Sides(NamedTuple):
 
 
 class Residue(NamedTuple):
-    """Label of a check, and left side minus right side; the value is 0 exactly if the sides are equal.
-
-    Equations decided in an exact ring come with both `sides`.
-    """
+    """Label of a check, and left side minus right side; the value is 0 exactly if the sides are equal."""
 
     label: str
     value: Any
-    sides: Sides | None = None
+    sides: Sides | None = None  # of equations decided in an exact ring
 
 
 Checks = Iterable[Check | tuple[str, Any, Sides] | Multiplier]

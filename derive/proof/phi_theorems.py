@@ -141,10 +141,7 @@ def _of_transition() -> Iterator[Theorem]:
 
 
 def _of_change() -> Theorem:
-    """Return the theorem on another vector ``w = ψ/φ v`` of the same pose, in another chart or on another branch.
-
-    On branch k of the same chart, ``ψ(α) = φ(α + 2kπ)``.
-    """
+    """Return the theorem on another vector ``w = ψ/φ v`` of a pose, in another chart or with ``ψ = φ(α + 2kπ)``."""
     symbols = Symbols((*SYMBOLS, psi, psi_1), (v, v_dot), (phi, phi_1, psi, psi_1))
     stretch = (1 / psi_1 - SIN / psi) / psi**2
     there = (

@@ -135,7 +135,6 @@ class ScalarProofs:
         yield decide("q = cos(alpha/2) + u sin(alpha/2)", ANGLE, BY_ANGLE, self._angle, scope)
 
     def _residues(self, claim: Iterable[Equation]) -> Checks:
-        """Yield left side minus right side of each equation."""
         for equation in claim:
             left, right = (self.ring.lift(side, self.values) for side in (equation.left, equation.right))
             yield equation.text, left - right
@@ -154,7 +153,6 @@ class ScalarProofs:
             yield equation.text, at.value(equation.left) - at.value(equation.right)
 
     def _at(self, element: Element, square: Element) -> Element:
-        """Return the value of a function of x at ``x = square``."""
         element = self.ring.fraction(element.numerator, element.denominator)
         generator = (1 + square / self.ring.root).sqrt() if self.ring.root else square
 

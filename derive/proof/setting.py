@@ -72,7 +72,6 @@ class Setting(Evaluation):
             self.ring.bases[symbol] = self.value(base).numerator
 
     def _assume(self, equation: Equation) -> None:
-        """Make a premise hold in the ring."""
         left, right = equation.left, equation.right
         if isinstance(left, notation.Shifted):
             self._start(left, right)

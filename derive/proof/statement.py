@@ -69,14 +69,11 @@ class Equation(Typeset):
 
 @dataclass(frozen=True)
 class Premise:
-    """Equation that a theorem assumes: a definition, or a claim of another theorem.
-
-    The `instance` consists of pairs of a symbol in the other theorem and the expression that replaces it.
-    """
+    """Equation that a theorem assumes: a definition, or a claim of another theorem."""
 
     equation: Equation
     theorem: str = ""
-    instance: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
+    instance: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()  # pairs: symbol there, expression that replaces it
 
     def __str__(self) -> str:
         at = ", ".join(f"{text(old)} -> {text(new)}" for old, new in self.instance)

@@ -116,7 +116,6 @@ def _built(node: ast.expr, words: Names) -> sympy.Expr:
 
 @cache
 def _every_phi() -> Setting:
-    """Return the values of the names in texts on every chart."""
     slopes = zip((*SLOPES.values(), *BENDS.values()), (*SCALARS.values(), *SLOPES.values()), strict=True)
     given = (
         every.QUATERNION, every.TENSOR, every.TANGENT, every.INVERSE, *every.SCALARS, *every.OF_ANGLE, *every.OF_PHI,

@@ -38,10 +38,7 @@ class Edge:
 
 
 def edge_of(phi: sympy.Expr) -> Edge:
-    """Return the edge: the first zero of φ′ or pole of φ, or else the cut at 4π.
-
-    A φ that does not increase from 0 or is not real raises `PhiError`.
-    """
+    """Return the edge: the first zero of φ′ or pole of φ, else the cut at 4π; `PhiError` unless φ increases from 0."""
     slope = phi.diff(alpha)
     with mpmath.workdps(PHI_DIGITS):
         step = EDGE_MAX * mpmath.pi / GRID_POINTS

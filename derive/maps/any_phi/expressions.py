@@ -51,10 +51,7 @@ Form = tuple[Fraction, Any, int]
 
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
-    """Return a text as an expression in `families.alpha`; `order` is the value of n.
-
-    A refused part raises `PhiError` with the name of the part.
-    """
+    """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
     text = text.strip()
     tree = grammar.syntax_tree(text)
     try:
@@ -67,8 +64,6 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
 
 
 class _Builder:
-    """Builder of the SymPy expression for one text."""
-
     def __init__(self, text: str, order: int | None) -> None:
         self.text = text
         self.order = order

@@ -32,19 +32,15 @@ STEPS_MAX = 7
 
 
 def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
-    """Return x divided by a constant."""
     return m.name("share", times(1 / size, x, m, "ratio"))
 
 
 @dataclass(frozen=True)
 class Guess(ABC):
-    """Angle near φ⁻¹(r), with the number of Newton steps from this angle to the root.
+    """Angle near φ⁻¹(r)."""
 
-    ``edge`` is the edge of the chart as a number.
-    """
-
-    edge: Any
-    steps: int
+    edge: Any  # of the chart, as a number
+    steps: int  # of Newton's method from this angle to the root
 
     def at(self, x: Any) -> Any:
         """Return the guess at ``x = r²``, an mpmath number."""
@@ -165,7 +161,6 @@ def guess(phi: sympy.Expr, edge: Edge, limit: Fraction) -> Guess:
 
 
 def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Guess]:
-    """Yield guesses in the order of trial."""
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle more accurately than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:

@@ -36,7 +36,6 @@ class GeneralScalars(DependentScalars):
     def __init__(self, chart: General, x: Coefficient, m: Arithmetic) -> None:
         super().__init__(x, m)
         self.chart = chart
-        self._found: dict[int, Coefficient] = {}
         limit = chart.near.limit
         self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
 
@@ -50,11 +49,7 @@ class GeneralScalars(DependentScalars):
     _x = scalar(lambda at: at.m.where(at.is_near, at.x, at.x - at.x), "xn")
 
     def _a(self, count: int) -> Coefficient:
-        """Return the derivative of a(x) of order `count`."""
-        if count not in self._found:
-            of = self.chart.near.polynomials[count]
-            self._found[count] = of.at(self._x, self.m, f"a{count}")
-        return self._found[count]
+        return self.chart.near.polynomials[count].at(self._x, self.m, f"a{count}")  # the derivative of this order
 
     _aa = scalar(lambda at: at._a(0) * at._a(0), "aa")
 

@@ -27,10 +27,7 @@ NUMBER = re.compile(r"(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?|\.(\d+)(?:[eE]([+-]?\
 
 
 def syntax_tree(text: str) -> ast.expr:
-    """Return the syntax tree of a φ, with every node checked against the allowed syntax.
-
-    A forbidden part raises `PhiError` with the text of the part.
-    """
+    """Return the syntax tree of a φ, with every node checked; a forbidden part raises `PhiError` with its text."""
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
     try:

@@ -44,14 +44,11 @@ NOT_INTERVALS = "interval arithmetic does not know it"
 
 @dataclass(frozen=True)
 class Ratio:
-    """Polynomials for a(x) and three derivatives, below a limit of x.
-
-    ``remainder`` bounds their errors, in units of a(0) and of the limit.
-    """
+    """Polynomials for a(x) and three derivatives, below a limit of x."""
 
     polynomials: tuple[Polynomial, ...]
     limit: Fraction
-    remainder: float
+    remainder: float  # bound of their errors, in units of a(0) and of the limit
 
 
 def ratio(phi: sympy.Expr, edge: Edge) -> Ratio:
@@ -87,7 +84,6 @@ def _ratio(phi: sympy.Expr, edge: Edge, near: Any) -> Ratio:
 
 
 def _rounded_down(phi: sympy.Expr, size: Any) -> Fraction:
-    """Return a limit of x rounded down to a fraction of small integers."""
     if not LIMIT_RANGE[0] < size < LIMIT_RANGE[1]:
         few = "small" if size < 1 else "large"
         raise PhiError(f"phi = {phi} is too {few} near 0, {mpmath.nstr(mpmath.sqrt(size), 3)}: take a multiple of it")
@@ -136,10 +132,7 @@ def _circle(phi: sympy.Expr, X: Any) -> tuple[Any, Any]:
 
 
 def smallest(phi: sympy.Expr, radius: Any) -> Any:
-    """Return a lower bound of |φ| on a quarter of a circle.
-
-    The result is None if ``Re φ/(φ′(0) α) > 0`` is not proved there.
-    """
+    """Return a lower bound of |φ| on a quarter of a circle; None unless ``Re φ/(φ′(0) α) > 0`` is proved there."""
     with mpmath.workdps(PHI_DIGITS):
         slope = mpmath.mpf(evaluate(phi.diff(alpha), alpha, mpmath.mpf(0)))
     least = mpmath.inf
@@ -183,10 +176,7 @@ def _cells(radius: Any, parts: int = 12) -> Iterator[Any]:
 
 @lru_cache(maxsize=256)
 def _on_intervals(e: sympy.Expr) -> Callable[[Any], Any]:
-    """Return an expression as a function of complex intervals.
-
-    The function raises ValueError where an interval may contain a pole or a branch cut.
-    """
+    """Return a function of complex intervals; it raises ValueError where one may contain a pole or a branch cut."""
     if e == alpha:
         return lambda z: z
     if not e.free_symbols:
@@ -234,7 +224,6 @@ def _functions() -> dict[Any, Callable[[Any], Any]]:
 
 
 def _nonzero(value: Any) -> Any:
-    """Return the value; raise if the interval contains 0."""
     if not abs(value).a > 0:
         raise ValueError(NOT_INTERVALS)
     return value

@@ -150,12 +150,8 @@ class PhiValues:
 
     def _circular(self, argument: sympy.Expr) -> Pair:
         """Return sine and cosine from the tangent of a quarter of the angle, whose pole is far away."""
-        key = "circular", argument
-        if key not in self._known:
-            sine, cosine = double_angle(self.m.tan(self.m.div(self.at(argument), 4)), self.m)
-            self._known[key] = 2 * (sine * cosine), 1 - 2 * (sine * sine)
-        pair: Pair = self._known[key]
-        return pair
+        sine, cosine = double_angle(self.m.tan(self.m.div(self.at(argument), 4)), self.m)
+        return 2 * (sine * cosine), 1 - 2 * (sine * sine)
 
     def _side(self, argument: sympy.Expr) -> tuple[Coefficient, Any]:
         """Return |a| and whether a is negative; the selection, unlike `abs`, has a derivative at 0."""
@@ -171,15 +167,11 @@ class PhiValues:
 
     def _hyperbolic(self, argument: sympy.Expr) -> Pair:
         """Return hyperbolic sine and cosine from ``E = e^|a| − 1``: ``(E + E/(1 + E))/2`` and ``1 + E²/(2 + 2E)``."""
-        key = "hyperbolic", argument
-        if key not in self._known:
-            m, (size, below) = self.m, self._side(argument)
-            more = m.expm1(size)
-            less = more / (1 + more)
-            sine = m.div(more + less, 2)
-            self._known[key] = m.where(below, -sine, sine), 1 + m.div(more * less, 2)
-        pair: Pair = self._known[key]
-        return pair
+        m, (size, below) = self.m, self._side(argument)
+        more = m.expm1(size)
+        less = more / (1 + more)
+        sine = m.div(more + less, 2)
+        return m.where(below, -sine, sine), 1 + m.div(more * less, 2)
 
     def _tanh(self, argument: sympy.Expr) -> Coefficient:
         """Return the hyperbolic tangent ``−sgn(a) E/(2 + E)`` from ``E = e^(−2|a|) − 1``; E cannot overflow."""
@@ -236,7 +228,6 @@ def _is_one(value: Coefficient) -> bool:
 
 
 def _over(constant: Any, below: Coefficient, m: Arithmetic) -> Coefficient:
-    """Return a constant divided by a value."""
     if is_small(constant):
         return m.div(constant.numerator, below if constant.denominator == 1 else constant.denominator * below)
     return times(constant, m.div(1, below), m, "over", LEVELS)

@@ -105,7 +105,8 @@ def test_quaternion_is_the_power_of_its_definition(n: int, draw, gap) -> None:
     power = step
     for _ in range(n - 1):
         power = power * step
-    q = closed_forms.quaternion_from_vector(n, v)
+    s, w = closed_forms.quaternion(n, v.dot(v))
+    q = Quaternion(s, v * w)
     assert gap(q * q, power) < 1e-42
 
 
