@@ -59,8 +59,8 @@ def folded(module: Any, v: Array) -> Rows:
     principal = module.principal(v)
     eps = np.finfo(v.dtype).eps
     angle, axis = module.to_screw(principal) if v.shape[-1] == 6 else module.to_angle_axis(principal)
-    angle, axis = angle[..., 0] if v.shape[-1] == 6 else angle, np.asarray(axis, float)
-    vector = np.asarray(module.to_exponential(v), float)[..., :3]
+    angle = angle[..., 0] if v.shape[-1] == 6 else angle
+    vector = module.to_exponential(v)[..., :3]
     size = np.linalg.norm(vector, axis=-1)
     valid = np.isfinite(module.quaternion(v)).all(axis=-1) & (size * eps < 1)
     resting = valid & (angle <= ROUNDING * eps * (1 + size))
@@ -94,8 +94,8 @@ def near(rows: Rows, count: int) -> Array:
     if 0 < count <= WINDOW:
         return np.broadcast_to(np.arange(count)[:, None, None], (count, *rows.own.shape))
     # turn on from row to row about one axis, which may point to either side
-    same = np.sum(rows.axis[1:, :, :3] * rows.axis[:-1, :, :3], axis=-1) >= 0
-    side = np.cumprod(np.concatenate([np.ones((1, *same.shape[1:])), np.where(same, 1.0, -1.0)]), axis=0)
+    cosine = np.sum(rows.axis[1:, :, :3] * rows.axis[:-1, :, :3], axis=-1)
+    side = np.cumprod(np.copysign(1, np.insert(cosine, 0, 1, axis=0)), axis=0)
     total = np.unwrap(side * rows.angle, axis=0) + 2 * pi * rows.own[0]
     k = np.rint((side * total - rows.angle) / (2 * pi)).astype(int)
     return modulo(np.stack([k - 1, k, k + 1, 0 * k, 0 * k - 1]), count)
@@ -152,15 +152,14 @@ def costs(module: Any, rows: Rows, branches: Array, vectors: Array, switch_angle
     A step costs its length, and a jump its price too, which is above the length of any way. A step longer than each
     one of the principal vectors costs infinity, be it longer as a whole or in its rotation part.
     """
-    points = np.asarray(vectors, float)
-    steps = np.empty((2, len(points), *points.shape[:1], len(rows.v) - 1, rows.v.shape[1]))
+    steps = np.empty((2, len(vectors), *vectors.shape[:1], len(rows.v) - 1, rows.v.shape[1]))
     for i, j in np.ndindex(steps.shape[1:3]):
-        change = points[j, 1:] - points[i, :-1]
+        change = vectors[j, 1:] - vectors[i, :-1]
         steps[:, i, j] = np.linalg.norm(change[..., :3], axis=-1), np.linalg.norm(change, axis=-1)
     usual = np.argmax(branches == 0, axis=0)
     time, column = np.ogrid[: len(rows.v) - 1, : rows.v.shape[1]]
     longest = steps[:, usual[:-1], usual[1:], time, column].max(axis=1, initial=0)
-    size = np.linalg.norm(points[..., :3], axis=-1)
+    size = np.linalg.norm(vectors[..., :3], axis=-1)
     jump = steps[0] > explained(module, rows, size, switch_angle)
     price = 1 + 2 * len(rows.v) * longest[0]
     allowed = (steps <= longest[:, None, None, None]).all(axis=0)
@@ -178,7 +177,7 @@ def explained(module: Any, rows: Rows, size: Array, switch_angle: float) -> Arra
     half_turn = abs(ends[2, 0, 0])
     rates = module.rate(ends[:2], np.eye(rows.v.shape[-1])[:2])
     fastest = np.linalg.norm(rates[..., :3], axis=-1).max()
-    q = np.asarray(taken(module.quaternion(rows.v), rows.last), float)[..., :4]
+    q = taken(module.quaternion(rows.v), rows.last)[..., :4]
     chord = np.minimum(*(np.linalg.norm(q[1:] + sign * q[:-1], axis=-1) for sign in (1, -1)))
     usual = np.minimum(fastest * 4 * np.arcsin(np.minimum(chord / 2, 1)), half_turn)
     eps = max(np.finfo(rows.v.dtype).eps, np.finfo(float).eps)

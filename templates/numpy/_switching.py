@@ -112,10 +112,10 @@ def switch_event(module: Any, state: Any = slice(0, 6), angle: float | None = No
 def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[Array, Array]:
     """Return the vectors on the branches that make a sequence of poses continuous, as ``numpy.unwrap`` does for angles.
 
-    The branches are chosen over the whole sequence: those with the fewest jumps, among them the shortest way. The first
-    vector keeps its branch, unless another one within the switch angle of the chart (see `switch_event`) saves a jump.
-    There are no more jumps than in `principal`, and no step is longer than its longest one. A sequence that has
-    continuous vectors within the switch angle gets vectors without a jump.
+    The branches are chosen over the whole sequence: those with the fewest jumps, among them the shortest way. There are
+    no more jumps than in `principal`, and no step is longer than its longest one. The first vector keeps its branch,
+    unless another one within the switch angle of the chart (see `switch_event`) saves a jump or a longer step. A
+    sequence that has continuous vectors within the switch angle gets vectors without a jump.
 
     A step is the change of the rotation part of v from row to row. It is a jump if it is longer than φ(π), the length
     of v at half a turn. It is also a jump if it is longer than C θ, where θ is the angle of the rotation between the

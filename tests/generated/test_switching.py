@@ -101,11 +101,9 @@ def test_the_event_stops_three_turns_before_every_singular_angle(name: str) -> N
 def test_the_event_of_a_controller_stops_at_half_a_turn_and_refuses_a_start_beyond() -> None:
     mrp, omega, t, times = dualcay.rotation.cayley2, np.array([0.2, 1.0, -0.1]), 0.0, []
     event, y = switch_event(mrp, angle=np.pi), np.zeros(3)
-    while True:
+    for _ in range(3):
         piece = solve_ivp(lambda t, y: mrp.rate(y, omega), (t, 20.0), y, events=event, max_step=1.0, rtol=1e-10)
         assert np.linalg.norm(piece.y, axis=0).max() < 1 + 1e-6
-        if piece.status != 1:
-            break
         t, y = piece.t[-1], mrp.switch(piece.y[:, -1])
         times.append(t * np.linalg.norm(omega) / np.pi)
     np.testing.assert_allclose(times, [1, 3, 5], rtol=1e-5)
@@ -129,7 +127,7 @@ def test_unwrap_of_rotation_vectors_that_jump_at_half_a_turn() -> None:
     axis, rotation = np.array([0.6, 0, 0.8]), dualcay.rotation.exponential
     v = rotation.principal(angles[:, None] * axis)
     assert np.linalg.norm(np.diff(v, axis=0), axis=-1).max() > 3
-    for start in (0, 1, -1):
+    for start in (0, 1, -4):
         given = np.concatenate([rotation.shadow(v[:1], start), v[1:]])
         found, branch = unwrap(rotation, given, branch=True)
         assert branch[0] == start
@@ -143,12 +141,12 @@ def test_unwrap_refuses_a_single_vector_and_complex_ones() -> None:
         unwrap(dualcay.cayley2, np.zeros((2, 6), complex))
 
 
-def steps(module: ModuleType, v: np.ndarray) -> tuple[int, np.ndarray]:
-    """Return the number of steps longer than v at half a turn, and the longest ones, of the rotation part and of v."""
+def steps(module: ModuleType, v: np.ndarray, part: float = 1.0) -> tuple[int, np.ndarray]:
+    """Return the number of steps above a part of v at half a turn, and the longest ones, of the rotation part and v."""
     changes = np.diff(np.asarray(v, float), axis=0)
     sizes = np.array([np.linalg.norm(changes[:, :3], axis=-1), np.linalg.norm(changes, axis=-1)])
     half_turn = abs(module.from_exponential(np.pi * np.eye(v.shape[-1])[0])[0])
-    return int(np.sum(sizes[0] > half_turn * (1 + 1e-4))), sizes.max(axis=1)
+    return int(np.sum(sizes[0] > part * half_turn * (1 + 1e-4))), sizes.max(axis=1)
 
 
 def trajectories(n: int) -> dict[str, np.ndarray]:
@@ -160,7 +158,7 @@ def trajectories(n: int) -> dict[str, np.ndarray]:
     hand = 0.05 * np.cumsum(rng.normal(size=(1500, 3)), axis=0)
     moves = {
         "car": (0.02 * wobble, level), "drone": (0.3 * wobble, 3 * level), "camera": (0 * wobble, hand),
-        "any": (0 * wobble[:200], 3 * rng.normal(size=(200, 3))),
+        "any": (0 * wobble, 3 * rng.normal(size=(1500, 3))),
     }  # fmt: skip
     about = dualcay.exponential if n == 6 else dualcay.rotation.exponential
     found = {}
@@ -181,6 +179,8 @@ def test_unwrapped_trajectories_jump_no_more_and_no_further_than_principal_ones(
         found = unwrap(module, v)
         (jumps, longest), (before, usual) = steps(module, found), steps(module, v)
         assert jumps <= before, (name, module.__name__)
+        if name != "any":  # between small rotations there are no steps of other lengths
+            assert steps(module, found, 0.4)[0] <= before, (name, module.__name__)
         assert np.all(longest <= usual * (1 + 1e-9)), (name, module.__name__)
         q, kept = module.quaternion(v), module.quaternion(found)
         sign = np.sign(np.sum(q[:, :4] * kept[:, :4], axis=-1, keepdims=True))
@@ -198,8 +198,7 @@ def test_unwrapped_trajectories_jump_no_more_and_no_further_than_principal_ones(
 def test_a_continuous_choice_within_the_switch_angle_is_found_through_half_turns(table: str, dtype: type) -> None:
     """Rows at half turns within rounding have the axis of either side; the branches are those of `shadow`."""
     t = np.linspace(0, 12, 241)
-    axis = np.stack([0.3 * np.sin(t), -0.8 + 0.1 * np.cos(t), np.full_like(t, -0.6)], axis=1)
-    axis /= np.linalg.norm(axis, axis=1, keepdims=True)
+    axis = np.stack([0.8 * np.cos(4 * t), 0.8 * np.sin(4 * t), np.full_like(t, -0.6)], axis=1)  # far round
     beyond = 1.7 * np.sin(t)
     angle = np.pi + np.sign(beyond) * np.maximum(abs(beyond) - 0.3, 0)
     half = angle == np.pi
@@ -238,9 +237,11 @@ def test_rows_at_whole_turns_and_gaps_keep_the_axis_and_the_branch_of_their_neig
         given[[2, 6]] = given[2] if n == 6 else 0
         if n == 3:
             given[[7, 11]] = [[1e-17, 2e-16, 0], [0, -1e-16, 0]]
+            given[5] = 1e20
         given[1] = wanted[1, :n]
         found, branch = unwrap(module, given, branch=True)
-        np.testing.assert_allclose(found, wanted[:, :n], rtol=1e-12)
+        np.testing.assert_allclose(np.delete(found, 5, axis=0), np.delete(wanted[:, :n], 5, axis=0), rtol=1e-12)
+        np.testing.assert_array_equal(found[5], given[5])
         turns = np.where(turn % (2 * np.pi) > np.pi, -1 - turn // (2 * np.pi), turn // (2 * np.pi))
         generic = [1, 3, 4, 8, 9, 10, 12]
         np.testing.assert_array_equal(branch[generic], turns[generic])
@@ -251,13 +252,37 @@ def test_rows_at_whole_turns_and_gaps_keep_the_axis_and_the_branch_of_their_neig
     assert not branch.any()
 
 
+    a, b = np.array([[0, 0, 0.1]]), np.array([[0, 0, 0.2]])  # between them a whole turn about another axis
+    found = unwrap(dualcay.rotation.exponential, np.concatenate([a, [[2 * np.pi, 0, 0]], b]))
+    np.testing.assert_allclose(found[1], [0, 0, 0], atol=1e-15)
+    small = np.concatenate([a, [[1e-17, -1e-17, 0]], b])
+    np.testing.assert_array_equal(unwrap(dualcay.rotation.exponential, small), small)
+
+
+def test_a_whole_turn_with_a_translation_beside_the_axis_keeps_its_pose() -> None:
+    w = np.multiply.outer(np.linspace(5, 7.5, 11), [0, 0.6, 0.8, 0, 0, 0])
+    w[5] = [0, 0, 0, 0.1, 0, 0]
+    found = unwrap(dualcay.exponential, w)
+    np.testing.assert_allclose(dualcay.exponential.pose(found), dualcay.exponential.pose(w), rtol=0, atol=1e-14)
+
+
+def test_the_first_vector_changes_its_branch_only_for_a_better_way_within_the_switch_angle() -> None:
+    mrp, u = dualcay.rotation.cayley2, np.array([0, 0.6, 0.8])
+    falling, rising = (mrp.from_exponential(np.outer(np.linspace(3.6, end, 40), u)) for end in (0.5, 4.6))
+    np.testing.assert_allclose(unwrap(mrp, mrp.principal(falling)), falling, rtol=1e-12)
+    np.testing.assert_array_equal(unwrap(mrp, mrp.principal(rising)), mrp.principal(rising))
+    np.testing.assert_array_equal(unwrap(mrp, rising), mrp.principal(rising))  # with shorter steps
+    alone = mrp.from_exponential(6.0 * u[None])
+    np.testing.assert_array_equal(unwrap(mrp, alone), mrp.principal(alone))  # too near the edge
+
+
 def test_turns_of_single_precision_are_counted_in_double_precision() -> None:
-    """3000 turns in steps of 2 rad: sums of single precision lose a turn."""
-    angles, rotation = 2.0 * np.arange(9500), dualcay.rotation.exponential
+    """10 000 turns in steps of 3 rad: sums of single precision lose some."""
+    angles, rotation = 3.0 * np.arange(20000), dualcay.rotation.exponential
     given = rotation.from_quaternion(rotation.quaternion(angles[:, None] * np.array([0, 0.6, 0.8])).astype(np.float32))
-    found = unwrap(rotation, given)
-    assert found.dtype == np.float32
-    np.testing.assert_allclose(found @ np.array([0, 0.6, 0.8]), angles, rtol=1e-6)
+    k = _sequences.near(_sequences.folded(rotation, given[:, None]), 0)[1, :, 0]
+    turns = angles // (2 * np.pi)
+    np.testing.assert_array_equal(k, np.where(angles % (2 * np.pi) > np.pi, -1 - turns, turns))
 
 
 def test_the_cheapest_way_is_that_of_all_ways() -> None:
