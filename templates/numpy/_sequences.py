@@ -14,7 +14,7 @@ import numpy as np
 from ._kernel import Array
 
 WINDOW = 5
-"""Number of branches that a row may take: all of a chart with no more; else those near the row before, 0 and −1."""
+"""A chart with at most this number of branches may take all of them; else the one that turns on, 0 and −1."""
 
 ROUNDING = 16
 """Units of rounding that do not count as a difference."""
@@ -98,7 +98,7 @@ def near(rows: Rows, count: int) -> Array:
     side = np.cumprod(np.copysign(1, np.insert(cosine, 0, 1, axis=0)), axis=0)
     total = np.unwrap(side * rows.angle, axis=0) + 2 * pi * rows.own[0]
     k = np.rint((side * total - rows.angle) / (2 * pi)).astype(int)
-    return modulo(np.stack([k - 1, k, k + 1, 0 * k, 0 * k - 1]), count)
+    return modulo(np.stack([k, 0 * k, 0 * k - 1]), count)
 
 
 def turned(angle: Array, branches: Array, count: int) -> Array:

@@ -138,7 +138,9 @@ def test_unwrap_refuses_a_single_vector_and_complex_ones() -> None:
     with pytest.raises(ValueError, match=r"v must have shape \(T, ..., 6\), got \(6,\)"):
         unwrap(dualcay.cayley2, np.zeros(6))
     with pytest.raises(TypeError, match="v must be real"):
-        unwrap(dualcay.cayley2, np.zeros((2, 6), complex))
+        unwrap(dualcay.cayley1, np.zeros((2, 6), complex))
+    v = dualcay.cayley1.random(5, rng=1)
+    assert np.array_equal(unwrap(dualcay.cayley1, v), v)  # a pose has one vector only
 
 
 def steps(module: ModuleType, v: np.ndarray, part: float = 1.0) -> tuple[int, np.ndarray]:
@@ -186,7 +188,7 @@ def test_unwrapped_trajectories_jump_no_more_and_no_further_than_principal_ones(
         sign = np.sign(np.sum(q[:, :4] * kept[:, :4], axis=-1, keepdims=True))
         np.testing.assert_allclose(kept, sign * q, rtol=0, atol=1e-9 * abs(q).max())
         saved += before - jumps
-        turns = _sequences.near(_sequences.folded(module, v[:, None]), 0)[1, :400, 0]  # about one axis from row to row
+        turns = _sequences.near(_sequences.folded(module, v[:, None]), 0)[0, :400, 0]  # about one axis from row to row
         row_by_row = np.stack([module.shadow(one, int(k)) for one, k in zip(v[:400], turns, strict=True)])
         worse += name == "car" and steps(module, row_by_row)[0] > steps(module, found[:400])[0]
     assert saved > 50
@@ -272,6 +274,13 @@ def test_the_first_vector_changes_its_branch_only_for_a_better_way_within_the_sw
     np.testing.assert_allclose(unwrap(mrp, mrp.principal(falling)), falling, rtol=1e-12)
     np.testing.assert_array_equal(unwrap(mrp, mrp.principal(rising)), mrp.principal(rising))
     np.testing.assert_array_equal(unwrap(mrp, rising), mrp.principal(rising))  # with shorter steps
+    t = np.linspace(0, 9, 200)[:, None]
+    for chart in (dualcay.rotation.exponential, dualcay.rotation.cayley8):  # from a branch that is left at once
+        cone = np.concatenate([0.8 * np.cos(4 * t), 0.8 * np.sin(4 * t), 0 * t + 0.6], axis=1)
+        v = chart.from_exponential((2.8 - 1.8 * np.cos(t)) * cone)
+        given = chart.principal(v)
+        given[0] = chart.shadow(v[0], 3)
+        np.testing.assert_allclose(unwrap(chart, given), v, rtol=0, atol=1e-13)
     alone = mrp.from_exponential(6.0 * u[None])
     np.testing.assert_array_equal(unwrap(mrp, alone), mrp.principal(alone))  # too near the edge
 
@@ -280,7 +289,7 @@ def test_turns_of_single_precision_are_counted_in_double_precision() -> None:
     """10 000 turns in steps of 3 rad: sums of single precision lose some."""
     angles, rotation = 3.0 * np.arange(20000), dualcay.rotation.exponential
     given = rotation.from_quaternion(rotation.quaternion(angles[:, None] * np.array([0, 0.6, 0.8])).astype(np.float32))
-    k = _sequences.near(_sequences.folded(rotation, given[:, None]), 0)[1, :, 0]
+    k = _sequences.near(_sequences.folded(rotation, given[:, None]), 0)[0, :, 0]
     turns = angles // (2 * np.pi)
     np.testing.assert_array_equal(k, np.where(angles % (2 * np.pi) > np.pi, -1 - turns, turns))
 
@@ -300,6 +309,17 @@ def test_the_cheapest_way_is_that_of_all_ways() -> None:
             assert ways[tuple(path[:, b])] == pytest.approx(min(ways.values()))
 
 
+def test_short_sequences_jump_no_more_than_principal_ones() -> None:
+    """Count steps longer than v at half a turn in 3000 sequences of large rotations."""
+    rng = np.random.default_rng(6)
+    for module in charts("rotation"):
+        v = module.from_exponential(dualcay.rotation.exponential.random((5, 3000), rng=rng))
+        half_turn = module.from_exponential([np.pi, 0, 0])[0]
+        sizes = [np.linalg.norm(np.diff(one, axis=0), axis=-1) for one in (unwrap(module, v), v)]
+        jumps, before = (np.sum(size > half_turn * (1 + 1e-9), axis=0) for size in sizes)
+        assert np.all(jumps <= before)
+
+
 def test_columns_are_unwrapped_alone_in_any_block(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("cayley3", "cayley8", "exponential"):
         module = getattr(dualcay, name)
@@ -309,6 +329,7 @@ def test_columns_are_unwrapped_alone_in_any_block(monkeypatch: pytest.MonkeyPatc
         monkeypatch.setattr(_switching, "ROWS", 24)
         for one, other in zip(unwrap(module, v, branch=True), (found, branch), strict=True):
             np.testing.assert_array_equal(one, other)
+        np.testing.assert_array_equal(unwrap(module, np.asfortranarray(v)), found)
         np.testing.assert_array_equal(unwrap(module, v[:, 1, 2]), found[:, 1, 2])
         assert not branch[:, 0, 1].any()
         assert np.isnan(found[:, 0, 1]).all()
