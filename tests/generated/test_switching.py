@@ -299,6 +299,8 @@ def test_explained_steps_and_short_sequences_of_large_rotations() -> None:
     rows = _sequences.folded(rotation, np.array([[[0, 0, 3.1]], [[0, 0, -3.1]]]))
     wanted = 3 * np.pi / 4 / np.sin(3 * np.pi / 4) * (2 * np.pi - 6.2)
     assert _sequences.explained(rotation, rows, np.zeros((1, 2, 1)), 3 * np.pi / 2) == pytest.approx(wanted)
+    still = _sequences.folded(rotation, np.ones((2, 1, 3)))  # rounding of equal rows is no jump
+    assert _sequences.explained(rotation, still, np.ones((1, 2, 1)), 3 * np.pi / 2) > EPS
     for module in charts("rotation"):
         v = module.from_exponential(rotation.random((5, 3000), rng=6))
         sizes = [np.linalg.norm(np.diff(one, axis=0), axis=-1) for one in (unwrap(module, v), v)]
