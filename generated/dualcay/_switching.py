@@ -13,8 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._kernel import Array
+from ._runtime import as_array
+from ._sequences import continued
 
 Event = Callable[[float, Array], float]
+
+ROWS = 2**17
+"""Number of rows whose branches are chosen at once; a longer sequence is one block."""
 
 
 def switch_angle(module: Any) -> float:
@@ -31,14 +36,17 @@ def switch_angle(module: Any) -> float:
     return (pi + first) / 2
 
 
-def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
+def switch_event(module: Any, state: Any = slice(0, 6), angle: float | None = None) -> Event:
     """Return a terminal event for ``scipy.integrate.solve_ivp`` that stops where v must change its branch.
 
-    The event crosses zero upwards at an angle halfway between π and the first singular angle of the chart. After
-    `switch` the angle is below π, so that the event does not occur again at once.
+    The event crosses zero upwards at a rotation angle halfway between π and the first singular angle of the chart, or
+    at ``angle``. After `switch` the angle is below π, so that the event does not occur again at once.
 
-    ``solve_ivp`` looks for events between steps only. Set ``max_step`` below ``(first singular angle − π)/2`` over
-    the largest angular velocity; then no step passes the range between the event and the singular angle.
+    ``solve_ivp`` looks for events between steps only. Set ``max_step`` below the distance from the event to the first
+    singular angle over the largest angular velocity; then no step passes this range.
+
+    The event never occurs in a motion that starts beyond its angle. Switch such a v first: the event raises ValueError
+    if v is beyond the angle in its first call. Take a new event for each motion.
 
     Parameters
     ----------
@@ -46,6 +54,9 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
         Kernel module, of poses or of rotations alone.
     state : slice or index array
         Place of v in the state; the rotation part of v comes first.
+    angle : float, optional
+        Rotation angle of the event, from π to below the first singular angle. Controllers with modified Rodrigues
+        parameters take π, where ``|σ| = 1``.
 
     Returns
     -------
@@ -55,7 +66,8 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
     Raises
     ------
     ValueError
-        If the chart is singular at π, as n = 1: use `propagate`, which takes a new centre there.
+        If the chart is singular at π, as n = 1: use `propagate`, which takes a new centre there. If the angle is out
+        of range.
 
     Examples
     --------
@@ -67,6 +79,7 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
 
     The loop around ``solve_ivp``, for ``|ω|`` up to 1 rad/s; ``rhs(t, y)`` begins with the rate of v::
 
+        y0[:6] = cayley2.switch(y0[:6])
         event, pieces = switch_event(cayley2), []
         while True:
             piece = solve_ivp(rhs, (t0, t1), y0, events=event, max_step=np.pi / 2)
@@ -76,13 +89,24 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
             t0, y0 = piece.t[-1], piece.y[:, -1]
             y0[:6] = cayley2.switch(y0[:6])
     """
+    first, limit = float(module.singular_angles()[0]), switch_angle(module)
+    if angle is not None:
+        if not pi <= angle < first:
+            raise ValueError(f"angle must be from π to below {first:.6g}, got {angle!r}")
+        limit = max(angle, pi + 1e-9)  # at π itself `switch` keeps the side that is given
     axis = np.zeros(len(module.identity()))
-    axis[0] = switch_angle(module)
-    limit = float(module.from_exponential(axis)[0]) ** 2
+    axis[0] = limit
+    square = float(module.from_exponential(axis)[0]) ** 2
+    begun = False
 
     def event(t: float, y: Array) -> float:
+        nonlocal begun
         real = y[state][:3]
-        return float(real @ real) - limit
+        value = float(real @ real) - square
+        if value > 0 and not begun:
+            raise ValueError(f"v starts beyond the angle {limit:.6g} of the event, at t = {t:g}: switch it first")
+        begun = True
+        return value
 
     event.terminal, event.direction = True, 1.0  # type: ignore[attr-defined]
     return event
@@ -91,8 +115,17 @@ def switch_event(module: Any, state: Any = slice(0, 6)) -> Event:
 def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[Array, Array]:
     """Return the vectors on the branches that make a sequence of poses continuous, as ``numpy.unwrap`` does for angles.
 
-    The first vector keeps its branch. Successive poses must differ by less than half a turn. A vector at NaN stays,
-    and the next one continues from the last before it. The identity stays too: its other branches have no axis.
+    The branches are chosen over the whole sequence: those with the fewest jumps, among them the shortest way. There are
+    no more jumps than in `principal`, and no step is longer than its longest one. The first vector keeps its branch,
+    unless another one within the switch angle of the chart (see `switch_event`) saves a jump or a longer step. A
+    sequence that has continuous vectors within the switch angle gets vectors without a jump.
+
+    A step is the change of the rotation part of v from row to row. It is a jump if it is longer than φ(π), the length
+    of v at half a turn. It is also a jump if it is longer than C θ, where θ is the angle of the rotation between the
+    rows. C is the largest ratio of the rates of v and of the rotation within the switch angle.
+
+    A vector with NaN stays, and the next one continues from the last before it. At a whole turn the pose has no axis of
+    its own: such a vector takes the axis of a neighbour.
 
     Parameters
     ----------
@@ -106,12 +139,14 @@ def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[
     Returns
     -------
     v : array, shape (T, ..., 6)
-        Vectors of the same poses. NaN where the chart has no such branch.
+        Vectors of the same poses.
     branch : array of int, shape (T, ...)
-        k of ``φ(α + 2kπ) u``, modulo the number of branches; only if asked for.
+        k of ``φ(α + 2kπ) u``, modulo the number of branches, with the axis u that `shadow` takes; only if asked for.
 
     Raises
     ------
+    TypeError
+        If v is complex.
     ValueError
         If v has no first axis, or another number of components.
 
@@ -123,43 +158,14 @@ def unwrap(module: Any, v: ArrayLike, *, branch: bool = False) -> Array | tuple[
     >>> np.allclose(unwrap(exponential, exponential.principal(turning)), turning)
     True
     """
-    array, n = np.asarray(v), len(module.identity())
-    if array.ndim < 2 or array.shape[-1] != n:
-        raise ValueError(f"v must have shape (T, ..., {n}), got {array.shape}")
-    angle, axis, own = _folded(module, array)
-    valid = np.isfinite(angle) & np.any(axis != 0, axis=-1)
-    steps = _continued(angle, axis, own, valid) - own if len(array) else own
-    found = module.inverse(module.inverse(array))
-    count = module.CHART.branches
-    for step in map(int, np.unique(steps[valid])):
-        chosen = valid & (steps == step)
-        if step % count if count else step:
-            found[chosen] = module.shadow(array[chosen], step)
-    branches = np.where(valid, own + steps, 0)
-    return (found, branches % count if count else branches) if branch else found
-
-
-def _folded(module: Any, v: Array) -> tuple[Array, Array, Array]:
-    """Return the principal angle, its axis (0 at the identity), and the branch of each vector."""
-    q = np.asarray(module.quaternion(v), float)
-    vector, scalar = q[..., 1:4], q[..., 0]
-    size = np.linalg.norm(vector, axis=-1)
-    side = np.where(scalar < 0, -1.0, 1.0)
-    axis = side[..., None] * vector / np.where(size > 0, size, 1)[..., None]
-    angle = 2 * np.arctan2(size, abs(scalar))
-    own = np.sum(np.asarray(module.to_exponential(v), float)[..., :3] * axis, axis=-1)
-    return angle, axis, np.rint(np.nan_to_num((own - angle) / (2 * pi))).astype(int)
-
-
-def _continued(angle: Array, axis: Array, own: Array, valid: Array) -> Array:
-    """Return the branch of each element that continues the sequence; the first valid one keeps its own."""
-    rows = np.arange(len(angle)).reshape(-1, *(1,) * (angle.ndim - 1))
-    last = np.maximum.accumulate(np.where(valid, rows, -1), axis=0)
-    last = np.where(last < 0, np.argmax(valid, axis=0), last)  # rows before the first valid one take it
-    angle = np.nan_to_num(np.take_along_axis(angle, last, 0))
-    axis = np.nan_to_num(np.take_along_axis(axis, last[..., None], 0))
-    same = np.sum(axis[1:] * axis[:-1], axis=-1) >= 0
-    side = np.cumprod(np.concatenate([np.ones((1, *same.shape[1:])), np.where(same, 1.0, -1.0)]), axis=0)
-    first = np.take_along_axis(own, last[:1], 0)
-    turned = np.unwrap(side * angle, axis=0) + 2 * pi * first
-    return np.rint((side * turned - angle) / (2 * pi)).astype(int)
+    shape, n = np.shape(v), len(module.identity())
+    if len(shape) < 2 or shape[-1] != n:
+        raise ValueError(f"v must have shape (T, ..., {n}), got {shape}")
+    found = np.array(as_array("v", v, (n,), -1, real=True), order="C")
+    branches = np.zeros(shape[:-1], int)
+    if found.size and module.singular_angles()[0] > pi * (1 + 1e-9):  # else no other branch helps
+        rows, numbers = found.reshape(shape[0], -1, n), branches.reshape(shape[0], -1)
+        for i in range(0, rows.shape[1], width := max(1, ROWS // len(rows))):
+            columns = slice(i, i + width)
+            rows[:, columns], numbers[:, columns] = continued(module, rows[:, columns], switch_angle(module))
+    return (found, branches) if branch else found

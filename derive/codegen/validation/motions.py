@@ -157,11 +157,10 @@ def branches(at: Loaded) -> Iterator[Case]:
     for table in (POSES, ROTATIONS):
         module, n = at.module(table), 6 if table is POSES else 3
         event = switching.switch_event(module)
-        values = [event(0.0, np.array([*(tan(angle / (2 * order)) * AXIS), 0, 0, 0])[:n]) for angle in (LIMIT, 1.0)]
-        yield f"switch_event of {n} components", values, [0, tan(0.5 / order) ** 2 - tan(LIMIT / 2 / order) ** 2]
-        turn = [0, 2.6, 5.2, 7.8, 10.4, 11, 13, 15.6, 14, 12.6, 9.7, 6.8, 3.9, 1.2, -0.4, -1.6, -4.3]
-        angles = np.add.outer(turn, [0.4, 6.7])
-        angles[[0, 5, 8], [0, 0, 1]] = np.nan
+        values = [event(0.0, np.array([*(tan(angle / (2 * order)) * AXIS), 0, 0, 0])[:n]) for angle in (1.0, LIMIT)]
+        yield f"switch_event of {n} components", values, [tan(0.5 / order) ** 2 - tan(LIMIT / 2 / order) ** 2, 0]
+        angles = np.multiply.outer(np.sin(np.linspace(1, 8, 50)), [4.5, -4.0])
+        angles[[0, 5, 9], [0, 0, 1]] = np.nan
         turns = np.rint(angles / (2 * pi))
         wanted, given = (np.tan(a / (2 * order))[..., None] * AXIS for a in (angles, angles - 2 * pi * turns))
         given[[1, 0], [0, 1]] = wanted[[1, 0], [0, 1]]  # the first ones
@@ -178,7 +177,8 @@ def multiples(at: Loaded) -> Iterator[Case]:
     chart = at.part("_multiple").multiple(module.CHART, module.__name__, *factor, constant=(), programs="")
     kernels = at.part("_interface").PoseKernels(chart)
     limit = K * np.array([*(tan(LIMIT / (2 * at.chart.order)) * AXIS), 0, 0, 0])
-    yield "switch_event of a multiple of the chart", at.part("_switching").switch_event(kernels)(0.0, limit), 0
+    event = at.part("_switching").switch_event(kernels)
+    yield "switch_event of a multiple of the chart", [event(0.0, 0 * limit) < 0, event(0.0, limit)], [1, 0]
     angle, line = module.to_screw(NEAR)
     values = {
         "v": FAR, "v2": FAR, "v1": NEAR, "v0": NEAR, "v_dot": RATES[0], "v_ddot": RATES[1], "omega": RATES[0],

@@ -36,7 +36,10 @@ ALTERED = {
     ),
     "angle of a switch": ("numpy", "_switching.py", "(pi + first) / 2", "(pi + first) / 3", "propagate, lie, space"),
     "branch of a sequence": (
-        "numpy", "_switching.py", "(own - angle) / (2 * pi)", "(own + angle) / (2 * pi)", "unwrap of 6 components",
+        "numpy", "_sequences.py", "(along - angle) / (2 * pi)", "(along + angle) / (2 * pi)", "unwrap of 6 components",
+    ),
+    "ways through a sequence": (
+        "numpy", "_sequences.py", "better = total < costs", "better = total > costs", "unwrap of 6 components",
     ),
     "Cayley map of 4x4": ("numpy", "_other_vectors.py", "scale**2 + (real", "scale**2 - (real", "to_cayley_4x4"),
     "position for ROS": (
