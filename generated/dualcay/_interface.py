@@ -836,7 +836,7 @@ class PoseKernels(Kernels):
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         covariance : array, shape (..., 6, 6)
-            Covariance P of v, symmetric.
+            Covariance P of v; ValueError unless it is symmetric.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._branches import precision, require_symmetric
 from ._kernel import Array
 from ._motion import Motion, MotionError
 from ._twist import finite, twist_of
@@ -153,12 +154,12 @@ def _times(t: ArrayLike) -> Array:
 
 def _covariance(name: str, value: ArrayLike) -> Array:
     """Return a matrix after a check that it is a covariance, but for rounding errors."""
-    P = finite(name, value, (6, 6))
-    bound = 1e-12 * abs(P).max()
-    if abs(P - P.T).max() > bound:
-        raise ValueError(f"{name} must be symmetric, got entries that differ by {abs(P - P.T).max():g}")
+    P, given = finite(name, value, (6, 6)), np.asarray(value)
+    if given.dtype.kind != "f":
+        given = P
+    require_symmetric(name, given)
     least = np.linalg.eigvalsh(P)[0]
-    if least < -6 * bound:
+    if least * precision(given) < -abs(P).sum():
         raise ValueError(f"{name} must be positive semidefinite, got the eigenvalue {least:g}")
     return P
 

@@ -672,7 +672,7 @@ class RotationKernels(Kernels):
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         covariance : array, shape (..., 3, 3)
-            Covariance P of v, symmetric.
+            Covariance P of v; ValueError unless it is symmetric.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns
