@@ -139,7 +139,7 @@ def test_wrong_arguments_are_named(compiled):
     with pytest.raises(ValueError, match=r"det Q is not 1, off by 0\.33 \(allowed 0\.3\)"):
         module.from_pose(np.diag([1.1, 1.1, 1.1, 1]), check=0.3)
     assert module.from_pose(np.diag([1.1, 1.1, 1.1, 1]), check=0.4).shape == (6,)
-    with pytest.raises(ValueError, match="covariance must be symmetric, got entries that differ by 1$"):
+    with pytest.raises(ValueError, match=r"covariance must be symmetric, got entries that differ by 1$"):
         module.switch(np.ones((2, 6)), covariance=np.stack([np.eye(6), np.tri(6)]))
 
 

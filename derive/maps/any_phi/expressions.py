@@ -55,7 +55,7 @@ def parsed(text: str, order: int | None = None) -> sympy.Expr:
 
     A refused part raises `PhiError` with the name of the part.
     """
-    text = text.strip()
+    text = text.strip(" ")
     tree = grammar.syntax_tree(text)
     try:
         found = _Builder(text, order).build(tree)

@@ -31,6 +31,8 @@ def syntax_tree(text: str) -> ast.expr:
 
     A forbidden part raises `PhiError` with the text of the part.
     """
+    if strange := re.search(r"[^ -~]|[#\\]", text):  # comments and line breaks, which Python would pass over
+        raise PhiError(f"not understood in phi: {strange[0]!r} (known are {KNOWN})")
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
     try:
