@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import sys
@@ -16,6 +17,9 @@ from .. import about
 
 RANGE_MAX = 10_000
 """Largest number of orders in a range."""
+
+FILE_NAME_MAX = 255
+"""Largest number of bytes in the name of a file or folder, on usual file systems."""
 
 
 def orders(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[int, ...]:
@@ -54,7 +58,7 @@ def listed(context: click.Context, parameter: click.Parameter, value: str | None
 
 
 class Place(click.Path):
-    """File or folder to write; an empty name, as from an unset variable, is refused."""
+    """File or folder to write; an empty name, as from an unset variable, and a place below a file are refused."""
 
     def __init__(self, **kind: bool) -> None:
         super().__init__(path_type=Path, **kind)
@@ -62,7 +66,14 @@ class Place(click.Path):
     def convert(self, value: Any, parameter: click.Parameter | None, context: click.Context | None) -> Any:
         if value == "":
             self.fail("expected a name, got an empty one", parameter, context)
-        return super().convert(value, parameter, context)
+        from ..output.files import not_a_folder
+
+        place: Any = super().convert(value, parameter, context)
+        if long := next((part for part in place.parts if len(os.fsencode(part)) > FILE_NAME_MAX), None):
+            self.fail(f"a name has at most {FILE_NAME_MAX} bytes, got {long!r}", parameter, context)
+        if file := not_a_folder(place.parent):
+            self.fail(f"{str(file)!r} is no folder", parameter, context)
+        return place
 
 
 max_n = click.option(

@@ -29,6 +29,12 @@ C_HEADERS = frozenset({
 })  # fmt: skip
 """Headers of the C library (C23, 7.1.2) and of Python; a module of the same name would hide them."""
 
+DEVICES = frozenset({"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(10))})
+"""Names of devices on Windows, where no file may have them, with any ending."""
+
+NAME_LETTERS_MAX = 100
+"""Largest length of a user's name: names of files and C functions, which contain it, are then below 255."""
+
 
 def charts(
     orders: Iterable[int] = (), families: Iterable[str] = (), phi: str | None = None, name: str | None = None
@@ -54,8 +60,8 @@ def committed() -> list[Chart]:
 
 def chart_of(line: str) -> Chart | None:
     """Return the chart that a module's command names; None for any other command."""
-    chosen = dict(itertools.pairwise(shlex.split(line)))
     try:
+        chosen = dict(itertools.pairwise(shlex.split(line)))
         order = int(chosen["-n"]) if "-n" in chosen else None
         if "--phi" in chosen:
             return parameterization(chosen["--phi"], chosen["--name"], order)
@@ -76,16 +82,21 @@ def charts_in(folder: Path, target: Target) -> Iterator[Chart]:
 
 
 def require_free(name: str) -> None:
-    """Raise ValueError if a user's chart may not have this name."""
-    if name.split("_")[0] == ROTATIONS.name:  # C functions of rotations begin with dualcay_rotation_
+    """Raise ValueError if a user's chart may not have this name. Case does not matter, as on some file systems."""
+    folded = name.lower()
+    if len(name) > NAME_LETTERS_MAX:
+        raise ValueError(f"a name has at most {NAME_LETTERS_MAX} letters, got {len(name)}")
+    if folded.split("_")[0] == ROTATIONS.name:  # C functions of rotations begin with dualcay_rotation_
         raise ValueError(f"{name!r} is the name of the folder of rotations, or begins as names of its functions do")
-    if name in {chart.name for chart in committed()}:
+    if folded in {chart.name for chart in committed()}:
         raise ValueError(f"{name!r} is the name of a committed module")
     if name.startswith("_"):
         raise ValueError(f"names with a leading underscore are those of a package's own files, got {name!r}")
-    if name.lower() in C_HEADERS:  # some file systems ignore case
+    if folded in DEVICES:
+        raise ValueError(f"{name!r} is the name of a device on Windows: choose another name")
+    if folded in C_HEADERS:
         raise ValueError(f"a header {name}.h would hide that of C or Python: take another name than {name!r}")
-    if name in reserved_names():
+    if {name, folded} & reserved_names():
         raise ValueError(f"{name!r} is reserved in packages of kernels: choose another name")
 
 
@@ -115,9 +126,10 @@ def _globals(table: symtable.SymbolTable) -> Iterator[str]:
 
 def _require_same_chart(own: Chart) -> None:
     """Raise ValueError if the name belongs to a different chart; sin(α/N) may also be called sineN."""
-    cayley = re.fullmatch(r"cayley([1-9]\d*)", own.name)
+    name = own.name.lower()
+    cayley = re.fullmatch(r"cayley([1-9]\d*)", name)
     try:
-        other: Chart = Cayley(int(cayley[1])) if cayley else family(own.name)
+        other: Chart = Cayley(int(cayley[1])) if cayley else family(name)
     except ValueError:
         return
     if own.phi != other.phi and not (isinstance(other, Sine) and own.phi == sympy.sin(alpha / other.order)):

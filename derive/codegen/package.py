@@ -170,6 +170,11 @@ def comment(lines: Iterable[str], mark: str) -> str:
     return "\n".join(f"{mark} {line}".rstrip() for line in itertools.chain(*wrapped))
 
 
+def _header(lines: Sequence[str], mark: str) -> str:
+    """Return a header as comment lines. The command stays on one line, however long, as it is read from there."""
+    return f"{mark} {lines[0]}\n{comment(lines[1:], mark)}"
+
+
 def cited(equations: Iterable[int]) -> str:
     """Return equation numbers in brackets, separated by commas."""
     return ", ".join(f"({number})" for number in equations)
@@ -250,7 +255,7 @@ def shared_texts(target: Target) -> dict[str, str]:
         file = f"{target.name}/{name}"
         version = [f"Version {about.__version__}."] if name == target.entry else []  # a release changes no other file
         lines = [*head(command(target.name), source(file)), *version]
-        texts[name] = generated(file, comment(lines, _mark(name, target)), **data)
+        texts[name] = generated(file, _header(lines, _mark(name, target)), **data)
     target.require_complete(texts)
     return texts
 
@@ -263,11 +268,11 @@ def module_texts(facts: Facts, target: Target) -> dict[str, str]:
     """Render the module of a proved chart and its companions, by file name."""
     made_by = command(target.name, facts.chart)
     template = f"{target.name}/chart.{target.extension}.j2"
-    header = comment(facts.header(made_by, template), target.comment)
+    header = _header(facts.header(made_by, template), target.comment)
     texts = {module_name(facts.chart, target): render(template, header=header, **target.module(facts))}
     for name, (companion, data) in target.companions(facts).items():
         file = f"{target.name}/{companion}"
-        texts[name] = generated(file, comment(head(made_by, source(file)), target.comment), **data)
+        texts[name] = generated(file, _header(head(made_by, source(file)), target.comment), **data)
     return texts
 
 

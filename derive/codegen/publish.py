@@ -13,6 +13,7 @@ from ..output.progress import Progress, Step, bar, silent
 from . import catalogue
 from .build import build, print_package
 from .package import Package, module_name, notices
+from .rows import inside
 from .targets import TARGETS, Target
 
 
@@ -92,7 +93,8 @@ def generate_charts(
     chosen, folder = _target(target), place(output, target)
     wanted = _with_bases(charts, chosen)
     entry = notices(wanted, chosen)
-    files.refuse(folder, entry | {module_name(chart, chosen): "" for chart in wanted}, force)  # before the long work
+    modules = (inside(table, module_name(chart, chosen)) for table in chosen.tables for chart in wanted)
+    files.refuse(folder, dict.fromkeys((*chosen.shared(), *modules), "") | entry, force)  # before the long work
     package = build(wanted, chosen, progress, processes)
     files.write(folder, package.texts, force, entry)
     return package

@@ -67,6 +67,7 @@ def write(
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        _refuse_links(folder, texts)
         with locked(folder):
             finish(folder)
             refuse(folder, texts, force)
@@ -83,13 +84,19 @@ def write(
 def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
     """Raise RefusedError if texts may not be written into a folder.
 
-    A file in the way must be a generated one, unless forced. No folder may be in the way. The folder may not contain
-    kernels of another target.
+    A file in the way must be a generated one, unless forced. No folder may be in the way, and none within may be a
+    link. No name may differ from one that is there in case only. The folder may not contain kernels of another target.
     """
     if not folder.is_dir():
+        if file := not_a_folder(folder):
+            raise RefusedError(f"cannot write {folder}: {file} is no folder")
         return
+    _refuse_links(folder, texts)
     paths = [folder / name for name in texts]
-    parents = {folder / parent for name in texts for parent in PurePosixPath(name).parents}
+    parents = _folders(folder, texts) | {folder}
+    there = {_folded(path): path.name for parent in parents if parent.is_dir() for path in parent.iterdir()}
+    if alike := [path for path in paths if there.get(_folded(path), path.name) != path.name]:
+        raise RefusedError(f"a file there has a name that differs in case only: {', '.join(map(str, alike))}")
     blocked = [path for path in paths if path.is_dir() and not path.is_symlink()]
     blocked += sorted(path for path in parents if os.path.lexists(path) and not path.is_dir())
     if blocked:
@@ -106,6 +113,29 @@ def refuse(folder: Path, texts: Mapping[str, str], force: bool = False) -> None:
                 f"{folder} holds kernels of the target {found} ({path.name}), and a folder holds those of one: "
                 f"write those of {', '.join(sorted(given))} into another (-o), or remove the others first"
             )
+
+
+def not_a_folder(path: Path) -> Path | None:
+    """Return the part of a path that exists and is no folder, so that nothing can be written below it."""
+    found = next((part for part in (path, *path.parents) if os.path.lexists(part)), path)
+    return None if found.is_dir() or not os.path.lexists(found) else found
+
+
+def _folded(path: Path) -> Path:
+    """Return a path whose last name has no capitals, as some file systems ignore case."""
+    return path.with_name(path.name.lower())
+
+
+def _folders(folder: Path, texts: Mapping[str, str]) -> set[Path]:
+    """Return the folders of texts within a folder."""
+    return {folder / parent for name in texts for parent in PurePosixPath(name).parents} - {folder}
+
+
+def _refuse_links(folder: Path, texts: Mapping[str, str]) -> None:
+    """Raise RefusedError if a link would lead out of a folder."""
+    within = _folders(folder, texts) | {folder / name for name in LEFTOVERS}
+    if links := sorted(path for path in within if path.is_symlink()):
+        raise RefusedError(f"a link within the folder is not followed, remove it first: {', '.join(map(str, links))}")
 
 
 def compare(folder: Path, texts: Mapping[str, str], unmade: Mapping[str, str] | None = None) -> Iterator[Difference]:

@@ -73,6 +73,8 @@ def switched(
     array = as_array("v", v, (n,), axis, real=True)
     rate = None if v_dot is None else as_array("v_dot", v_dot, (n,), axis, real=True)
     spread = None if covariance is None else as_array("covariance", covariance, (n, n), axis, real=True)
+    if spread is not None:
+        require_symmetric("covariance", spread, (0, 1) if axis == 0 else (-2, -1))
     moved = kernels.principal(array, axis=axis)
     changed = np.any((moved != array) & (moved == moved), axis=axis, keepdims=True)
     if not changed.any():
@@ -85,6 +87,19 @@ def switched(
     found = (moved, *(value for value in (rate, spread) if value is not None))
     return found if len(found) > 1 else moved
 
+
+def require_symmetric(name: str, P: Array, axes: tuple[int, int] = (-2, -1)) -> None:
+    """Raise ValueError unless matrices are symmetric but for rounding errors; NaN passes."""
+    with np.errstate(all="ignore"):
+        off = abs(P - P.swapaxes(*axes))
+        wrong = off * precision(P) > abs(P).sum(axes, keepdims=True)
+    if wrong.any():
+        raise ValueError(f"{name} must be symmetric, got entries that differ by {max(off[wrong]):g}")
+
+
+def precision(P: Array) -> int:
+    """Return the sum of absolute entries over the rounding error that a covariance of this type may have."""
+    return int(2.0**-12 / np.finfo(P.dtype if P.dtype.kind == "f" else np.float64).eps)
 
 
 def _spread(kernels: Any, axis: int, v: Array, moved: Array, covariance: Array) -> Array:

@@ -168,7 +168,7 @@ class PoseKernels(Kernels):
         """
         return call(self._chart, "pose", axis, out, v)
 
-    def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False) -> Array:
+    def from_pose(self, T: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a homogeneous matrix.
 
         The axis at the angle π is chosen so that its first non-zero component is positive.
@@ -183,8 +183,8 @@ class PoseKernels(Kernels):
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
         Returns
         -------
@@ -200,8 +200,8 @@ class PoseKernels(Kernels):
         >>> np.allclose(cayley2.from_pose(T), v), np.allclose(cayley2.from_pose(T, branch=1), cayley2.shadow(v))
         (True, True)
         """
-        if check:
-            require(LAWS["from_pose"], T, axis)
+        if check is not False:
+            require(LAWS["from_pose"], T, axis, check)
         return call_branch(self._chart, "from_pose", branch, axis, out, T)
 
     def random(
@@ -305,7 +305,7 @@ class PoseKernels(Kernels):
         found = call(self._chart, "transform_line_jacobians", axis, None, v, line)
         return separate(found, axis, JACOBIAN, JACOBIAN)
 
-    def from_screw(self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool = False) -> Array:
+    def from_screw(self, angle: ArrayLike, line: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector ``φ(α) u`` of a dual angle and an axis.
 
         A pure rotation has the angle [α, 0]. A pure translation d has the angle [0, d] and any axis in its direction.
@@ -320,8 +320,8 @@ class PoseKernels(Kernels):
             Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
         Returns
         -------
@@ -335,8 +335,8 @@ class PoseKernels(Kernels):
         >>> cayley2.transform_point(v, [0, 2, 0]).round(3)
         array([0. , 2. , 0.3])
         """
-        if check:
-            require(LAWS["from_screw"], line, axis)
+        if check is not False:
+            require(LAWS["from_screw"], line, axis, check)
         return call(self._chart, "from_screw", axis, out, angle, line)
 
     def to_screw(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, Array]:
@@ -369,7 +369,7 @@ class PoseKernels(Kernels):
     # --- maps from quaternions and tensors --------------------------------------------------------------------------
 
     def from_quaternion(
-        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False, scalar_first: bool = True
+        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
     ) -> Array:
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
@@ -385,8 +385,8 @@ class PoseKernels(Kernels):
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
             True for the scalar first in each half, False for the scalar last in each half.
 
@@ -405,11 +405,11 @@ class PoseKernels(Kernels):
         """
         if not scalar_first:
             q = from_scalar_last(q, axis, QUATERNION)
-        if check:
-            require(LAWS["from_quaternion"], q, axis)
+        if check is not False:
+            require(LAWS["from_quaternion"], q, axis, check)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
-    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False) -> Array:
+    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
         The axis at the angle π is chosen so that its first non-zero component is positive.
@@ -424,8 +424,8 @@ class PoseKernels(Kernels):
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
         Returns
         -------
@@ -440,8 +440,8 @@ class PoseKernels(Kernels):
         >>> np.allclose(cayley2.from_tensor(cayley2.tensor(v)), v)
         True
         """
-        if check:
-            require(LAWS["from_tensor"], R, axis)
+        if check is not False:
+            require(LAWS["from_tensor"], R, axis, check)
         return call_branch(self._chart, "from_tensor", branch, axis, out, R)
 
     # --- identity, inverse, moved points, tangent operators ---------------------------------------------------------
@@ -836,7 +836,7 @@ class PoseKernels(Kernels):
         v_dot : array, shape (..., 6)
             Time derivative of v (1/s): real part, then dual part.
         covariance : array, shape (..., 6, 6)
-            Covariance P of v, symmetric.
+            Covariance P of v; ValueError unless it is symmetric.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns

@@ -7,14 +7,16 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._branches import precision, require_symmetric
 from ._kernel import Array
 from ._motion import Motion, MotionError
+from ._twist import finite, twist_of
 
 if TYPE_CHECKING:
     from ._stepping import Step
@@ -40,8 +42,9 @@ def propagate(
         Kernel module of poses, such as ``cayley2``.
     v0 : array, shape (6,)
         Vector of the chart at the first time.
-    twist : callable, or array of shape (T, 6)
-        Twist [ω, v] (rad/s, length/s): a function of time (s), or samples at the times t, joined by a cubic spline.
+    twist : callable, or array of shape (6,) or (T, 6)
+        Twist [ω, v] (rad/s, length/s): a function of time (s), or constant, or samples at the times t, joined by a
+        cubic spline.
     t : array, shape (T,)
         Times (s), increasing, at least two.
     frame : {"space", "body"}
@@ -72,7 +75,8 @@ def propagate(
     ValueError, TypeError
         If an argument is wrong; the message names it.
     MotionError
-        If the twist is not finite at a later time, or needs steps that are too small.
+        If the twist at a later time is not six finite numbers, or needs steps that are too small, or if the pose
+        overflows.
     ImportError
         If SciPy is missing.
 
@@ -81,7 +85,7 @@ def propagate(
     >>> import numpy as np
     >>> from dualcay import cayley2, exponential, propagate
     >>> omega = np.array([0.3, 0.4, 0, 0, 0, 0.1])
-    >>> motion = propagate(cayley2, np.zeros(6), lambda t: omega, [0, 10, 20])
+    >>> motion = propagate(cayley2, np.zeros(6), omega, [0, 10, 20])
     >>> np.allclose(motion.pose, exponential.pose(np.outer([0, 10, 20], omega)), rtol=0, atol=1e-9)
     True
     >>> motion.switches.round(3)  # after a turn by 3π/2, |ω| = 0.5; the next is after 7π/2
@@ -101,21 +105,20 @@ def propagate(
     for name, number in (("rtol", rtol), ("atol", atol), ("max_step", max_step)):
         if not number > 0:
             raise ValueError(f"{name} must be positive, got {number!r}")
-    times, v = _times(t), _finite("v0", v0, (6,))
+    times, v = _times(t), finite("v0", v0, (6,))
     spread, density = (None if P is None else _covariance(name, P)
                        for name, P in (("covariance", covariance), ("noise", noise)))  # fmt: skip
-    function, slope = _twist(twist, times)
-    angle = _angle(module, v)
-    problem = Problem(module, function, frame, integrator, rtol, atol, max_step)
-    form, switched = FORMS[method](problem), angle > largest_angle(module)
+    problem = Problem(module, twist_of(twist, times), frame, integrator, rtol, atol, max_step)
     q = module.quaternion(v)
+    angle = _angle(module, v, q)
+    form, switched = FORMS[method](problem), angle > largest_angle(module)
     start = (-q if (q[0] < 0) != (math.pi < angle and not switched) else q).tolist()
     restarted = form.restart(v)
     local, centre = (np.zeros(6), start) if restarted is None else (restarted, [1.0, *[0.0] * 7])
     found: list[Step] = []
 
     def motion() -> Motion:
-        path = Trajectory(problem, form, found, times[0], start, switched, slope)
+        path = Trajectory(problem, form, found, times[0], start, switched)
         known = times[times <= path.end]
         P = None
         if spread is not None or density is not None:
@@ -124,14 +127,15 @@ def propagate(
         return Motion(known, vectors, poses, branches, path.switches, P, path)
 
     report = _percents if progress is True else progress or (lambda part: None)
-    try:
-        for step in steps(problem, form, local, centre, start, (times[0], times[-1])):
-            found.append(step)
-            report(float((step.end - times[0]) / (times[-1] - times[0])))
-    except MotionError as error:
-        error.motion = motion()
-        raise
-    return motion()
+    with np.errstate(all="ignore"):  # overflow ends in an error that says when
+        try:
+            for step in steps(problem, form, local, centre, start, (times[0], times[-1])):
+                found.append(step)
+                report(float((step.end - times[0]) / (times[-1] - times[0])))
+        except MotionError as error:
+            error.motion = motion()
+            raise
+        return motion()
 
 
 def _percents(part: float) -> None:
@@ -139,23 +143,11 @@ def _percents(part: float) -> None:
     sys.stderr.write(f"\r{part:4.0%}" + "\n" * (part >= 1))
 
 
-def _finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """Return an argument as an array of floats, after a check of its shape and values."""
-    array = np.asarray(value)
-    if array.dtype.kind not in "biuf":
-        raise TypeError(f"{name} must hold real numbers, got dtype {array.dtype}")
-    if array.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got {array[~np.isfinite(array)][0]} in it")
-    return array.astype(float)
-
-
 def _times(t: ArrayLike) -> Array:
     shape = np.shape(t)
     if len(shape) != 1 or shape[0] < 2:
         raise ValueError(f"t must have shape (T,) with at least two times, got {shape}")
-    times = _finite("t", t, shape)
+    times = finite("t", t, shape)
     wrong = np.flatnonzero(np.diff(times) <= 0)
     if wrong.size:
         former, later = times[wrong[0] : wrong[0] + 2]
@@ -165,39 +157,23 @@ def _times(t: ArrayLike) -> Array:
 
 def _covariance(name: str, value: ArrayLike) -> Array:
     """Return a matrix after a check that it is a covariance, but for rounding errors."""
-    P = _finite(name, value, (6, 6))
-    bound = 1e-12 * abs(P).max()
-    if abs(P - P.T).max() > bound:
-        raise ValueError(f"{name} must be symmetric, got entries that differ by {abs(P - P.T).max():g}")
+    P, given = finite(name, value, (6, 6)), np.asarray(value)
+    if given.dtype.kind != "f":
+        given = P
+    require_symmetric(name, given)
     least = np.linalg.eigvalsh(P)[0]
-    if least < -6 * bound:
+    if least * precision(given) < -abs(P).sum():
         raise ValueError(f"{name} must be positive semidefinite, got the eigenvalue {least:g}")
     return P
 
 
-def _angle(module: Any, v: Array) -> float:
-    """Return the rotation angle of v on its own branch, after a check that the chart is regular there."""
-    angle = float(np.linalg.norm(module.to_exponential(v)[:3]))
+def _angle(module: Any, v: Array, q: Array) -> float:
+    """Return the rotation angle of v on its own branch, after a check that v is a regular point of the chart."""
+    if not np.isfinite(q).all():
+        size = math.hypot(*v[:3])
+        raise ValueError(f"v0 must be within the edge of the chart and must not overflow, got the real length {size:g}")
+    angle = math.hypot(*module.to_exponential(v)[:3])
     for singular in module.singular_angles():
         if not abs(angle - singular) > 1e-9:
             raise ValueError(f"v0 must not be on the singular set of the chart, got the rotation angle {angle:.9g}")
     return angle
-
-
-def _twist(twist: Any, t: Array) -> tuple[Callable[[float], Sequence[float]], Any]:
-    """Return the twist as a function that gives six finite floats, and its derivative if it is a spline."""
-    if not callable(twist):
-        from scipy.interpolate import CubicSpline
-
-        spline = CubicSpline(t, _finite("twist", twist, (len(t), 6)))
-        return (lambda time: spline(time).tolist()), spline.derivative()
-    _finite("twist at the first time", twist(t[0]), (6,))
-
-    def checked(time: float) -> Sequence[float]:
-        value = twist(time)
-        omega: Sequence[float] = value if isinstance(value, (list, tuple)) else np.asarray(value).tolist()
-        if not math.isfinite(sum(omega)):
-            raise MotionError(f"twist must be finite, got {omega} at t = {time:.9g}", time)
-        return omega
-
-    return checked, None

@@ -32,7 +32,7 @@ INCREMENT = 2e-3
 
 @dataclass(frozen=True)
 class Trajectory:
-    """Steps of a problem, with the derivative of the twist if it is known; without a step, the start alone."""
+    """Steps of a problem; without a step, the start alone."""
 
     problem: Problem
     form: Form
@@ -40,7 +40,6 @@ class Trajectory:
     begin: float
     start: Any
     switched: bool
-    twist_derivative: Any = None
 
     @property
     def end(self) -> float:
@@ -115,8 +114,9 @@ class Trajectory:
 
         NaN without a step.
         """
-        if self.twist_derivative is not None:
-            return np.asarray(self.twist_derivative(t))
+        known = self.problem.twist.derivative(t)
+        if known is not None:
+            return known
         found = np.full((len(t), 6), np.nan)
         for row, one, place in zip(found, t, self._places(t) if self.steps else ()):
             begin, end = self.steps[place].begin, self.steps[place].end

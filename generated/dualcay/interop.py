@@ -9,11 +9,13 @@ Names say the target (``to_``) or the source (``from_``). Functions of a chart t
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._checks import ROTATION_LAWS, require
 from ._kernel import Array
 from ._other_vectors import (
     components,
@@ -33,6 +35,9 @@ __all__ = [
 
 FIELDS = {"Pose": ("position", "orientation"), "Transform": ("translation", "rotation")}
 """Fields of the messages of geometry_msgs."""
+
+UNIT = replace(ROTATION_LAWS["from_quaternion"], argument="xyzw")
+"""Condition that ``check`` requires of a quaternion of ROS."""
 
 
 def to_rotation(module: Any, v: ArrayLike) -> Any:
@@ -189,7 +194,7 @@ def to_ros(module: Any, v: ArrayLike) -> tuple[Array, Array]:
     return module.pose(v)[..., :3, 3], module.quaternion(v, scalar_first=False)[..., :4]
 
 
-def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, check: bool = False) -> Array:
+def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, check: bool | float = False) -> Array:
     """Return the vectors of positions x y z and quaternions x y z w, as ROS orders them.
 
     Parameters
@@ -199,16 +204,16 @@ def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, c
     xyz : array, shape (..., 3)
         Position of the body's origin in space axes.
     xyzw : array, shape (..., 4)
-        Unit quaternion with the scalar last. Leading axes broadcast with those of ``xyz``.
+        Quaternion with the scalar last, of any norm but 0. Leading axes broadcast with those of ``xyz``.
     branch : int
         k of ``φ(α + 2kπ) u``; 0 is principal.
-    check : bool
-        True raises ValueError for a quaternion that is not of unit norm, such as the zeros of an empty message.
+    check : bool or float
+        Largest violation of the unit norm allowed, otherwise ValueError; True is sqrt(eps) of the array type.
 
     Returns
     -------
     array, shape (..., 6)
-        Vector of the chart. Errors are first order in a violation of the norm.
+        Vector of the chart, with this position. A quaternion of zeros, as of an empty message, gives NaN.
 
     Examples
     --------
@@ -219,11 +224,22 @@ def from_ros(module: Any, xyz: ArrayLike, xyzw: ArrayLike, branch: int = 0, *, c
     """
     _require_poses(module)
     position, q = components("xyz", xyz, 3), components("xyzw", xyzw, 4)
-    vector, scalar = q[..., :3], q[..., 3:]
+    if check is not False:
+        require(UNIT, q, -1, check)
+    unit = _normalized(q)
+    vector, scalar = unit[..., :3], unit[..., 3:]
     along = (position * vector).sum(axis=-1, keepdims=True)
     dual = np.concatenate([scalar * position + np.cross(position, vector), -along], axis=-1) / 2  # ½ ρ q
-    both = np.concatenate([np.broadcast_to(q, dual.shape), dual], axis=-1)
-    return np.asarray(module.from_quaternion(both, branch, check=check, scalar_first=False))
+    both = np.concatenate([np.broadcast_to(unit, dual.shape), dual], axis=-1)
+    found = np.asarray(module.from_quaternion(both, branch, scalar_first=False))
+    return found.astype(np.float32) if np.result_type(position, q) == np.float32 else found
+
+
+def _normalized(q: Array) -> Array:
+    """Return quaternions of unit norm, in float64 at least; NaN for zeros and for components that are not finite."""
+    with np.errstate(all="ignore"):
+        scaled = q / abs(q).max(axis=-1, keepdims=True).astype(np.result_type(q, np.float64))
+        return np.asarray(scaled / np.sqrt((scaled * scaled).sum(axis=-1, keepdims=True)))
 
 
 def to_ros_message(module: Any, v: ArrayLike, kind: str = "Pose") -> dict[str, dict[str, float]]:
@@ -260,7 +276,7 @@ def to_ros_message(module: Any, v: ArrayLike, kind: str = "Pose") -> dict[str, d
     return {name: dict(zip("xyzw", map(float, values))) for name, values in parts}
 
 
-def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool = False) -> Array:
+def from_ros_message(module: Any, message: Any, branch: int = 0, *, check: bool | float = False) -> Array:
     """Return the vector of a message of geometry_msgs, ``Pose`` or ``Transform``.
 
     Parameters

@@ -22,6 +22,9 @@ from ._chart import Array, Call, Chart, Components, Shape
 class Namespace:
     """Functions of the array API standard under the names that cores use; ``like`` is an array of the arguments."""
 
+    eager = True
+    """True if values may be looked at: they are known, and reading them stops no other device."""
+
     def __init__(self, xp: Any, like: Array) -> None:
         self.xp, self.like = xp, like
         self.dtype = self.default() if _integral(like.dtype) else like.dtype
@@ -96,6 +99,8 @@ class Objects(Namespace):
 class Unplaced(Namespace):
     """Functions of libraries whose new arrays follow their operands (JAX) or the current device (CuPy)."""
 
+    eager = False
+
     def place(self) -> dict[str, Any]:
         return {}
 
@@ -110,6 +115,8 @@ class Jax(Unplaced):
 class Torch(Namespace):
     """Functions of PyTorch: its tensors have no namespace attribute, and its functions take ``dim``."""
 
+    eager = False
+
     def default(self) -> Any:
         return self.xp.get_default_dtype()
 
@@ -122,6 +129,8 @@ class Torch(Namespace):
 
 class Dask(Unplaced):
     """Functions of Dask; stacked components are put into one chunk."""
+
+    eager = False
 
     def floating(self, array: Array) -> Array:
         return array.astype(self.dtype) if _integral(array.dtype) else array

@@ -30,6 +30,9 @@ class Motion:
 
     ``motion(t, order)`` returns v, v̇ or v̈, for ``order`` 0, 1 or 2. They are continuous between switches.
 
+    A motion can be copied and pickled. A twist that pickle cannot save, such as a lambda, is left out: of the loaded
+    motion ``order=0`` alone is known, and the others raise `MotionError`.
+
     Parameters
     ----------
     t : array, shape (T,)

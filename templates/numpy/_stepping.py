@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -18,8 +19,7 @@ from ._kernel import Array
 from ._motion import MotionError
 from ._runtime import FLOAT, Floats, constants
 from ._switching import switch_angle
-
-Twist = Callable[[float], Sequence[float]]
+from ._twist import Twist
 
 INTEGRATORS = "RK23", "RK45", "DOP853"
 """Solver classes of SciPy that need no values of former steps."""
@@ -27,13 +27,16 @@ INTEGRATORS = "RK23", "RK45", "DOP853"
 LARGEST_TURN = 1.0
 """Rotation angle within a step (rad), if the angular velocity keeps its value at the beginning of the step."""
 
+STEP_MIN = 1e-15
+"""Smallest bound of a step, as a part of the span; a motion with smaller steps would not end."""
+
 TABLES = {"space": constants(SPACE_INV, FLOAT), "body": constants(BODY_INV, FLOAT)}
 """Table of the program ``rate`` by frame."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """Arguments of `propagate` that a step needs."""
+    """Arguments of `propagate` that a step needs. Pickle saves the name of the module."""
 
     module: Any
     twist: Twist
@@ -42,6 +45,13 @@ class Problem:
     rtol: float
     atol: float
     max_step: float
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "module": getattr(self.module, "__name__", self.module)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        module = state["module"]
+        vars(self).update(state, module=importlib.import_module(module) if isinstance(module, str) else module)
 
 
 @dataclass(frozen=True)
@@ -72,7 +82,16 @@ class Form(Protocol):
         """Return the absolute tolerance of a step from a pose."""
 
 
-class LieForm:
+class Pickled:
+    """Form that pickle saves by its problem."""
+
+    problem: Problem
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.problem,)
+
+
+class LieForm(Pickled):
     """Local vector ``tan(α/4) u`` of the displacement within a step; it restarts at zero after each."""
 
     def __init__(self, problem: Problem) -> None:
@@ -89,12 +108,12 @@ class LieForm:
 
     def tolerance(self, pose: Sequence[float]) -> Any:
         """Return a quarter of the tolerance of the pose's quaternion, as the local vector is α/4 for small α."""
-        size = math.sqrt(sum(part * part for part in pose[4:]))
+        size = math.hypot(*pose[4:])
         real, dual = (self.problem.atol + self.problem.rtol * part for part in (1.0, size))
         return np.array([real, real, real, dual, dual, dual]) / 4
 
 
-class ChartForm:
+class ChartForm(Pickled):
     """Vector of the module's chart; it switches, or restarts at zero where no branch helps."""
 
     def __init__(self, problem: Problem) -> None:
@@ -129,7 +148,7 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
     Raises
     ------
     MotionError
-        If the steps become too small; its attribute ``motion`` is not set.
+        If the steps become too small, or a rate or a pose overflows; its attribute ``motion`` is not set.
     """
     omega: Sequence[float] = ()
 
@@ -141,16 +160,19 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
     solver = getattr(integrate, problem.integrator)(
         rhs, span[0], y, span[1], rtol=problem.rtol, atol=form.tolerance(start), max_step=problem.max_step
     )
+    _require_finite("rate of v", solver.f, span[0])  # from an infinite one SciPy would search a first step forever
     omega = problem.twist(span[0])
     while solver.status == "running":
-        speed = math.sqrt(omega[0] ** 2 + omega[1] ** 2 + omega[2] ** 2)
+        speed = math.hypot(*omega[:3])
         solver.max_step = min(problem.max_step, LARGEST_TURN / speed if speed else math.inf)
-        message = solver.step()
-        if solver.status == "failed":
+        endless = solver.max_step < STEP_MIN * (span[1] - span[0])
+        message = "the twist turns too fast" if endless else solver.step()
+        if endless or solver.status == "failed":
             raise MotionError(f"no step is small enough at t = {solver.t:.9g}: {message}", solver.t)
         last = omega  # a step ends with an evaluation at its end; dense output may evaluate elsewhere
-        yield Step(solver.t_old, solver.t, solver.dense_output(), centre, start)
         pose = displaced(Floats, problem.frame, form.quaternion(solver.y.tolist()), centre)
+        _require_finite("pose", pose, solver.t)
+        yield Step(solver.t_old, solver.t, solver.dense_output(), centre, start)
         start = [-part for part in pose] if sum(a * b for a, b in zip(pose[:4], start[:4])) < 0 else pose
         moved = form.restart(solver.y)
         if moved is None:
@@ -159,6 +181,11 @@ def steps(problem: Problem, form: Form, y: Array, centre: Any, start: Any, span:
             solver.y, solver.f = moved, np.asarray(form.rate(moved, last))
             solver.atol = form.tolerance(start)
         omega = last
+
+
+def _require_finite(name: str, values: Any, t: float) -> None:
+    if not all(map(math.isfinite, values)):
+        raise MotionError(f"the {name} is not finite at t = {t:.9g}", t)
 
 
 def displaced(m: Any, frame: str, local: Any, centre: Any) -> Sequence[Any]:

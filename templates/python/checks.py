@@ -79,15 +79,19 @@ ROTATION_LAWS = {
 """Conditions on arguments of functions of rotations, by function name."""
 
 
-def require(law: Law, value: Any, axis: int) -> None:
-    """Raise an error unless an argument meets its condition.
+def require(law: Law, value: Any, axis: int, check: Any = True) -> None:
+    """Raise an error unless an argument meets its condition, as the keyword ``check`` of a function asks.
 
     Raises
     ------
     ValueError
         If an element violates it. The message names the first one, its largest violation, and the allowed one.
     """
-    allowed, components = _given(law, value, axis)
+    asked = _asked(check)
+    if asked is False:
+        return
+    usual, components = _given(law, value, axis)
+    allowed = usual if asked is True else asked
     with silent():
         groups = ((words, residue) for words, residues in law.violations(components) for residue in residues)
         found = [(*first, words) for words, residue in groups if (first := _first_above(residue, allowed))]
@@ -96,8 +100,20 @@ def require(law: Law, value: Any, axis: int) -> None:
         index, violation, words = min(found, key=lambda at: (at[0], -at[1] if at[1] == at[1] else -inf))
         raise ValueError(
             f"{law.argument}{_place(index, axis)} is no {law.noun}: {words}, "
-            f"off by {violation:.2g} (allowed {allowed:.2g})"
+            f"off by {violation:.2g} (allowed {allowed:.3g})"
         )
+
+
+def _asked(check: Any) -> bool | float:
+    """Return the keyword ``check`` as a bool, or as the largest violation allowed."""
+    if type(check).__name__ in ("bool", "bool_"):  # of Python or NumPy
+        return bool(check)
+    if not isinstance(check, Real):
+        raise TypeError(f"check must be a bool or a number, the largest violation allowed, got {check!r}")
+    allowed = float(check)
+    if not allowed >= 0:
+        raise ValueError(f"check must be at least 0, got {check!r}")
+    return allowed
 
 
 def _place(index: Shape, axis: int) -> str:

@@ -21,6 +21,7 @@ from scipy.spatial import transform
 from scipy.spatial.transform import RigidTransform
 
 import derive
+import dualcay
 from dualcay import cayley1, cayley2, cayley3, exponential, interop, lambert, rotation, scaled2
 
 POSES = (cayley1, cayley2, cayley3, exponential, lambert, scaled2)
@@ -86,13 +87,15 @@ def test_positions_broadcast_with_quaternions() -> None:
     assert_same(cayley3.pose(found)[3, 1, :3, 3], [3, 4, 5])
 
 
+@pytest.mark.parametrize("branch", [-2, -1, 1])
+@pytest.mark.parametrize("module", [cayley3, exponential], **IDS)
 @pytest.mark.parametrize("convert", ["rigid_transform", "rotation", "ros", "ros_message"])
-def test_branches_are_those_of_the_chart(convert: str) -> None:
-    there = getattr(interop, f"to_{convert}")(cayley3, V)
+def test_branches_are_those_of_the_chart(convert: str, module: Any, branch: int) -> None:
+    there = getattr(interop, f"to_{convert}")(module, V)
     given = there if isinstance(there, tuple) else (there,)
-    found = getattr(interop, f"from_{convert}")(cayley3, *given, branch=1)
-    principal = getattr(interop, f"from_{convert}")(cayley3, *given)
-    assert_same(found, cayley3.shadow(principal))
+    found = getattr(interop, f"from_{convert}")(module, *given, branch=branch)
+    principal = getattr(interop, f"from_{convert}")(module, *given)
+    assert_same(found, module.shadow(principal, branch))
 
 
 @pytest.mark.parametrize(("kind", "names"), [("Pose", "position orientation"), ("Transform", "translation rotation")])
@@ -216,10 +219,38 @@ def test_wrong_arguments_are_refused(
         function(*given)
 
 
-def test_quaternion_of_an_empty_message_is_refused_if_checked() -> None:
+def test_quaternion_of_an_empty_message_is_nan_or_refused_if_checked() -> None:
     message = {"position": dict.fromkeys("xyz", 0.0), "orientation": dict.fromkeys("xyzw", 0.0)}
-    with pytest.raises(ValueError, match="unit"):
-        interop.from_ros_message(cayley2, message, check=True)
+    assert np.isnan(interop.from_ros_message(cayley2, message)).all()
+    with pytest.raises(ValueError, match=r"xyzw is no unit quaternion: its square is not 1, off by 1 \(allowed 0\.5\)"):
+        interop.from_ros_message(cayley2, message, check=0.5)
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32, np.longdouble])
+@pytest.mark.parametrize("module", [getattr(dualcay, name) for name in dualcay._modules()], **IDS)
+def test_a_position_stays_whatever_the_norm_of_the_quaternion(module: Any, dtype: Any) -> None:
+    """Norms down to the least number that keeps 24 bits of the components, and up to the largest one."""
+    xyz = np.array([1.0, -2.0, 3.0], dtype)
+    v = drawn(exponential, (5,))
+    xyzw = exponential.quaternion(v, scalar_first=False)[:, :4].astype(dtype)
+    wanted, small = interop.from_ros(module, xyz, xyzw), np.finfo(dtype).tiny
+    assert wanted.dtype == dtype
+    for norm in (small, 1e-30, 0.3, 0.999999, 1.000001, 2.0, 1e30, np.finfo(dtype).max / 4):
+        off = xyzw * dtype(norm)
+        for sign in (1, -1):
+            found = interop.from_ros(module, xyz, sign * off)
+            np.testing.assert_allclose(found, wanted, rtol=0, atol=100 * max(np.finfo(dtype).eps, 1e-18))
+        pose = module.pose(found)
+        np.testing.assert_allclose(pose[:, :3, 3], np.tile(xyz, (5, 1)), rtol=0, atol=400 * np.finfo(dtype).eps)
+    for wrong in (0 * xyzw, np.where(np.arange(4) == 1, np.nan, xyzw), np.where(np.arange(4) == 2, np.inf, xyzw)):
+        assert np.isnan(interop.from_ros(module, xyz, wrong)).all()
+
+
+def test_a_message_with_an_integer_quaternion_keeps_its_position() -> None:
+    message = {"position": {"x": 1, "y": 2, "z": 3}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 2}}
+    np.testing.assert_array_equal(interop.from_ros_message(exponential, message), [0, 0, 0, 1, 2, 3])
+    found = interop.from_ros(cayley2, [4, 5, 6], [[2, 0, 0, 2], [0, 0, -7, 0]])
+    np.testing.assert_allclose(cayley2.pose(found)[:, :3, 3], [[4, 5, 6]] * 2, rtol=0, atol=1e-14)
 
 
 def test_missing_scipy_is_an_error_that_says_how_to_install_it() -> None:

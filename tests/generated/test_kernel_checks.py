@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from fractions import Fraction
+from functools import partial
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
+from dualcay import cayley3, interop, rotation
 from tests.support import sampling
 from tests.support.kernels import load
 from tests.support.signatures import components_first
@@ -101,6 +104,54 @@ def test_check_tolerance_is_the_square_root_of_eps(name: str, dtype: Any) -> Non
         else:
             with pytest.raises(ValueError, match="is no "):
                 function(off, check=True)
+
+
+LIMITED: list[tuple[Callable[..., Any], tuple[Any, ...]]] = [
+    (cayley3.from_pose, (np.diag([1.005, 1, 1, 1]),)),
+    (cayley3.from_quaternion, ([1.005, 0, 0, 0, 0, 0, 0, 0],)),
+    (cayley3.from_tensor, ([np.diag([1.005, 1, 1]), np.zeros((3, 3))],)),
+    (cayley3.from_screw, ([0.3, 0], [1.005, 0, 0, 0, 0, 0])),
+    (rotation.cayley3.from_quaternion, ([1.005, 0, 0, 0],)),
+    (rotation.cayley3.from_tensor, (np.diag([1.005, 1, 1]),)),
+    (rotation.cayley3.from_angle_axis, (0.3, [1.005, 0, 0])),
+    (partial(interop.from_ros, cayley3), ([1, 2, 3], [0, 0, 0, 1.005])),
+]
+"""Functions with arguments whose largest violation is 0.010025, that of the square of 1.005."""
+
+
+@pytest.mark.parametrize(("function", "given"), LIMITED)
+def test_check_may_be_the_largest_violation_allowed(function: Callable[..., Any], given: tuple[Any, ...]) -> None:
+    unchecked = function(*given)
+    for allowed in (0.0101, np.float32(0.0101), Fraction(101, 10000), 1, np.int64(1), np.inf, False, np.False_):
+        np.testing.assert_array_equal(function(*given, check=allowed), unchecked)
+    for refused in (0.01, np.float64(0.01), 1e-12, 0, 0.0):
+        with pytest.raises(ValueError, match=rf"off by 0\.01 \(allowed {float(refused):g}\)"):
+            function(*given, check=refused)
+    for usual in (True, np.True_):
+        with pytest.raises(ValueError, match=r"off by 0\.01 \(allowed 1\.49e-08\)"):
+            function(*given, check=usual)
+    for negative in (-1e-3, -1, np.nan):
+        with pytest.raises(ValueError, match=f"check must be at least 0, got {negative!r}"):
+            function(*given, check=negative)
+    for wrong in (None, "1e-3", 1j, [0.1], np.array([0.1])):
+        with pytest.raises(TypeError, match="check must be a bool or a number, the largest violation allowed, got "):
+            function(*given, check=wrong)
+    with pytest.raises(ValueError, match="off by nan"):
+        function(*given[:-1], np.multiply(given[-1], np.nan), check=1e3)
+
+
+@pytest.mark.parametrize("regime", ["uniform", "translation 1e6", "angle 1e-12", "pure translation"])
+def test_measured_data_pass_with_a_number(kernel: ModuleType, order: int, regime: str) -> None:
+    """Poses written with 7 digits (KITTI) or held as float32, and quaternions with 6 (g2o), are refused by True."""
+    v = sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=40)
+    poses, q = kernel.pose(v), kernel.quaternion(v)
+    written = np.array([float(f"{entry:.6e}") for entry in poses.flat]).reshape(poses.shape)
+    for function, given in ((kernel.from_pose, written), (kernel.from_pose, poses.astype(np.float32).astype(float)),
+                            (kernel.from_quaternion, np.where(np.arange(8) < 4, q.round(6), q))):  # fmt: skip
+        assert function(given, check=1e-5).shape == v.shape
+        if regime == "uniform":
+            with pytest.raises(ValueError, match="is no "):
+                function(given, check=True)
 
 
 @pytest.mark.parametrize("regime", ["translation 1e6", "angle 1e-12", "pure translation", "at pi", "identity"])

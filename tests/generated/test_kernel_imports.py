@@ -13,7 +13,7 @@ import pytest
 from tests.support.kernels import ORDERS
 
 ROOT = Path(__file__).resolve().parents[2]
-SCIPY = ("_propagate.py", "_stepping.py", "_trajectory.py", "interop.py")
+SCIPY = ("_stepping.py", "_trajectory.py", "_twist.py", "interop.py")
 OPTIONAL = {"dask.py": {"dask"}} | {name: {"scipy"} for name in SCIPY}
 """Libraries that modules of tools import, by file."""
 

@@ -66,6 +66,30 @@ def test_arguments_that_need_no_switch_are_returned() -> None:
         dualcay.cayley2.switch(np.zeros(6), covariance=np.zeros(6))
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
+@pytest.mark.parametrize("table", ["", "rotation"])
+def test_covariances_that_are_not_symmetric_are_refused(table: str, dtype: type) -> None:
+    """Rounding errors pass, also those of a switch; errors of a single pair, in one of many matrices, do not."""
+    for module in charts(table):
+        v, n = on_shadows(module).astype(dtype), len(module.identity())
+        root = np.random.default_rng(2).normal(size=(len(v), n, n)).astype(dtype)
+        P = root @ root.swapaxes(-1, -2)
+        rounded = P * (1 + np.triu(np.full((n, n), 8 * np.finfo(dtype).eps, dtype)))
+        moved, spread = module.switch(v, covariance=rounded)
+        assert module.switch(moved, covariance=spread)[0] is moved
+        gap = P.copy()
+        gap[1, 0, 1] = np.nan
+        assert module.switch(v, covariance=gap)[1].shape == P.shape
+        for size in (1.0, 1e5 * np.finfo(dtype).eps * abs(P).sum()):
+            P = rounded.copy()
+            P[3, n - 1, 1] += dtype(size)
+            for given, axis in ((P, -1), (np.moveaxis(P, 0, -1), 0)):
+                with pytest.raises(ValueError, match=r"^covariance must be symmetric, got entries that differ by "):
+                    module.switch(v if axis else v.T, covariance=given, axis=axis)
+    with pytest.raises(ValueError, match=r"got entries that differ by 1$"):
+        module.switch(v[0], covariance=np.tri(n))
+
+
 def test_the_covariance_at_an_mrp_switch_is_the_closed_form() -> None:
     """Compare with 2 σσᵀ/|σ|⁴ − I/|σ|², away from |σ| = 1 where a shorter formula holds by chance."""
     s, P = np.array([0.9, -0.8, 0.4]), np.diag([1.0, 2.0, 3.0])

@@ -77,6 +77,10 @@ def test_every_function_of_rotations_takes_numpy_arguments(rotations, strict):
 def test_other_libraries_take_branch_and_check(module, strict):
     angle, line = np.array([0.5, 0.2]), np.array([0.6, 0, 0.8, 0, 2.0, 0])
     assert_taken(lambda a, u: module.from_screw(a, u, check=True), [angle, line], strict.asarray)
+    for check, said in ((0.1, r"off by 0\.21 \(allowed 0\.1\)"), (-1, "check must be at least 0"), (True, "1.49e-08")):
+        with pytest.raises(ValueError, match=said):
+            module.from_screw(strict.asarray(angle), strict.asarray(1.1 * line), check=check)
+    assert module.from_screw(strict.asarray(angle), strict.asarray(1.1 * line), check=0.3).shape == (6,)
     v = module.from_screw(strict.asarray(angle), line)
     shadow = module.shadow(v, 1)
     assert type(module.compose(V, shadow)) is type(v)

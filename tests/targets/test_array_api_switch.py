@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import array_api_strict
 import jax
 import jax.numpy as jnp
@@ -33,6 +35,16 @@ def test_a_switch_agrees_with_the_numpy_kernels(array_api, library):
     for a, b, given in zip(found, wanted, arguments(), strict=True):
         np.testing.assert_allclose(np.asarray(a), b, rtol=0, atol=1e-12)
         np.testing.assert_array_equal(np.asarray(a)[~changed], given[~changed])
+
+
+def test_covariances_that_are_not_symmetric_are_refused_where_values_are_known(array_api):
+    v, v_dot, P = arguments()
+    P[3, 1, 2] += 1e-6
+    for make, axis in product((np.asarray, array_api_strict.asarray), (-1, 0)):
+        given = [v, v_dot, P] if axis else [v.T, v_dot.T, np.moveaxis(P, 0, -1)]
+        with pytest.raises(ValueError, match="covariance must be symmetric, got entries that differ by 1e-06"):
+            array_api(2).switch(*map(make, given), axis=axis)
+    assert jax.jit(array_api(2).switch)(*map(jnp.asarray, (v, v_dot, P)))[2].shape == P.shape
 
 
 def test_a_scan_that_switches_never_leaves_the_principal_branch(array_api):

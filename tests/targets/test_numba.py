@@ -136,6 +136,11 @@ def test_wrong_arguments_are_named(compiled):
     with pytest.raises(ValueError, match="broadcast together"):
         module.rate(np.zeros((2, 6)), np.zeros((3, 6)))
     assert module.pose(np.zeros((0, 6))).shape == (0, 4, 4)
+    with pytest.raises(ValueError, match=r"det Q is not 1, off by 0\.33 \(allowed 0\.3\)"):
+        module.from_pose(np.diag([1.1, 1.1, 1.1, 1]), check=0.3)
+    assert module.from_pose(np.diag([1.1, 1.1, 1.1, 1]), check=0.4).shape == (6,)
+    with pytest.raises(ValueError, match=r"covariance must be symmetric, got entries that differ by 1$"):
+        module.switch(np.ones((2, 6)), covariance=np.stack([np.eye(6), np.tri(6)]))
 
 
 def test_singular_points_are_ieee_results_without_a_warning(compiled):

@@ -24,7 +24,7 @@ class Numpy(PythonTarget):
     files = (
         *PythonTarget.files, "_kernel.py", "_motion.py", "_multiple.py", "_native.py", "_other_vectors.py",
         "_program.py", "_propagate.py", "_recorder.py", "_sequences.py", "_stepping.py", "_switching.py",
-        "_trajectory.py", "interop.py",
+        "_trajectory.py", "_twist.py", "interop.py",
     )  # fmt: skip
     tools = ("dask", "interop")
     imports_bases = True

@@ -136,7 +136,7 @@ def motion(at: Loaded) -> Iterator[Case]:
         yield f"{case}: first derivatives", found(t, 1), np.subtract(after, before) / (2 * DELAY)
         yield f"{case}: second derivatives", found(t, 2), np.subtract(*slopes[::-1]) / (2 * DELAY)
         v0, moved = np.array(FAR) / 4, exponential(SCREW, 0.7)
-        found, begun = propagate(module, v0, lambda t: SCREW, [0, 0.7], frame=frame, method=method), module.pose(v0)
+        found, begun = propagate(module, v0, SCREW, [0, 0.7], frame=frame, method=method), module.pose(v0)
         yield f"{case}: any start", found.pose[-1], moved @ begun if frame == "space" else begun @ moved
 
 

@@ -147,7 +147,7 @@ def _doubled_shadow(module: Any) -> Any:
 
 
 def laws(at: Loaded) -> Iterator[Case]:
-    """Cases of ``check=True``: valid arguments pass, and a change of any component is refused."""
+    """Cases of ``check``: valid arguments pass, and a change of any component is refused, unless it is allowed."""
     for table in (POSES, ROTATIONS):
         module, screw = at.module(table), "screw" if table is POSES else "angle_axis"
         v = at.array(NEAR[: 6 if table is POSES else 3])
@@ -157,14 +157,16 @@ def laws(at: Loaded) -> Iterator[Case]:
             *first, given = found if name == screw else (found,)
             function, steps = getattr(module, f"from_{name}"), OFF * np.eye(given.size).reshape(-1, *given.shape)
             yield f"from_{name} with check", function(*first, given, check=True), v
-            refused = [_refused(function, *first, given + at.array(step)) for step in steps]
+            refused = [_refused(True, function, *first, given + at.array(step)) for step in steps]
             wanted = [place not in UNCHECKED.get(f"from_{name}", ()) for place in range(given.size)]
             yield f"from_{name} with check: refused components", refused, wanted
+            limits = [_refused(limit, function, *first, given + at.array(steps[0])) for limit in (OFF / 50, 50 * OFF)]
+            yield f"from_{name} with check: a number", limits, [True, False]
 
 
-def _refused(function: Callable[..., Any], *given: Any) -> bool:
+def _refused(check: bool | float, function: Callable[..., Any], *given: Any) -> bool:
     try:
-        function(*given, check=True)
+        function(*given, check=check)
     except ValueError:
         return True
     return False

@@ -52,7 +52,7 @@ Form = tuple[Fraction, Any, int]
 
 def parsed(text: str, order: int | None = None) -> sympy.Expr:
     """Return a text as an expression in `families.alpha`, with `order` for n; `PhiError` names a refused part."""
-    text = text.strip()
+    text = text.strip(" ")
     tree = grammar.syntax_tree(text)
     try:
         found = _Builder(text, order).build(tree)

@@ -28,6 +28,8 @@ NUMBER = re.compile(r"(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d+))?|\.(\d+)(?:[eE]([+-]?\
 
 def syntax_tree(text: str) -> ast.expr:
     """Return the syntax tree of a φ, with every node checked; a forbidden part raises `PhiError` with its text."""
+    if strange := re.search(r"[^ -~]|[#\\]", text):  # comments and line breaks, which Python would pass over
+        raise PhiError(f"not understood in phi: {strange[0]!r} (known are {KNOWN})")
     if len(text) > CHARACTERS_MAX:
         raise PhiError(f"phi has {len(text)} characters, and {CHARACTERS_MAX} are the most")
     try:

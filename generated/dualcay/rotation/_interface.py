@@ -109,7 +109,7 @@ class RotationKernels(Kernels):
         """
         return call(self._chart, "tensor", axis, out, v)
 
-    def from_angle_axis(self, angle: ArrayLike, u: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool = False) -> Array:
+    def from_angle_axis(self, angle: ArrayLike, u: ArrayLike, /, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector ``φ(α) u`` of an angle and an axis.
 
         Parameters
@@ -120,8 +120,8 @@ class RotationKernels(Kernels):
             Unit vector of the axis; another length scales v. Complex numbers are a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
         Returns
         -------
@@ -135,8 +135,8 @@ class RotationKernels(Kernels):
         >>> cayley2.transform_point(v, [1, 0, 0]).round(3)
         array([0., 1., 0.])
         """
-        if check:
-            require(LAWS["from_angle_axis"], u, axis)
+        if check is not False:
+            require(LAWS["from_angle_axis"], u, axis, check)
         return call(self._chart, "from_angle_axis", axis, out, angle, u)
 
     def to_angle_axis(self, v: ArrayLike, *, axis: int = -1) -> tuple[Array, ...]:
@@ -205,7 +205,7 @@ class RotationKernels(Kernels):
     # --- maps from quaternions and tensors --------------------------------------------------------------------------
 
     def from_quaternion(
-        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False, scalar_first: bool = True
+        self, q: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False, scalar_first: bool = True
     ) -> Array:
         r"""Return the vector of a quaternion, CP23 (47), (49).
 
@@ -221,8 +221,8 @@ class RotationKernels(Kernels):
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
         scalar_first : bool
             True for the scalar first, False for the scalar last.
 
@@ -241,11 +241,11 @@ class RotationKernels(Kernels):
         """
         if not scalar_first:
             q = from_scalar_last(q, axis, QUATERNION)
-        if check:
-            require(LAWS["from_quaternion"], q, axis)
+        if check is not False:
+            require(LAWS["from_quaternion"], q, axis, check)
         return call_branch(self._chart, "from_quaternion", branch, axis, out, q)
 
-    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool = False) -> Array:
+    def from_tensor(self, R: ArrayLike, branch: int = 0, *, axis: int = -1, out: Array | None = None, check: bool | float = False) -> Array:
         r"""Return the vector of a tensor, the inverse of ``tensor``.
 
         The axis at the angle π is chosen so that its first non-zero component is positive.
@@ -260,8 +260,8 @@ class RotationKernels(Kernels):
             k of ``φ(α + 2kπ) u``, modulo the number of branches; 0 is principal. Anything else is a TypeError.
         axis : {-1, 0}, component axis of arguments and result
         out : array, optional, for the result; it may overlap an argument
-        check : bool
-            True raises ValueError for violations above sqrt(eps) of the array type, and for NaN.
+        check : bool or float
+            Largest violation allowed, otherwise ValueError; True is sqrt(eps) of the array type. NaN is refused too.
 
         Returns
         -------
@@ -276,8 +276,8 @@ class RotationKernels(Kernels):
         >>> np.allclose(cayley2.from_tensor(cayley2.tensor(v)), v)
         True
         """
-        if check:
-            require(LAWS["from_tensor"], R, axis)
+        if check is not False:
+            require(LAWS["from_tensor"], R, axis, check)
         return call_branch(self._chart, "from_tensor", branch, axis, out, R)
 
     # --- identity, inverse, moved points, tangent operators ---------------------------------------------------------
@@ -672,7 +672,7 @@ class RotationKernels(Kernels):
         v_dot : array, shape (..., 3)
             Time derivative of v (1/s).
         covariance : array, shape (..., 3, 3)
-            Covariance P of v, symmetric.
+            Covariance P of v; ValueError unless it is symmetric.
         axis : {-1, 0}, component axis of arguments and results
 
         Returns

@@ -93,6 +93,36 @@ def test_bad_input_has_a_message_and_an_exit_code(tmp_path: Path, arguments, cod
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("command", ["generate -n 2 -o", "verify -o", "verify --certificates", "compare -n 2 --plot"])
+@pytest.mark.parametrize(
+    ("place", "message"),
+    [("file/in", "'file' is no folder"), ("file/a/b.svg", "'file' is no folder"), ("a" * 256, "at most 255 bytes")],
+)
+def test_a_place_where_nothing_can_be_written_is_refused_first(
+    tmp_path: Path, monkeypatch, command, place, message
+):
+    monkeypatch.setattr(commands, "run_module", lambda *_: pytest.fail("worked in vain"))
+    (tmp_path / "file").write_text("mine")
+    done = dualcay(*command.split(), place, cwd=tmp_path)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_folder_within_that_is_a_link_is_not_written_through(tmp_path: Path, monkeypatch):
+    monkeypatch.setattr("derive.codegen.build.prove", lambda chart: pytest.fail("proved in vain"))
+    folder, outside = tmp_path / "k", tmp_path / "outside"
+    folder.mkdir()
+    outside.mkdir()
+    (folder / "rotation").symlink_to(outside)
+    for force in ((), ("--force",)):
+        done = dualcay("generate", "-n", "2", "-o", str(folder), *force)
+        assert done.returncode == 3
+        assert f"a link within the folder is not followed, remove it first: {folder}/rotation\n" in done.stderr
+    assert list(outside.iterdir()) == []
+    assert [path.name for path in folder.iterdir()] == ["rotation"]
+
+
 def test_foreign_file_is_overwritten_only_if_forced(tmp_path: Path, without_validation):
     (tmp_path / "cayley2.py").write_text("mine = 1\n")
     done = dualcay("generate", "-n", "2", "-o", str(tmp_path))

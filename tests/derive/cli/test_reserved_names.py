@@ -17,16 +17,21 @@ from tests.support.command import ROOT, dualcay
 
 FILES = ("_native", "_tools", "_chart", "__main__", "_mine")
 WITHIN = ("convert", "matrix6", "backend", "importlib", "sorted", "compiled", "geometry", "tiles")
-CHARTS = ("cayley7", "sine7", "scaled7", "reduced_euler_rodrigues")
+IN_CAPITALS = ("Convert", "BACKEND", "Geometry")
+DEVICES = ("con", "NUL", "aux", "com0", "Lpt9")
+CHARTS = ("cayley7", "Sine7", "sine7", "scaled7", "reduced_euler_rodrigues")
 
 
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
         *((name, "with a leading underscore") for name in FILES),
-        *((name, "is reserved in packages of kernels") for name in WITHIN),
+        *((name, "is reserved in packages of kernels") for name in WITHIN + IN_CAPITALS),
+        *((name, "is the name of a device on Windows") for name in DEVICES),
+        ("Cayley2", "is the name of a committed module"),
+        ("a" * 300, "a name has at most 100 letters, got 300"),
         *((name, "would hide that of C") for name in ("math", "Time", "Python")),
-        ("rotation", "the folder of rotations"),
+        *((name, "the folder of rotations") for name in ("rotation", "Rotation_mine")),
         *((name, "is the name of the chart of phi = ") for name in CHARTS),
     ],
 )
@@ -53,7 +58,10 @@ def test_names_of_included_headers_are_reserved() -> None:
 
 @pytest.mark.parametrize(
     ("name", "phi"),
-    [("sine7", "sin(alpha/14)"), ("cayley7", "tan(alpha/14)"), ("sine6", "sin(alpha/6)"), ("cayley07", "alpha/2")],
+    [
+        *(("sine7", "sin(alpha/14)"), ("cayley7", "tan(alpha/14)"), ("sine6", "sin(alpha/6)")),
+        *((name, "alpha/2") for name in ("cayley07", "a" * 100, "com", "con1")),
+    ],
 )
 def test_chart_may_have_its_own_name(name: str, phi: str) -> None:
     assert [chart.name for chart in catalogue.charts((), (), phi, name)] == [name]

@@ -89,6 +89,38 @@ def test_link_to_a_folder_is_followed(tmp_path: Path):
     assert not (tmp_path / "nowhere").exists()
 
 
+@pytest.mark.parametrize("name", ["sub", ".dualcay-staged", ".dualcay-ready", ".dualcay-lock"])
+def test_links_within_a_folder_are_not_followed(tmp_path: Path, name: str):
+    folder, outside = tmp_path / "kernels", tmp_path / "outside"
+    folder.mkdir()
+    (outside / "0").mkdir(parents=True)
+    (outside / "0" / "mine.py").write_text("mine = True\n")
+    for target in (outside, tmp_path / "nowhere"):
+        (folder / name).symlink_to(target)
+        for force in (False, True):
+            with pytest.raises(RefusedError, match="a link within the folder is not followed, remove it first"):
+                files.write(folder, {"a.py": OURS, "sub/b.py": OURS}, force)
+        assert [path.name for path in folder.iterdir()] == [name]
+        (folder / name).unlink()
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["0", "kernels", "mine.py", "outside"]
+
+
+def test_names_that_differ_in_case_only_are_refused(tmp_path: Path):
+    files.write(tmp_path, {"mine.py": OURS, "sub/a.py": OURS})
+    for texts in ({"b.py": OURS, "Mine.py": OURS}, {"sub/A.py": OURS}):
+        with pytest.raises(RefusedError, match=r"differs in case only: .*/(Mine|A)\.py"):
+            files.write(tmp_path, texts, force=True)
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["a.py", "mine.py", "sub"]
+
+
+def test_a_place_below_a_file_is_refused_before_any_work(tmp_path: Path):
+    (tmp_path / "file").write_text("")
+    for place in ("file", "file/sub", "file/sub/sub"):
+        with pytest.raises(RefusedError, match=r"cannot write .*: .*file is no folder"):
+            files.refuse(tmp_path / place, {"a.py": OURS})
+    files.refuse(tmp_path / "new" / "folder", {"a.py": OURS})
+
+
 def test_folder_holds_one_target(tmp_path: Path):
     files.write(tmp_path, {"a.py": OURS})
     (tmp_path / "mine.py").write_text("mine = True\n")

@@ -1,0 +1,208 @@
+"""Motions at the ends of charts and numbers, from twists of every form, and copied into other processes."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dualcay
+from dualcay import Motion, MotionError, _stepping, cayley2, exponential, lambert, propagate
+from tests.support import motions
+
+EDGED = {"orthographic": 1.0, "lambert": 1.0, "sine3": 1.0, "sine4": 1.0}
+"""Largest |v| by chart."""
+
+OMEGA = np.array([0.3, 0.8, -0.5, 0.4, -0.2, 0.6])
+TIMES = np.linspace(0.0, 4.0, 6)
+FORMS = [(frame, method) for frame in ("space", "body") for method in ("lie", "chart")]
+
+
+@pytest.mark.parametrize(("frame", "method"), FORMS)
+@pytest.mark.parametrize("name", EDGED)
+def test_a_start_beyond_the_edge_or_that_overflows_is_named_at_once(name: str, frame: str, method: str) -> None:
+    module, edge, begin = getattr(dualcay, name), EDGED[name], time.perf_counter()
+    for real, dual in ((1.1, 0.0), (1 + 1e-12, 0.1), (1e78, 0.0), (1e200, 1.0)):
+        v0 = [real * edge * 0.6, -real * edge * 0.8, 0, dual, dual, dual]
+        with pytest.raises(ValueError, match=r"v0 must .*within the edge .* got the real length"):
+            propagate(module, v0, OMEGA, [0, 1], frame=frame, method=method)
+    assert time.perf_counter() - begin < 5  # a search that never ends would not come here
+    inside = propagate(module, [0.5 * edge, 0, 0, 1, 2, 3], OMEGA, [0, 1], frame=frame, method=method)
+    assert np.isfinite(inside.v).all()
+
+
+@pytest.mark.parametrize(("frame", "method"), FORMS)
+def test_a_motion_that_overflows_or_does_not_end_says_when(frame: str, method: str) -> None:
+    def grows(t: float) -> list[float]:
+        return [0.1, 0, 0, 1e300 if t > 0.5 else 1.0, 0, 0]
+
+    for twist in ([1e308, 1e308, 0, 0, 0, 0], [1e160] * 6, [0, 0, 0, 1.7e308, 1.7e308, 1.7e308], grows):  # all finite
+        given = twist if callable(twist) else lambda t, twist=twist: twist
+        with pytest.raises(MotionError, match=r"not finite at t = |no step is small enough at t = "):
+            propagate(lambert, [0.1, 0, 0, 1, 2, 3], given, [0, 1], frame=frame, method=method)
+    said = r"the pose is not finite at t = 0\.8" if method == "lie" else "no step is small enough at t = 0"
+    with pytest.raises(MotionError, match=said):
+        propagate(lambert, [0.3, -0.4, 0, *[8.5e307] * 3], OMEGA, [0, 20], frame=frame, method=method)
+    with pytest.raises(MotionError, match=r"the rate of v is not finite at t = 0$"):
+        propagate(cayley2, [0.3, -0.4, 0, 1, 2, 3], lambda t: [1.7e308] * 6, [0, 1], method="chart")
+
+
+def test_components_are_finite_one_by_one() -> None:
+    for index in range(6):
+        wrong = np.where(np.arange(6) == index, np.nan, 0.1)
+        with pytest.raises(ValueError, match="v0 must be finite, got nan"):
+            propagate(cayley2, wrong, OMEGA, [0, 1])
+        with pytest.raises(MotionError, match=r"twist must be finite, got nan in it at t = "):
+            propagate(cayley2, np.zeros(6), lambda t, wrong=wrong: wrong if t else OMEGA, [0, 1])
+
+
+def test_one_twist_is_constant_as_its_function_and_its_samples_are() -> None:
+    given: tuple[Any, ...] = (OMEGA, [*OMEGA], lambda t: OMEGA, np.tile(OMEGA, (6, 1)))
+    for frame, method in FORMS:
+        found = [propagate(cayley2, np.zeros(6), twist, TIMES, frame=frame, method=method) for twist in given]
+        for one in found:
+            np.testing.assert_allclose(one.pose, exponential.pose(np.outer(TIMES, OMEGA)), rtol=0, atol=1e-8)
+            np.testing.assert_allclose(one(0.7, 2), found[2](0.7, 2), rtol=0, atol=1e-8)
+    integers = propagate(cayley2, np.zeros(6), [0, 0, 1, 0, 0, 2], [0, 1])
+    np.testing.assert_allclose(exponential.from_pose(integers.pose[-1]), [0, 0, 1, 0, 0, 2], rtol=0, atol=1e-8)
+    for wrong in (np.zeros(5), np.zeros((5, 6)), 1.0):
+        with pytest.raises(ValueError, match=r"twist must have shape \(6, 6\), got .* a constant one has \(6,\)"):
+            propagate(cayley2, np.zeros(6), wrong, TIMES)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (np.zeros(3), r"shape \(6,\), got \(3,\)"),
+        (np.zeros((1, 6)), r"shape \(6,\), got \(1, 6\)"),
+        (1.0, r"shape \(6,\), got \(\)"),
+        ([1.0, [2.0]], r"shape \(6,\), got rows of several shapes"),
+        (OMEGA * 1j, "real numbers, got dtype complex128"),
+        (["1"] * 6, "real numbers, got dtype <U1"),
+        (None, "real numbers, got dtype object"),
+    ],
+    ids=str,
+)
+def test_a_wrong_twist_on_the_way_is_named_with_its_time(value: Any, message: str) -> None:
+    with pytest.raises(MotionError, match=rf"twist must (have|hold) {message} at t = [12]") as caught:
+        propagate(cayley2, np.zeros(6), lambda t: OMEGA if t < 1 else value, [0, 0.5, 2])
+    assert caught.value.time >= 1
+    assert caught.value.motion.t[1] == 0.5
+    with pytest.raises((ValueError, TypeError), match=f"twist at the first time must (have|hold) {message}"):
+        propagate(cayley2, np.zeros(6), lambda t: value, [0, 2])
+
+
+def test_starts_near_a_whole_turn_and_indefinite_covariances_are_refused() -> None:
+    for off in (-1e-10, 1e-12, 1e-10):
+        with pytest.raises(ValueError, match="v0 must not be on the singular set"):
+            propagate(exponential, [2 * np.pi + off, 0, 0, 0, 0, 0], OMEGA, [0, 1])
+    propagate(exponential, [2 * np.pi - 1e-8, 0, 0, 0, 0, 0], OMEGA, [0, 1])
+    for least in (-0.5, -1e-6):
+        for name in ("covariance", "noise"):
+            with pytest.raises(ValueError, match=f"{name} must be positive semidefinite, got the eigenvalue {least:g}"):
+                propagate(cayley2, np.zeros(6), OMEGA, [0, 1], **{name: np.diag([1.0, 2, 3, 4, 5, least])})
+
+
+def test_a_twist_is_called_within_the_span() -> None:
+    begin, end, called = 0.1, 0.7, list[float]()
+
+    def twist(t: float) -> np.ndarray:
+        called.append(t)
+        return np.cos(t) * OMEGA
+
+    for method in ("lie", "chart"):
+        motion = propagate(cayley2, np.zeros(6), twist, [begin, end], method=method)
+        for order in (1, 2):
+            motion(np.linspace(begin, end, 101), order)
+    assert (min(called), max(called)) == (begin, end)
+
+
+def test_tolerances_follow_the_translation() -> None:
+    """Count the calls of a twist far from the origin: with the tolerance of the start, steps are far smaller there."""
+
+    def calls(jump: float) -> int:
+        times: list[float] = []
+
+        def twist(t: float) -> np.ndarray:
+            times.append(t)
+            return np.array([0.5, 0.3, -0.4, jump * (t < 1), 0, 0])
+
+        propagate(cayley2, np.zeros(6), twist, [0, 30], frame="body", max_step=1.0)
+        return sum(t > 2 for t in times)
+
+    assert calls(1e9) < 1.3 * calls(0.0)
+
+
+def test_steps_keep_both_parts_of_the_unit_quaternion() -> None:
+    q, centre = cayley2.quaternion([[0.2, -0.3, 0.1, 1, 2, 3], [0.4, 0.1, -0.2, 3, -1, 2]])
+    off = [*(1.1 * q[:4]), *(1.1 * q[4:] + 0.2 * q[:4])]  # by 1.1 + 0.2 ε
+    for frame in ("space", "body"):
+        found, wanted = (_stepping.displaced(np, frame, local, centre) for local in (off, q))
+        np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-14)
+    turned = propagate(cayley2, [0, 0, 0, 1e3, 2e3, 3e3], OMEGA, np.linspace(0, 300, 7))
+    path: Any = turned._path
+    starts = np.array([step.start for step in path.steps])
+    assert abs(np.sum(starts[:, :4] * starts[:, 4:], axis=-1)).max() < 1e-12
+
+
+def sampled() -> np.ndarray:
+    return np.array([motions.space_twist(t) for t in TIMES])
+
+
+TWISTS: dict[str, Any] = {"function": motions.space_twist, "constant": OMEGA, "samples": sampled()}
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
+@pytest.mark.parametrize("twist", TWISTS)
+@pytest.mark.parametrize(("frame", "method"), FORMS)
+def test_copied_motions_are_the_same(copied: Callable[[Any], Any], twist: str, frame: str, method: str) -> None:
+    motion = propagate(cayley2, np.zeros(6), TWISTS[twist], TIMES, frame=frame, method=method, covariance=np.eye(6))
+    other: Motion = copied(motion)
+    for name in ("t", "v", "pose", "branch", "switches", "covariance"):
+        np.testing.assert_array_equal(getattr(other, name), getattr(motion, name))
+    for order in range(3):
+        np.testing.assert_array_equal(other(TIMES / 2, order), motion(TIMES / 2, order))
+
+
+def test_a_lambda_is_kept_by_copies_and_left_out_by_pickle() -> None:
+    motion = propagate(cayley2, np.zeros(6), lambda t: OMEGA, TIMES)
+    np.testing.assert_array_equal(copy.deepcopy(motion)(1.0, 2), motion(1.0, 2))
+    loaded = pickle.loads(pickle.dumps(motion))
+    for one in (loaded, pickle.loads(pickle.dumps(loaded))):
+        np.testing.assert_array_equal(one(1.0), motion(1.0))
+        for order in (1, 2):
+            with pytest.raises(MotionError, match=r"the twist <function .*<lambda> .* was not saved .* only order=0"):
+                one(1.0, order)
+
+
+def test_errors_keep_their_motion_when_copied() -> None:
+    with pytest.raises(MotionError) as caught:
+        propagate(cayley2, np.zeros(6), lambda t: OMEGA if t < 1 else OMEGA * np.nan, TIMES)
+    for one in (copy.copy(caught.value), copy.deepcopy(caught.value), pickle.loads(pickle.dumps(caught.value))):
+        assert (str(one), one.time) == (str(caught.value), caught.value.time)
+        np.testing.assert_array_equal(one.motion(0.5), caught.value.motion(0.5))
+
+
+def test_motions_are_loaded_in_a_fresh_process() -> None:
+    """Also one whose twist is of the main module there, which the other process does not have."""
+    write = (
+        "import sys, pickle, numpy as np; from dualcay import cayley2, propagate\n"
+        "def twist(t): return np.arange(6.0)\n"
+        "given = [propagate(cayley2, np.zeros(6), one, [0, 1]) for one in (twist, np.arange(6.0))]\n"
+        "sys.stdout.buffer.write(pickle.dumps(given))"
+    )
+    read = (
+        "import sys, pickle; by_function, constant = pickle.load(sys.stdin.buffer)\n"
+        "assert (by_function(1.0) == by_function.v[-1]).all(); print(constant(0.5, 2).shape)\n"
+        "try: by_function(0.5, 1)\nexcept RuntimeError as error: print(error)"
+    )
+    saved = subprocess.run([sys.executable, "-c", write], capture_output=True, check=True).stdout
+    done = subprocess.run([sys.executable, "-c", read], input=saved, capture_output=True, check=True)
+    assert b"(6,)\nthe twist <function twist at 0x" in done.stdout
