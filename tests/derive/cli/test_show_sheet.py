@@ -68,7 +68,7 @@ def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], message: 
 
 def test_altered_theorem_leaves_the_file_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     altered = [t.with_claim(0, t.claim[0].altered()) if t.name == "twist" else t for t in CLAIMS]
-    monkeypatch.setattr("derive.pages.sheet.claims", lambda: altered)
+    monkeypatch.setattr("derive.pages.sheet.CLAIMS", altered)
     output = tmp_path / "sheet.html"
     output.write_text("old", encoding="utf-8")
     done = dualcay("show", "--what", "sheet", "-o", str(output))
