@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from functools import cache
 from typing import Any
 
 import sympy
@@ -88,6 +89,16 @@ def Parameterization(phi: str | sympy.Expr, name: str = "phi", order: int | None
 
 def provable(chart: Any) -> Any:
     """Return a chart with the method ``prove``."""
-    kind = type(chart)
-    with_proofs = type(kind.__name__, (Provable, kind), {"__doc__": kind.__doc__, "__module__": kind.__module__})
-    return with_proofs(**{field.name: getattr(chart, field.name) for field in fields(chart)})
+    kind: Any = type(chart)
+    return _with_proofs(kind)(**{field.name: getattr(chart, field.name) for field in fields(chart)})
+
+
+@cache
+def _with_proofs(kind: Any) -> Any:
+    """Return a class of charts with the method ``prove``. Pickle saves its charts as those of the given class."""
+
+    def reduced(chart: Any) -> tuple[Any, ...]:
+        return provable, (kind(**{field.name: getattr(chart, field.name) for field in fields(chart)}),)
+
+    names = {"__doc__": kind.__doc__, "__module__": kind.__module__, "__reduce__": reduced}
+    return type(kind.__name__, (Provable, kind), names)

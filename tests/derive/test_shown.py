@@ -1,11 +1,15 @@
-"""Display of results at a Python prompt and in a notebook."""
+"""Display of results at a Python prompt and in a notebook, and copies of charts."""
 
 from __future__ import annotations
 
+import copy
 import html
 import inspect
+import pickle
 import re
+from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import pytest
 import sympy
@@ -116,3 +120,14 @@ def test_less_than_sign_is_escaped() -> None:
     table = derive.verify("karakilic-2010", ["14"])._repr_html_()
     assert "0 &lt; f" in table
     assert set(re.findall(r"</?(\w+)", table)) == {"table", "tr", "th", "td"}
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda chart: pickle.loads(pickle.dumps(chart))])
+def test_charts_are_copied_and_pickled(copied: Callable[[Any], Any]) -> None:
+    named = map(derive.family, ("lambert", "breusing", "exponential", "scaled3", "sine7"))
+    for chart in (derive.Cayley(3), *named, derive.Parameterization("alpha/(1 + alpha**2/40)")):
+        assert chart.tangent.coefficients  # a cached result
+        other = copied(chart)
+        assert other == chart
+        assert other.tangent.coefficients == chart.tangent.coefficients
+        assert callable(other.prove)
