@@ -140,20 +140,6 @@ def test_check_may_be_the_largest_violation_allowed(function: Callable[..., Any]
         function(*given[:-1], np.multiply(given[-1], np.nan), check=1e3)
 
 
-@pytest.mark.parametrize("regime", ["uniform", "translation 1e6", "angle 1e-12", "pure translation"])
-def test_measured_data_pass_with_a_number(kernel: ModuleType, order: int, regime: str) -> None:
-    """Poses written with 7 digits (KITTI) or held as float32, and quaternions with 6 (g2o), are refused by True."""
-    v = sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=40)
-    poses, q = kernel.pose(v), kernel.quaternion(v)
-    written = np.array([float(f"{entry:.6e}") for entry in poses.flat]).reshape(poses.shape)
-    for function, given in ((kernel.from_pose, written), (kernel.from_pose, poses.astype(np.float32).astype(float)),
-                            (kernel.from_quaternion, np.where(np.arange(8) < 4, q.round(6), q))):  # fmt: skip
-        assert function(given, check=1e-5).shape == v.shape
-        if regime == "uniform":
-            with pytest.raises(ValueError, match="is no "):
-                function(given, check=True)
-
-
 @pytest.mark.parametrize("regime", ["translation 1e6", "angle 1e-12", "pure translation", "at pi", "identity"])
 def test_rounded_poses_pass_the_check(kernel: ModuleType, order: int, regime: str) -> None:
     v = sampling.poses(order, regime if sampling.has_regime(order, regime) else "uniform", count=6)

@@ -206,16 +206,13 @@ BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"module": np}, TypeError, "module must be a kernel module of poses"),
     ({"module": dualcay.rotation.cayley2}, TypeError, "module must be a kernel module of poses"),
     ({"v0": np.zeros(3)}, ValueError, r"v0 must have shape \(6,\), got \(3,\)"),
-    ({"v0": np.full(6, np.nan)}, ValueError, "v0 must be finite, got nan"),
     ({"v0": np.zeros(6, complex)}, TypeError, "v0 must hold real numbers, got dtype complex128"),
     ({"v0": 2 * np.pi * np.eye(6)[0]}, ValueError, "v0 must not be on the singular set .* angle 6.28318531"),
     ({"t": [0, 2, 1]}, ValueError, "t must increase, got 1 after 2"),
     ({"t": [0, 1, 1]}, ValueError, "t must increase, got 1 after 1"),
     ({"t": [0, np.inf]}, ValueError, "t must be finite, got inf"),
     ({"t": 3.0}, ValueError, r"t must have shape \(T,\) with at least two times, got \(\)"),
-    ({"twist": np.zeros((3, 6))}, ValueError, r"twist must have shape \(2, 6\), got \(3, 6\)"),
     ({"twist": np.full((2, 6), np.inf)}, ValueError, "twist must be finite, got inf"),
-    ({"twist": lambda t: np.zeros(3)}, ValueError, r"twist at the first time must have shape \(6,\), got \(3,\)"),
     ({"twist": lambda t: np.full(6, np.nan)}, ValueError, "twist at the first time must be finite"),
     ({"frame": "world"}, ValueError, "frame must be one of 'space', 'body', got 'world'"),
     ({"method": "rk4"}, ValueError, "method must be one of 'lie', 'chart', got 'rk4'"),
@@ -224,7 +221,6 @@ BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"max_step": np.nan}, ValueError, "max_step must be positive, got nan"),
     ({"covariance": np.eye(3)}, ValueError, r"covariance must have shape \(6, 6\), got \(3, 3\)"),
     ({"covariance": np.tri(6)}, ValueError, "covariance must be symmetric, got entries that differ by 1"),
-    ({"noise": -np.eye(6)}, ValueError, "noise must be positive semidefinite, got the eigenvalue -1"),
 ]  # fmt: skip
 
 
