@@ -1,4 +1,4 @@
-"""Vectors, tensors and quaternions: laws of products, with exact and with dual coefficients."""
+"""Vectors, tensors and quaternions: laws of products with exact and dual coefficients, and sums of mixed kinds."""
 
 from __future__ import annotations
 
@@ -12,6 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
+from derive.algebra.functions import sqrt
+from derive.algebra.mixed import MeaninglessError, add, multiply, quaternion
+from derive.proof import Ring
 
 fractions = st.fractions(min_value=-5, max_value=5, max_denominator=4)
 duals = st.builds(Dual, fractions, fractions)
@@ -153,3 +156,32 @@ def test_mixed_structures_are_type_errors(operation, left, right) -> None:
         return
     with pytest.raises(TypeError):
         operation(left, right)
+
+
+# --- products and sums of mixed kinds ---------------------------------------------------------------------------------
+
+A, B = Vector(1, 2, 3), Vector(-1, 0, 4)
+
+
+def test_a_number_and_a_vector_make_a_quaternion() -> None:
+    assert add(2, A) == add(A, 2) == Quaternion(2, A)
+    assert add(A, B) == A + B
+    assert add(2, 3) == 5
+    assert quaternion(A) == Quaternion(0, A)
+
+
+def test_products() -> None:
+    assert multiply(A, B) == Quaternion(-A.dot(B), A.cross(B))
+    assert multiply(2, A) == multiply(A, 2) == A * 2
+    assert multiply(Tensor.skew(A), B) == A.cross(B)
+    assert multiply(Tensor.skew(A), Tensor.identity()) == Tensor.skew(A)
+
+
+def test_a_tensor_is_no_quaternion() -> None:
+    with pytest.raises(MeaninglessError, match="tensor"):
+        add(2, Tensor.identity())
+
+
+def test_exact_numbers_take_their_own_root() -> None:
+    ring = Ring()
+    assert sqrt((1 + ring.x) ** 2) == 1 + ring.x

@@ -1,22 +1,30 @@
-"""Header comments of generated files: command, licence and version; backend that a package names."""
+"""Printed files: header comments, annotations, headers without math.h, and the backend that a package names."""
 
 from __future__ import annotations
 
 import functools
+import importlib
+import inspect
+import re
 import subprocess
 import sys
 import tomllib
+import typing
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from derive import about
+from derive.codegen import catalogue
 from derive.codegen.build import print_package
 from derive.codegen.package import LICENCE, Package, notices, shared_texts
+from derive.codegen.signatures import POSES, ROTATIONS
 from derive.codegen.targets import TARGETS
+from derive.codegen.validation.c_interpreter.source import parse
+from derive.codegen.validation.loading import loaded, module_of
 from derive.maps import Cayley
-from derive.output import write
+from derive.output import files, write
 
 ROOT = Path(__file__).parents[3]
 CHART = Cayley(1)
@@ -96,3 +104,26 @@ def test_package_names_its_backend_and_how_to_add_a_module(tmp_path: Path, targe
     assert said[-1].startswith(f"backend  {target}: ")
     option = "" if target == "numpy" else f" --target {target}"
     assert run("-c", "from kernels import cayley6").stderr.endswith(f"dualcay generate -n 6{option} -o FOLDER\n")
+
+
+def test_annotations_can_be_resolved(tmp_path: Path) -> None:
+    charts = [*catalogue.charts([1]), *catalogue.charts((), ["breusing"])]
+    files.write(tmp_path, print_package(charts, TARGETS["numpy"]).texts)
+    with loaded(tmp_path) as package:
+        modules = [module_of(package, chart, table) for chart in charts for table in (POSES, ROTATIONS)]
+        geometries = [importlib.import_module(f"{package}{place}._geometry") for place in ("", ".rotation")]
+        for module in (*modules, *geometries):
+            for function in filter(inspect.isfunction, vars(module).values()):
+                typing.get_type_hints(function)
+
+
+def test_freestanding_header_calls_only_what_it_defines(tmp_path: Path) -> None:
+    """Check n = 1: `tensor` needs no function of math.h, but `from_tensor` does."""
+    files.write(tmp_path, print_package([Cayley(1)], TARGETS["c"]).texts)
+    for header in ("cayley1.h", "rotation/cayley1.h"):
+        text = parse(f'#include "{header}"\n', tmp_path, {"DUALCAY_FREESTANDING": ""}).text
+        defined = set(re.findall(r"static inline \w+ (\w+)\(", text))
+        called = set(re.findall(r"\b(dualcay_\w+)\(", text))
+        kernels = {name.partition("cayley1_")[2] for name in defined}
+        assert ("tensor" in kernels, "from_tensor" in kernels) == (True, False)
+        assert called <= defined

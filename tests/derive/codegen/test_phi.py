@@ -1,7 +1,8 @@
-"""Charts of a user's φ: on floats, kernels agree with first principles."""
+"""Charts of a user's φ: kernels agree with first principles, also for multiples of α and irrational constants."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
 
@@ -11,13 +12,26 @@ import pytest
 import sympy
 
 from derive.algebra import Dual, Vector
+from derive.algebra.arithmetic import PLAIN
 from derive.codegen import generate
+from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
+from derive.codegen.package import _multiple_of_pi
+from derive.codegen.programs.trace import Trace
+from derive.codegen.signatures import POSES
+from derive.codegen.targets import TARGETS
+from derive.codegen.validation import validate
+from derive.codegen.validation.c_interpreter import load
 from derive.codegen.validation.float_cases import cases
+from derive.codegen.validation.loading import loaded, module_of
 from derive.codegen.validation.vectors import Vectors
-from derive.maps import PhiError, parameterization
+from derive.maps import PhiError, family, parameterization
 from derive.maps.families import alpha
 from derive.maps.pose import Screw
+from derive.maps.real_constants import BITS, LEVELS, polynomial
+from derive.output import files
+from derive.proof import prove
+from dualcay import exponential
 from tests.support import families, packages, sampling
 from tests.support.oracle import Oracle
 
@@ -105,8 +119,6 @@ def test_complex_steps_go_through_the_origin(kernels: ModuleType):
 
 def test_both_ranges_agree_at_their_limit():
     """Allow the sum of both errors: the proved remainder near 0, and the error after Newton's last step beyond."""
-    from derive.algebra.arithmetic import PLAIN
-
     chart = parameterization(TEXT, "folded")
     with mpmath.workdps(50):
         limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
@@ -147,3 +159,73 @@ def test_refusals_write_nothing(tmp_path: Path, phi: str | sympy.Expr, name: str
     with pytest.raises((PhiError, ValueError), match=reason):
         generate(target="numpy", output=tmp_path / "none", phi=phi, name=name)
     assert not (tmp_path / "none").exists()
+
+
+# --- multiples of the angle, and edges below half a turn --------------------------------------------------------------
+
+
+def test_multiple_of_the_exponential_is_validated_and_agrees(tmp_path: Path) -> None:
+    """Detect two errors: a quotient of integers becomes a float in runs with 50 digits; a(0)² overflows in float32."""
+    chart, target = parameterization("3*alpha/2", "in_units"), TARGETS["numpy"]
+    files.write(tmp_path / "of_units", print_package([family("exponential"), chart], target).texts)
+    assert validate(tmp_path / "of_units", chart, geometry=True) > 500
+    w = np.random.default_rng(1).normal(size=(50, 6))
+    w[0] = 0
+    with loaded(tmp_path / "of_units") as package:
+        kernels = module_of(package, chart, POSES)
+        for dtype in (np.float64, np.float32):
+            there, here = (np.asarray(rows, dtype) for rows in (w, 1.5 * w))
+            # rounding of v, and a few eps of each kernel; dual parts have the size of w
+            close = 16 * np.finfo(dtype).eps * (1 + np.linalg.norm(w, axis=-1, keepdims=True))
+            assert np.all(abs(kernels.quaternion(here) - exponential.quaternion(there)) <= close)
+
+
+@pytest.mark.parametrize("phi", ["sin(alpha)", "alpha/cos(alpha)", "tan(2*alpha/3)"])
+def test_phi_with_edge_below_half_a_turn_is_refused_with_reason(tmp_path: Path, phi: str) -> None:
+    chart = parameterization(phi, "short")
+    assert {proof.status for proof in prove(chart).proofs} == {"proved"}
+    with pytest.raises(PhiError, match=r"ends at alpha = .*, and poses that turn further, up to pi, have no v"):
+        generate(target="numpy", output=tmp_path / "of_short", phi=phi, name="short")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("share", [Fraction(1), Fraction(1, 2), Fraction(3, 2), Fraction(5, 2), Fraction(4)])
+def test_a_multiple_of_pi_is_the_same_number_in_c(share: Fraction) -> None:
+    text = _multiple_of_pi(sympy.Rational(share.numerator, share.denominator) * sympy.pi)
+    assert load(f"double f(double pi) {{ return {text}; }}").call("f", Fraction(22, 7)) == share * Fraction(22, 7)
+
+
+def test_selection_between_equal_values_is_removed() -> None:
+    trace = Trace()
+    (x,) = trace.inputs("x", ["x"])
+    for same in (1, Fraction(2, 3), x):
+        assert trace.where(trace.less(x, 0), same, same) is same
+    assert trace.where(trace.less(x, 0), 1, 2) not in (1, 2)
+
+
+# --- irrational constants ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("phi", ["pi*alpha/4", pytest.param("alpha*(pi + alpha**2)/4", marks=pytest.mark.thorough)])
+def test_kernels_are_validated_and_hold_in_single_precision(tmp_path: Path, phi: str) -> None:
+    """Require small integers in the split of π: powers of a long integer overflow float32 and spoil v = 0."""
+    chart = parameterization(phi, "mine")
+    files.write(tmp_path / "of_mine", print_package([chart], TARGETS["numpy"]).texts)
+    assert validate(tmp_path / "of_mine", chart, geometry=True) > 500
+    v = np.linspace(0, 1, 12, dtype=np.float32).reshape(2, 6)[::-1]
+    with loaded(tmp_path / "of_mine") as package:
+        kernels = module_of(package, chart, POSES)
+        for name in ("quaternion", "tangent", "tangent_inv", "principal"):
+            single, double = (getattr(kernels, name)(np.append(v, [6 * [0]], 0).astype(t)) for t in ("f4", "f8"))
+            # a few dozen operations on values below 10, each with an error of eps/2
+            assert np.all(abs(single - double) < 200 * np.finfo(np.float32).eps), name
+
+
+def test_all_levels_are_split_at_any_working_precision() -> None:
+    with mpmath.workdps(60):
+        third = mpmath.mpf(1) / 3
+    assert mpmath.mp.prec < BITS * LEVELS
+    split = polynomial([third])
+    assert split.levels[2] != (0,)
+    with mpmath.workdps(60):
+        assert abs(split.at(mpmath.mpf(0), PLAIN, "") - third) < 2.0 ** -(BITS * LEVELS)
