@@ -1,12 +1,15 @@
-"""README: its figures agree with the pages that it names; tests/docs/test_pages.py runs its sessions and commands."""
+"""README and citations: figures, titles and the version are current; tests/docs/test_pages.py runs the sessions."""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
+from derive.about import __version__
 from derive.codegen.targets import TARGETS
+from derive.papers import PAPERS
 from tests.support import pages
 
 
@@ -47,3 +50,27 @@ def test_figures_agree_with_the_pages(row: str) -> None:
 
 def test_assurance_page_has_a_section_for_every_target() -> None:
     assert re.findall(r"^### (.+)$", read("docs/assurance.md"), re.M) == list(TARGETS)
+
+
+# --- citations --------------------------------------------------------------------------------------------------------
+
+ROOT = Path(__file__).parent.parent
+
+
+def words(text: str) -> list[str]:
+    """Return the words of a text in lower case, without markup of TeX and YAML."""
+    return re.findall(r"\w+", re.sub(r"[{}]|>-", "", text).lower())
+
+
+@pytest.mark.parametrize("name", ["CITATION.cff", "docs/errata.bib"])
+def test_papers_and_version_match_the_toolkit(name: str) -> None:
+    text = (ROOT / name).read_text(encoding="utf-8")
+    assert re.search(rf"version:? {re.escape(__version__)}\b", text, re.IGNORECASE)
+    assert re.findall(r"doi[\s:={]+([^\s}]+)", text) == [paper.doi for paper in PAPERS if paper.doi]
+    for paper in PAPERS:
+        title = words(paper.citation.split(": ", 1)[1].split(". ")[0])
+        assert " ".join(title) in " ".join(words(text))
+
+
+def test_changelog_contains_the_version() -> None:
+    assert f"\n## {__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")

@@ -1,16 +1,18 @@
-"""Checks of the pictures: files are small, and marks lie at singular angles and edges of charts."""
+"""Checks of the pictures: files are small, and marks lie at edges, errors on the predicted lines."""
 
 from __future__ import annotations
 
 import math
 
+import mpmath
 import pytest
 
 pytest.importorskip("matplotlib")
 
-from benchmarks import figures
+from benchmarks import conditioning, figures
 from benchmarks.accuracy import curves
 from benchmarks.accuracy.figures import X_AXES
+from tests.support import sampling
 
 LARGEST = 150_000
 
@@ -41,3 +43,17 @@ def test_circles_and_lines_are_where_charts_are_singular():
 def test_the_screw_begins_at_the_origin():
     path = figures.screw().axes[0].get_lines()[0].get_data_3d()
     assert [coordinate[0] for coordinate in path] == pytest.approx([0, 0, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("order", "branch", "near_half_turn"), [(3, 0, False), (3, 1, False), (8, 3, False), (2, 0, True), (1, 0, True)]
+)
+def test_errors_are_of_the_size_of_the_condition(order: int, branch: int, near_half_turn: bool) -> None:
+    """Allow a factor of 20 at distances up to 1e-6: errors consist of some roundings in different directions."""
+    directions = sampling.unit_vectors(sampling.generator("conditioning"), (4,))
+    with mpmath.workdps(30):
+        for distance in ("1e-6", "1e-10"):
+            alpha = mpmath.pi - mpmath.mpf(distance) if near_half_turn else mpmath.mpf(distance)
+            lost = conditioning.condition(order, branch, alpha)
+            assert lost < 2 if (order, branch) in ((3, 0), (2, 0)) else lost > 1e5
+            assert lost / 20 < conditioning.relative_error(order, branch, alpha, directions) < 20 * lost

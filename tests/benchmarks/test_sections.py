@@ -1,16 +1,19 @@
-"""Tests of sections of the page: compiled functions have lines and gates, and unmeasured sections stay unchanged."""
+"""Tests of sections of the page: each has its lines, gates and pictures, and unmeasured sections stay unchanged."""
 
 from __future__ import annotations
 
-import importlib.util
 import sys
 from contextlib import nullcontext
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+pytest.importorskip("matplotlib")
+
 from benchmarks import __main__ as command
-from benchmarks import libraries, native, timing
+from benchmarks import compiling, libraries, motion, native, propagate, timing
+from tests.support import motions
 from tests.support.kernels import load
 
 
@@ -46,8 +49,7 @@ def test_section_on_libraries_has_tables_a_picture_and_faster_ones(
     monkeypatch.setattr(libraries, "LIBRARIES", few)
     text = libraries.section((1, 3), tmp_path / "lines.png")
     assert "](lines.png)" in text
-    if importlib.util.find_spec("matplotlib"):  # it belongs to an extra
-        assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "lines.png").read_bytes().startswith(b"\x89PNG")
     for title in libraries.TITLES.values():
         table = text.partition(f"## {title.capitalize()}")[2].partition("\n\n## ")[0]
         assert table.count("\n| NumPy, n = 2 |") == table.count("\n| SciPy |") == 1
@@ -78,3 +80,44 @@ def test_the_page_holds_all_sections_and_keeps_those_that_are_not_measured(
     assert measure("native") == whole.replace("earlier", "anew")
     texts["kernels"] = "## One\n\nother"
     assert measure("native") == whole.replace("earlier", "anew")
+
+
+def test_section_on_propagate_has_a_row_for_each_case() -> None:
+    text = propagate.section((1e-5, 1e-9), 1.0, 1)
+    rows = [line.split(" | ") for line in text.splitlines() if line.startswith("| 1e-")]
+    assert len(rows) == 2 * len(propagate.COUNTS)
+    assert all(float(rows[2][k].strip(" |")) < float(rows[0][k].strip(" |")) for k in (5, 6))
+
+
+def test_section_on_compiling_has_a_line_with_and_without_rules(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("jax")
+    monkeypatch.setattr(compiling, "FAMILIES", ())
+    monkeypatch.setattr(compiling, "ORDERS", (2, 3))
+    monkeypatch.setattr(compiling, "CALLS", (1,))
+    monkeypatch.setattr(compiling, "MODES", ("grad",))
+    text = compiling.section(("cayley2", "cayley3"), ("cayley2",))
+    forms = [tuple(cell.strip() for cell in line.split("|")[1:3]) for line in text.splitlines() if "| cayley" in line]
+    assert forms == [("cayley2", "rules"), ("cayley2", "text"), ("cayley3", "rules")]
+
+
+@pytest.mark.parametrize("name", motion.EQUATIONS)
+def test_straight_lines_compute_the_equations(name: str) -> None:
+    equation = motion.EQUATIONS[name]
+    y = equation.initial(motions.pose(0.4))
+    # same operations in the same order; libraries may round tan differently
+    expected = equation.rhs(0.4, y, motions.space_twist)
+    np.testing.assert_allclose(motion.straight_line(equation)(0.4, y), expected, rtol=0, atol=1e-14)
+
+
+def test_section_on_motion_has_a_row_for_each_equation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timing, "SECONDS", 1e-6)
+    monkeypatch.setattr(motion, "ROUNDS", 1)
+    text = motion.section((1e-5, 1e-7), 1.0, tmp_path / "motion.png")
+    assert (tmp_path / "motion.png").read_bytes().startswith(b"\x89PNG")
+    assert all(text.count(f"\n| {name} | {equation.states} |") == 1 for name, equation in motion.EQUATIONS.items())
+
+
+def test_work_is_interpolated_within_the_measured_errors() -> None:
+    found = [motion.Run(1000, 2.0, 1e-4), motion.Run(4000, 8.0, 1e-8)]
+    assert motion.work(found, 1e-6) == ("2000", "4.0")
+    assert motion.work(found, 1e-9) == motion.work(found, 1e-3) == ("–", "–")

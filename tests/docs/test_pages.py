@@ -12,6 +12,8 @@ from pathlib import Path
 import jax
 import pytest
 
+from benchmarks import page as speed
+from benchmarks.accuracy import report as accuracy
 from tests.support import compilers, examples, packages, pages
 
 DOCS = pages.ROOT / "docs"
@@ -78,3 +80,10 @@ def test_false_sessions_commands_and_links_are_reported(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("[here](page.md) [there](there.md)", encoding="utf-8")
     assert pages.dead_links(page) == ["there.md"]
+
+
+@pytest.mark.parametrize(
+    ("name", "introduction"), [("accuracy", accuracy.INTRODUCTION), ("benchmarks", speed.INTRODUCTION)]
+)
+def test_page_begins_with_its_introduction(name: str, introduction: str) -> None:
+    assert (pages.ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8").startswith(introduction)

@@ -1,4 +1,4 @@
-"""Page of theorems: it is current, and all controls fail."""
+"""Page of theorems: it is current, and all controls fail; each kernel function cites existing theorems."""
 
 from __future__ import annotations
 
@@ -8,8 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from derive.codegen.signatures import PUBLIC
+from derive.pages.coverage import COVERAGE
 from derive.pages.theorems import page
 from derive.proof import __main__ as command
+from derive.proof import notation as m
+from derive.proof import theorems
 from derive.proof.controls import Control, controls
 from derive.proof.evaluation import NoValueError
 from derive.proof.identity import Check, Proof, decide
@@ -82,3 +86,54 @@ def test_controls_at_an_order_fail() -> None:
 
 def unnoticed(found: Iterable[Control]) -> list[str]:
     return [str(control) for control in found if not control.noticed]
+
+
+# --- coverage of kernel functions -------------------------------------------------------------------------------------
+
+ALIASES = {alias: name for name, row in PUBLIC.items() for alias in row.aliases}
+
+
+@pytest.mark.smoke
+def test_exactly_the_kernel_functions_are_covered() -> None:
+    assert set(COVERAGE) == {*PUBLIC, *ALIASES, "singular_angles"}
+
+
+@pytest.mark.parametrize("name", COVERAGE)
+def test_theorems_exist_and_are_proved(name: str) -> None:
+    proved = {proof.name for proof in theorems() if proof.proved}
+    assert COVERAGE[name].theorems
+    assert set(COVERAGE[name].theorems) <= proved
+
+
+ABOUT = {
+    "quaternion": {m.q_hat}, "tensor": {m.R}, "pose": {m.Q, m.rho}, "transform_point": {m.R, m.rho, m.point},
+    "transform_line": {m.R, m.rho, m.along}, "inverse": {m.R}, "tangent": {m.dcay}, "tangent_inv": {m.dcay_inv},
+    "body_tangent": {m.dcay, m.omega_body}, "body_tangent_inv": {m.dcay_inv, m.omega_body}, "twist": {m.dcay, m.omega},
+    "body_twist": {m.dcay, m.omega_body}, "rate": {m.dcay_inv, m.omega}, "body_rate": {m.dcay_inv, m.omega_body},
+    "tangent_dot": {m.dcay, m.v_dot}, "rate_dot": {m.dcay_inv, m.v_dot}, "twist_jacobian": {m.twist_jacobian},
+    "rate_jacobian": {m.rate_jacobian}, "transition": {m.delta, m.rate_jacobian},
+    "body_transition": {m.delta, m.body_rate_jacobian}, "cotangent": {m.dcay},
+    "from_quaternion": {m.q_hat, m.alpha}, "from_tensor": {m.R, m.alpha}, "from_screw": {m.q_hat, m.alpha},
+    "to_screw": {m.R, m.alpha}, "shadow": {m.R_k},
+    "shadow_jacobian": {m.R_k}, "principal": {m.R_k}, "compose": {m.first, m.second}, "between": {m.first, m.second},
+    "compose_jacobians": {m.omega_1, m.omega_2}, "retract": {m.first, m.second}, "singular_angles": {m.dcay},
+}  # fmt: skip
+"""Symbols that the theorems cited for a function must contain."""
+
+
+@pytest.mark.parametrize("name", ABOUT)
+def test_cited_theorems_mention_the_operator(name: str) -> None:
+    claims = {proof.name: proof.claim for proof in theorems()}
+    spoken = [set().union(*(equation.symbols for equation in claims[theorem])) for theorem in COVERAGE[name].theorems]
+    assert any(symbols >= ABOUT[name] for symbols in spoken), (name, spoken)
+
+
+def test_validation_column_matches_the_table() -> None:
+    """Compare the column with the signature table, which marks expected values as exact or not."""
+    for name, coverage in COVERAGE.items():
+        row = PUBLIC.get(ALIASES.get(name, name))
+        if row is None:
+            assert coverage.validation == "text", name
+        else:
+            assert coverage.validation == ("exact" if row.exact else "50 digits"), name
+            assert row.exact or coverage.only_validated, name
