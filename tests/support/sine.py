@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -21,119 +21,44 @@ HALF = sympy.Rational(1, 2)
 COSINE = sympy.sqrt(1 - x)
 
 
+def scalar(name: str, formula: Callable[[Any], Coefficient]) -> Any:
+    """Return the property that computes a formula once, under its name in programs."""
+    return cached_property(lambda at: at.m.name(name, formula(at)))
+
+
 class SineScalars:
     """Scalars at x = sin² θ, with θ = α/6 and q̂ = cos 3θ + u sin 3θ."""
 
     def __init__(self, x: Coefficient, m: Arithmetic) -> None:
         self.x, self.m = x, m
 
-    @cached_property
-    def cc(self) -> Coefficient:
-        return self.m.name("cc", 1 - self.x)
-
-    @cached_property
-    def c(self) -> Coefficient:
-        """Value of cos θ."""
-        return self.m.name("c", self.m.sqrt(self.cc))
-
-    @cached_property
-    def p(self) -> Coefficient:
-        return self.m.name("p", 1 - 4 * self.x)
-
-    @cached_property
-    def s(self) -> Coefficient:
-        return self.m.name("s", self.p * self.c)
-
-    @cached_property
-    def w(self) -> Coefficient:
-        return self.m.name("w", 3 - 4 * self.x)
-
-    @cached_property
-    def ww(self) -> Coefficient:
-        return self.m.name("ww", self.w * self.w)
-
-    @cached_property
-    def sy(self) -> Coefficient:
-        return self.m.name("sy", -3 * (self.w / self.c))
-
+    cc = scalar("cc", lambda at: 1 - at.x)
+    c = scalar("c", lambda at: at.m.sqrt(at.cc))  # cos θ
+    p = scalar("p", lambda at: 1 - 4 * at.x)
+    s = scalar("s", lambda at: at.p * at.c)
+    w = scalar("w", lambda at: 3 - 4 * at.x)
+    ww = scalar("ww", lambda at: at.w * at.w)
+    sy = scalar("sy", lambda at: -3 * (at.w / at.c))
     wy = -8
-
-    @cached_property
-    def f(self) -> Coefficient:
-        return self.m.name("f", 2 * (self.s * self.w))
-
-    @cached_property
-    def g(self) -> Coefficient:
-        return self.m.name("g", 2 * self.ww)
-
-    @cached_property
-    def h(self) -> Coefficient:
-        return self.m.name("h", (38 + (32 * self.x - 64) * self.x) / self.c)
-
-    @cached_property
-    def fy(self) -> Coefficient:
-        return self.m.name("fy", 2 * (self.sy * self.w) - 16 * self.s)
-
-    @cached_property
-    def gy(self) -> Coefficient:
-        return self.m.name("gy", -32 * self.w)
-
-    @cached_property
-    def hy(self) -> Coefficient:
-        return self.m.name("hy", self._hcc - 128 * self.c)
-
-    @cached_property
-    def _hcc(self) -> Coefficient:
-        return self.m.name("hcc", self.h / self.cc)
-
-    @cached_property
-    def rate(self) -> Coefficient:
-        return self.m.name("rho", 6 / self.c)
-
-    @cached_property
-    def ratey(self) -> Coefficient:
-        return self.m.name("rhoy", self.rate / self.cc)
-
-    @cached_property
-    def fi(self) -> Coefficient:
-        return self.m.name("fi", self.s / self.w)
-
-    @cached_property
-    def hi(self) -> Coefficient:
-        return self.m.name("hi", self.m.div(8 * (self.c / self.w), 3))
-
-    @cached_property
-    def fiy(self) -> Coefficient:
-        return self.m.name("fiy", -(self.h / self.g))
-
-    @cached_property
-    def hiy(self) -> Coefficient:
-        return self.m.name("hiy", self.m.div(8 * self._turn, 3 * self.ww))
-
-    @cached_property
-    def _turn(self) -> Coefficient:
-        return self.m.name("cw", 8 * self.c - self.w / self.c)
-
-    # --- second slopes --------------------------------------------------------------------------------------------
-
+    f = scalar("f", lambda at: 2 * (at.s * at.w))
+    g = scalar("g", lambda at: 2 * at.ww)
+    h = scalar("h", lambda at: (38 + (32 * at.x - 64) * at.x) / at.c)
+    fy = scalar("fy", lambda at: 2 * (at.sy * at.w) - 16 * at.s)
+    gy = scalar("gy", lambda at: -32 * at.w)
+    hy = scalar("hy", lambda at: at._hcc - 128 * at.c)
+    _hcc = scalar("hcc", lambda at: at.h / at.cc)
+    rate = scalar("rho", lambda at: 6 / at.c)
+    ratey = scalar("rhoy", lambda at: at.rate / at.cc)
+    fi = scalar("fi", lambda at: at.s / at.w)
+    hi = scalar("hi", lambda at: at.m.div(8 * (at.c / at.w), 3))
+    fiy = scalar("fiy", lambda at: -(at.h / at.g))
+    hiy = scalar("hiy", lambda at: at.m.div(8 * at._turn, 3 * at.ww))
+    _turn = scalar("cw", lambda at: 8 * at.c - at.w / at.c)
     gyy = 256
-
-    @cached_property
-    def fyy(self) -> Coefficient:
-        return self.m.name("fyy", 2 * ((24 * self.w - 3 * (self.ww / self.cc)) / self.c) - 32 * self.sy)
-
-    @cached_property
-    def hyy(self) -> Coefficient:
-        return self.m.name("hyy", (self.hy + 2 * self._hcc) / self.cc + 128 / self.c)
-
-    @cached_property
-    def fiyy(self) -> Coefficient:
-        return self.m.name("fiyy", (self.h * self.gy / self.g - self.hy) / self.g)
-
-    @cached_property
-    def hiyy(self) -> Coefficient:
-        bend = 16 * self._turn / self.ww - 1 / (self.c * self.cc)
-        return self.m.name("hiyy", self.m.div(8 * (bend / self.w), 3))
+    fyy = scalar("fyy", lambda at: 2 * ((24 * at.w - 3 * (at.ww / at.cc)) / at.c) - 32 * at.sy)
+    hyy = scalar("hyy", lambda at: (at.hy + 2 * at._hcc) / at.cc + 128 / at.c)
+    fiyy = scalar("fiyy", lambda at: (at.h * at.gy / at.g - at.hy) / at.g)
+    hiyy = scalar("hiyy", lambda at: at.m.div(8 * ((16 * at._turn / at.ww - 1 / (at.c * at.cc)) / at.w), 3))
 
     @property
     def ray(self) -> tuple[Coefficient, Coefficient, Coefficient]:
