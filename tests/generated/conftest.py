@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from types import ModuleType
 
 import pytest
@@ -15,3 +16,9 @@ order = orders(ORDERS)
 def kernel(order: int) -> ModuleType:
     """Return the kernel module of `order`."""
     return load(order)
+
+
+@pytest.fixture
+def kernels(name: str) -> ModuleType:
+    """Return the kernel module of a chart's `name`."""
+    return importlib.import_module(f"dualcay.{name}")

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 from types import ModuleType
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from derive.about import FAMILIES
 from derive.codegen.signatures import PUBLIC
+from dualcay import exponential, scaled2, wiener_milenkovic
 from tests.support import families, sampling
 
 REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.99999))
@@ -20,11 +21,6 @@ REGIMES = ((1e-300, 1e-290), (1e-9, 1e-5), (1e-3, 0.1), (0.3, 3.1), (0.9, 0.9999
 @pytest.fixture(params=FAMILIES)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
-
-
-@pytest.fixture
-def kernels(name: str) -> ModuleType:
-    return importlib.import_module(f"dualcay.{name}")
 
 
 def angles(name: str, regime: int) -> tuple[float, float]:
@@ -105,16 +101,12 @@ def test_singular_angles_end_at_the_edge(name: str, kernels: ModuleType):
 
 
 def test_wiener_milenkovic_is_scaled2():
-    from dualcay import scaled2, wiener_milenkovic
-
     v = families.vectors(families.oracle_of("scaled2"), 0.01, 3.0)
     np.testing.assert_array_equal(wiener_milenkovic.pose(v), scaled2.pose(v))
 
 
 def test_exponential_has_a_branch_for_every_turn():
     """Expect the angle α + 2πk on branch k, to 8 eps of the larger angle, and only branch 0 at the identity."""
-    from dualcay import exponential
-
     v = np.array([0.3, -0.6, 0.2, 1.0, 0.5, -2.0])
     u = v[:3] / np.linalg.norm(v[:3])
     for k in (-3, -1, 1, 2, 50):
@@ -132,10 +124,6 @@ def test_exponential_has_a_branch_for_every_turn():
 @pytest.mark.parametrize("turns", [2.3, 10.6, 1e5])
 def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
     """Allow 8 eps of the angle."""
-    from scipy.spatial.transform import Rotation
-
-    from dualcay import exponential
-
     v = 2 * math.pi * turns * np.array([2, 3, 6, 0, 0, 0]) / 7
     expected = Rotation.from_rotvec(v[:3]).as_matrix()
     np.testing.assert_allclose(exponential.pose(v)[:3, :3], expected, rtol=0, atol=8 * np.finfo(float).eps * 7 * turns)
@@ -144,8 +132,6 @@ def test_exponential_of_many_turns_agrees_with_scipy(turns: float):
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.longdouble])
 def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
     """Expect R Rᵀ = I to 16 eps of the type, even for an α with a rounding error of many turns."""
-    from dualcay import exponential
-
     sizes = 10.0 ** np.arange(0, 0.9 * np.log10(np.finfo(dtype).max) / 2)
     v = np.zeros((len(sizes), 6), dtype)
     v[:, :3] = sizes.astype(dtype)[:, None] * np.array([2, -3, 6], dtype) / 7
@@ -157,8 +143,6 @@ def test_rotation_stays_orthogonal_at_any_angle(dtype: type):
 @pytest.mark.parametrize("left", [0.0, 1e-12, 1e-8, -1e-4, 1e-2, 2.0])
 def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
     """Expect dR = ω × R from complex steps near the pole of tan(α/2), to 64 eps of ω."""
-    from dualcay import exponential
-
     v, v_dot = (math.pi - left) * np.array([2, -3, 6, 0, 0, 0]) / 7, np.array([1.0, 2, 3, 0, 0, 0])
     R, dR = exponential.tensor(v)[0], exponential.tensor(v + 1e-40j * v_dot)[0].imag / 1e-40
     omega = exponential.twist(v, v_dot)[:3]
@@ -167,8 +151,6 @@ def test_twist_agrees_with_complex_steps_next_to_half_a_turn(left: float):
 
 def test_series_and_closed_form_agree_where_they_meet():
     """Allow 8 eps, for rounding and for truncation of the series."""
-    from dualcay import exponential
-
     limit = math.sqrt(6.0)
     before, behind = (exponential.tangent(np.array([a, 0, 0, 0.3, 0.4, 0.5])) for a in (limit - 1e-15, limit + 1e-15))
     np.testing.assert_allclose(before, behind, rtol=0, atol=8 * np.finfo(float).eps)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import dualcay
+from dualcay import cayley1, cayley2, cayley3, exponential, lambert
 from tests.support import errors, families, sampling
 from tests.support.nilpotent import Nil
 from tests.support.oracle import Oracle, oracle_of
@@ -20,11 +21,6 @@ CLOSE = 1e-12  # tolerance, relative to the operators in a product; each operato
 @pytest.fixture(params=NAMES)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
-
-
-@pytest.fixture
-def kernels(name: str) -> ModuleType:
-    return importlib.import_module(f"dualcay.{name}")
 
 
 @pytest.fixture
@@ -160,8 +156,6 @@ def test_motions_are_screws_of_constant_pitch_and_the_shorter_way(name: str, ker
 @pytest.mark.parametrize("angle", [0.4, 2.0, 4.0, 7.5])
 def test_motion_about_a_fixed_axis_passes_whole_turns(angle: float):
     """Expect linear exponential coordinates, forwards and backwards through whole turns."""
-    from dualcay import exponential
-
     xi = np.array([2.0, -3.0, 6.0, 0.5, 1.5, -1.0]) / 7
     t = np.arange(-20.0, 21.0)
     way = exponential.interpolate(angle * xi, (angle + 0.9) * xi, t)
@@ -172,8 +166,6 @@ def test_motion_about_a_fixed_axis_passes_whole_turns(angle: float):
 @pytest.mark.parametrize(("dtype", "size"), [(np.float32, 1e-22), (np.float64, 1e-161)])
 def test_start_with_subnormal_square_keeps_its_axis(dtype: type, size: float):
     """Compare with a motion from a start 1e10 times larger, to 16 eps."""
-    from dualcay import cayley2
-
     u, end = np.array([1, 2, 2, 0, 0, 0], dtype) / 3, dtype(0.4)
     tiny, small = (cayley2.interpolate(dtype(s) * u, end * u, dtype(5)) for s in (size, 1e10 * size))
     np.testing.assert_allclose(tiny, small, rtol=16 * np.finfo(dtype).eps)
@@ -218,8 +210,6 @@ def test_angles_about_one_axis_pass_whole_turns(kernels: ModuleType):
 
 def test_half_turn_between_poses_is_decided_by_the_closed_form():
     """Expect an end at v2 or −v2, as given, although both are the same pose; the motions turn in opposite senses."""
-    from dualcay import cayley2
-
     v1 = np.zeros(6)
     v2 = np.array([0, 0, 1.0, 0, 0, 0.5])  # half a turn about z
     assert cayley2.quaternion(v2)[0] == 0
@@ -278,8 +268,6 @@ def test_conversion_keeps_the_branch_or_the_nearest_one(name: str, kernels: Modu
 
 def test_conversion_takes_the_nearest_branch():
     """Expect for 4.5π: 2.5π with the edge at 3π, π/2 with edges at 2π and π; for 1.5π: −π/2 with the edge at π."""
-    from dualcay import cayley1, cayley2, cayley3, exponential, lambert
-
     axis = np.array([0.6, 0, 0.8, 0, 5.0, 0])
     w = exponential.from_screw(np.array([4.5 * np.pi, 0.4]), axis)
     for target, angle in ((cayley3, 2.5), (cayley2, 0.5), (lambert, 0.5), (cayley1, 0.5)):
@@ -291,8 +279,6 @@ def test_conversion_takes_the_nearest_branch():
 
 
 def test_conversion_keeps_layouts_and_types_and_names_errors():
-    from dualcay import cayley2, cayley3
-
     v = np.array([[0.1, 0.2, 0.3, 1, 2, 3], [np.nan, 0, 0, 0, 0, 0]], np.float32)
     out = np.empty((6, 2), np.float32)
     found = dualcay.convert(v.T, cayley3, cayley2, axis=0, out=out)

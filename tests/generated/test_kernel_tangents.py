@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import dualcay
+from dualcay import cayley2
 from tests.support import errors, sampling
 from tests.support.errors import assert_close
 from tests.support.nilpotent import Nil
@@ -168,8 +169,6 @@ def test_tangent_at_a_translation_is_diagonal_and_at_the_identity_a_multiple_of_
 @pytest.mark.parametrize("regime", ["uniform", "shadow", "below pi", "translation 1e6"])
 def test_order_two_is_conformal(regime: str) -> None:
     """Expect 4/(1 + x) times a rotation for dcay_2, in dual numbers, and a scaled transpose as its inverse."""
-    from dualcay import cayley2
-
     v = reached(2, regime)
     for i, (forth, back) in enumerate(zip(cayley2.tangent(v), cayley2.tangent_inv(v), strict=True)):
         x, x_du = v[i, :3] @ v[i, :3], 2 * v[i, :3] @ v[i, 3:]

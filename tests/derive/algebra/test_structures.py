@@ -1,4 +1,4 @@
-"""Vectors, tensors and quaternions: laws of products with exact and dual coefficients, and sums of mixed kinds."""
+"""Vectors, tensors, quaternions, and I, skew(v), v⊗v: laws of products, exact and dual, and sums of mixed kinds."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from fractions import Fraction
 import mpmath
 import pytest
 import sympy
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError
+from derive.algebra import Dual, Isotropic, Quaternion, Tensor, Vector, ZeroDivisorError
 from derive.algebra.functions import sqrt
 from derive.algebra.mixed import MeaninglessError, add, multiply, quaternion
 from derive.proof import Ring
@@ -185,3 +185,64 @@ def test_a_tensor_is_no_quaternion() -> None:
 def test_exact_numbers_take_their_own_root() -> None:
     ring = Ring()
     assert sqrt((1 + ring.x) ** 2) == 1 + ring.x
+
+
+# --- algebra spanned by I, skew(v), v⊗v -------------------------------------------------------------------------------
+
+triples = st.tuples(duals, duals, duals)
+
+
+@pytest.mark.smoke
+@few
+@given(triples, triples, vectors, vectors)
+def test_operations_match_tensors(f, g, v: Vector, w: Vector) -> None:
+    x = v.dot(v)
+    S, T = Isotropic(*f, x), Isotropic(*g, x)
+    assert (S @ T).tensor(v) == S.tensor(v) @ T.tensor(v)
+    assert S @ T == T @ S
+    assert (S + T).tensor(v) == S.tensor(v) + T.tensor(v)
+    assert (S - T).tensor(v) == S.tensor(v) - T.tensor(v)
+    assert S.transpose.tensor(v) == S.tensor(v).transpose
+    assert S.det() == S.tensor(v).det()
+    assert S.apply(v, w) == S.tensor(v) @ w
+    assert S.tensor(v) @ v == v * S.axial
+    assert (3 * S).tensor(v) == S.tensor(v) * 3
+    assert (S / 3) * 3 == S
+
+
+@pytest.mark.smoke
+@few
+@given(triples, vectors)
+def test_inverse(f, v: Vector) -> None:
+    S = Isotropic(*f, v.dot(v))
+    assume(S.det().re != 0)
+    assert S @ S.inverse() == Isotropic(1, 0, 0, S.x)
+    assert S.inverse().tensor(v) == S.tensor(v).inverse()
+
+
+@pytest.mark.smoke
+def test_inverse_over_the_rational_functions() -> None:
+    *_, a, b, c, x = sympy.field("a b c x", sympy.QQ)
+    S = Isotropic(a, b, c, x)
+    assert (S @ S.inverse()).coefficients == (1, 0, 0)
+    assert S.inverse().inverse() == S
+
+
+@pytest.mark.smoke
+def test_skew_generates_the_algebra() -> None:
+    x = sympy.ring("x", sympy.ZZ)[1]
+    skew = Isotropic(0, 1, 0, x)
+    assert skew @ skew == Isotropic(-x, 0, 1, x)
+    assert skew @ skew @ skew == skew * -x
+
+
+@pytest.mark.smoke
+def test_zero_divisors_and_different_vectors_are_refused() -> None:
+    with pytest.raises(ZeroDivisorError, match="zero divisor"):
+        Isotropic(Dual(0, 1), Dual(0, 1), Dual(1, 0), Dual(Fraction(1), 2)).inverse()
+    with pytest.raises(ZeroDivisionError):
+        Isotropic(Fraction(-4), Fraction(1), Fraction(1), Fraction(4)).inverse()
+    with pytest.raises(ValueError, match="different vectors"):
+        Isotropic(1, 2, 3, 4) @ Isotropic(1, 2, 3, 5)
+    with pytest.raises(TypeError):
+        Isotropic(1, 2, 3, 4) * Isotropic(1, 2, 3, 4)

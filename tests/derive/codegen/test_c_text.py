@@ -101,40 +101,34 @@ def test_changed_text_fails(folder, table, each, least):
     assert len({m.kind for m in chosen}) > 15
 
 
-@pytest.mark.parametrize(
-    ("pattern", "replacement", "message"),
-    [
-        (r"#define DUALCAY_CAYLEY3_ORDER 3", "#define DUALCAY_CAYLEY3_ORDER 4", "ORDER is 4, not 3"),
-        (r"(_dcay_inv dualcay_cayley3_tangent)_inv", r"\1", "dcay_inv is dualcay_cayley3_tangent, not"),
-        (r"angles\[0\] = 2 \* pi", "angles[0] = 3 * pi", "singular_angles, component 0"),
-        (r"return DUALCAY_CAYLEY3_SINGULAR_ANGLES", "return 3", "singular_angles does not return 2"),
-        (r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
-        (r"const dualcay_real h = 16 \* r;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
-        (r"const dualcay_real h = 16 \* r;", "const float h = 16 * r;", "the interpreter of C reads no type float"),
-        (r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_cayley3_new(void) { return 1; }\n", "nothing calls .*_new"),
-        (r"void DUALCAY_NAME\(pose\)\(", "void DUALCAY_NAME(posed)(", "there is no function dualcay_cayley3_pose"),
-        (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
-    ],
-)
-def test_errors_in_headers_are_named(folder, tmp_path, pattern, replacement, message):
-    texts = {name: (folder / name).read_text() for name in ("cayley3.h", "geometry.h", "dualcay.h")}
-    changed = next(name for name, text in texts.items() if re.search(pattern, text))
-    files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})
-    with pytest.raises(ValidationFailed, match=f"cayley3.h: .*{message}"):
-        c_text.validate(tmp_path, Cayley(3), geometry=True)
+ERRORS = [
+    (r"#define DUALCAY_CAYLEY3_ORDER 3", "#define DUALCAY_CAYLEY3_ORDER 4", "ORDER is 4, not 3"),
+    (r"(_dcay_inv dualcay_cayley3_tangent)_inv", r"\1", "dcay_inv is dualcay_cayley3_tangent, not"),
+    (r"angles\[0\] = 2 \* pi", "angles[0] = 3 * pi", "singular_angles, component 0"),
+    (r"return DUALCAY_CAYLEY3_SINGULAR_ANGLES", "return 3", "singular_angles does not return 2"),
+    (r"3\.14159265358979323846", "3.14159265358979323847", "singular_angles, component 0"),
+    (r"const dualcay_real h = 16 \* r;", "const dualcay_real h = 33 / 2 * s;", r"cayley3\.h:\d+: an integer div"),
+    (r"const dualcay_real h = 16 \* r;", "const float h = 16 * r;", "the interpreter of C reads no type float"),
+    (r"(?=\n#endif\n*\Z)", "\nDUALCAY_CORE int dualcay_cayley3_new(void) { return 1; }\n", "nothing calls .*_new"),
+    (r"void DUALCAY_NAME\(pose\)\(", "void DUALCAY_NAME(posed)(", "there is no function dualcay_cayley3_pose"),
+    (r'#include "dualcay.h"', '#include "dualkay.h"', r"dualkay\.h is neither in the folder"),
+]
+ERRORS_OF_ROTATIONS = [
+    (r"(_dcay_inv dualcay_rotation_cayley3_tangent)_inv", r"\1", r"dcay_inv is dualcay_rotation_\w+_tangent, not"),
+    (r"void DUALCAY_NAME\(tensor\)\(", "void DUALCAY_NAME(matrix)(", "there is no function dualcay_rotation_"),
+    (r'#include "../dualcay.h"', '#include "../../dualcay.h"', r"neither in the folder nor"),
+]
+"""Pattern, replacement, and message."""
 
 
 @pytest.mark.parametrize(
-    ("pattern", "replacement", "message"),
-    [
-        (r"(_dcay_inv dualcay_rotation_cayley3_tangent)_inv", r"\1", r"dcay_inv is dualcay_rotation_\w+_tangent, not"),
-        (r"void DUALCAY_NAME\(tensor\)\(", "void DUALCAY_NAME(matrix)(", "there is no function dualcay_rotation_"),
-        (r'#include "../dualcay.h"', '#include "../../dualcay.h"', r"neither in the folder nor"),
-    ],
+    ("table", "pattern", "replacement", "message"),
+    [*((POSES, *error) for error in ERRORS), *((ROTATIONS, *error) for error in ERRORS_OF_ROTATIONS)],
 )
-def test_errors_in_rotation_headers_are_named(folder, tmp_path, pattern, replacement, message):
-    texts = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.h")}
-    changed = next(name for name, text in texts.items() if name.startswith("rotation/") and re.search(pattern, text))
+def test_errors_in_headers_are_named(folder, tmp_path, table, pattern, replacement, message):
+    texts = {str(path.relative_to(folder)): path.read_text() for path in sorted(folder.rglob("*.h"))}
+    own = [name for name in texts if inside(table, Path(name).name) == name]
+    changed = next(name for name in own if re.search(pattern, texts[name]))
     files.write(tmp_path, texts | {changed: re.sub(pattern, replacement, texts[changed], count=1)})
-    with pytest.raises(ValidationFailed, match=f"^rotation/cayley3.h: .*{message}"):
-        c_text.validate(tmp_path, Cayley(3), True, (ROTATIONS,))
+    with pytest.raises(ValidationFailed, match=f"^{inside(table, 'cayley3.h')}: .*{message}"):
+        c_text.validate(tmp_path, CHART, True, (table,))

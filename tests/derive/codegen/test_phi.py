@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 import sympy
 
+import derive
 from derive.algebra import Dual, Vector
 from derive.algebra.arithmetic import PLAIN
-from derive.codegen import generate
+from derive.codegen import catalogue, generate, publish
 from derive.codegen.build import print_package
 from derive.codegen.catalogue import chart_of, charts, command
 from derive.codegen.package import _multiple_of_pi
@@ -229,3 +230,24 @@ def test_all_levels_are_split_at_any_working_precision() -> None:
     assert split.levels[2] != (0,)
     with mpmath.workdps(60):
         assert abs(split.at(mpmath.mpf(0), PLAIN, "") - third) < 2.0 ** -(BITS * LEVELS)
+
+
+def test_default_charts_are_the_committed_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+    monkeypatch.setattr(publish, "generate_charts", lambda charts, *others, **options: asked.extend(charts))
+    derive.generate(output=tmp_path)
+    assert asked == catalogue.committed()
+
+
+@pytest.mark.parametrize(
+    ("asked", "names"),
+    [
+        ({"orders": [3, 2, 3]}, ["cayley2", "cayley3"]),
+        ({"families": ["lambert"]}, ["lambert"]),
+        ({"orders": [2], "families": ["exponential"]}, ["cayley2", "exponential"]),
+        ({"phi": "4*tan(alpha/9)", "name": "mine"}, ["mine"]),
+    ],
+)
+def test_orders_families_and_phi_are_charts(asked: dict[str, object], names: list[str]) -> None:
+    found = catalogue.charts(asked.get("orders", ()), asked.get("families", ()), asked.get("phi"), asked.get("name"))
+    assert [chart.name for chart in found] == names

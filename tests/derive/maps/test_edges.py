@@ -1,16 +1,21 @@
-"""Edges of φ: kind and exact angle; φ⁻¹ below the edge, in closed form where there is one."""
+"""Edges of φ, and φ⁻¹ below them: in closed form where there is one, and by fits with bounded errors."""
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import mpmath
 import pytest
 import sympy
 
-from derive.maps import angle_of_length, parameterization
+from derive.algebra.arithmetic import PLAIN
+from derive.maps import PhiError, angle_of_length, parameterization
 from derive.maps.angle_of_length import angle_of, real_value
+from derive.maps.any_phi import first_guess
 from derive.maps.any_phi.edges import PHI_DIGITS, Edge, closed_inverse, edge_of
+from derive.maps.any_phi.first_guess import Fitted, Guarded, Guess
+from derive.maps.any_phi.general import General
 from derive.maps.families import alpha
 
 EDGES = [
@@ -115,3 +120,120 @@ def test_phi_without_closed_inverse_has_none(phi: str) -> None:
 
 def test_inverse_of_the_angle_is_the_length() -> None:
     assert closed_inverse(alpha) == alpha
+
+
+FITTED = {
+    "alpha/(1 + alpha**2/40)": "21 47/32 2.99e-19 Fold 3",
+    "2*sinh(alpha/2)": "19 7/16 2.72e-19 Closed 1",
+    "10*tanh(alpha/10)": "14 53/32 4.07e-19 Closed 1",
+    "alpha + alpha**3/20": "21 7/16 2.99e-19 Length 4",
+    "alpha + alpha**3": "23 7/256 3.26e-19 Logarithm 4",
+    "alpha + 9*sin(alpha)/10": "21 91/64 5.67e-19 Guarded by 4 4",
+    "tan(alpha/5) + alpha/10": "16 5/32 2.77e-19 Pole 3",
+}
+"""Fits by φ: degree near 0, limit of x, remainder; first guess and number of Newton steps beyond the limit."""
+
+
+@pytest.fixture(scope="module", params=list(FITTED))
+def phi(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def chart(phi: str) -> General:
+    found = parameterization(phi, "of_user")
+    assert isinstance(found, General)
+    return found
+
+
+def test_fits_are_pinned(phi, chart) -> None:
+    near, far = chart.near, chart.far
+    assert f"{_degree(chart)} {near.limit} {near.remainder:.3g} {_called(far)} {far.steps}" == FITTED[phi]
+
+
+def _degree(chart: General) -> int:
+    return len(chart.near.polynomials[0].levels[0]) - 1
+
+
+def _called(guess: Guess) -> str:
+    name = guess.variable.name if isinstance(guess, Fitted) else type(guess).__name__
+    return f"{name} by {guess.count}" if isinstance(guess, Guarded) else name
+
+
+def test_ratio_and_derivatives_near_zero_are_within_the_remainder(chart) -> None:
+    edge = edge_of(chart.phi)
+
+    def ratio(x):
+        return angle_of(chart.phi, edge.angle, mpmath.sqrt(x)) / mpmath.sqrt(x)
+
+    limit = mpmath.mpf(chart.near.limit.numerator) / chart.near.limit.denominator
+    with mpmath.workdps(2 * PHI_DIGITS):
+        for share in ("0.05", "0.5", "0.97"):
+            x = limit * mpmath.mpf(share)
+            exact = mpmath.taylor(ratio, x, len(chart.near.polynomials) - 1)
+            for k, polynomial in enumerate(chart.near.polynomials):
+                off = abs(polynomial.at(x, PLAIN, "") - exact[k] * mpmath.factorial(k))
+                assert off * limit**k <= chart.near.remainder * chart.limits[0][0], k
+
+
+@pytest.mark.parametrize("phi", ["40*sinh(alpha)", "1/40*(sin(alpha/2) + alpha/50)"])
+def test_fits_do_not_depend_on_the_unit_of_v(phi) -> None:
+    """Allow a factor of two in remainders, because limits of x are rounded down by up to 25 %."""
+    scaled, alone = (parameterization(text, "of_user") for text in (phi, phi.partition("*")[2]))
+    assert _degree(scaled) == _degree(alone)
+    assert scaled.near.remainder == pytest.approx(alone.near.remainder, rel=1)
+    assert (type(scaled.far), scaled.far.steps) == (type(alone.far), alone.far.steps)
+
+
+@pytest.mark.parametrize(("phi", "reason"), [
+    ("1e-6*sinh(alpha)", "too small near 0, 8.13e-8: take a multiple of it"),
+    ("1e6*sinh(alpha)", "too large near 0, 8.13e+4: take a multiple of it"),
+    ("sinh(30*alpha)", "nothing proves that the inverse of phi = sinh(30*alpha) is analytic near 0"),
+])  # fmt: skip
+def test_phi_without_a_fit_near_zero_is_refused(phi, reason) -> None:
+    with pytest.raises(PhiError, match=re.escape(reason)):
+        _ = parameterization(phi, "of_user").near
+
+
+def test_wavy_phi_needs_guarded_steps(monkeypatch) -> None:
+    """Expect a refusal without guarded steps: the slope falls to a tenth, and plain Newton steps diverge."""
+    monkeypatch.setattr(first_guess, "GUARDED_STEPS", ())
+    with pytest.raises(PhiError, match=re.escape("alpha + 9*sin(alpha)/10 is not inverted near alpha = ")):
+        _ = parameterization("alpha + 9*sin(alpha)/10", "of_user").far
+
+
+def test_guarded_steps_converge_at_every_angle() -> None:
+    """Allow 4 eps of the length, also next to the least slope."""
+    chart = parameterization("alpha + 9*sin(alpha)/10", "of_user")
+    assert isinstance(chart.far, Guarded)
+    for angle in (2.0, 3.1, 3.2, 6.0, 9.5, 12.5):
+        size = float(chart.phi.subs(alpha, angle))
+        found = chart.far_angle(size * size, size, PLAIN)
+        assert found == pytest.approx(angle, rel=8e-16 / float(chart.phi.diff(alpha).subs(alpha, angle)))
+
+
+@pytest.mark.parametrize("phi", ["10*tanh(alpha/10)", "alpha/sqrt(1 + alpha**2/40)"])
+def test_lengths_beyond_the_edge_raise_nothing(phi) -> None:
+    """Expect a float even for lengths at which the closed form is not real."""
+    chart = parameterization(phi, "of_user")
+    size = 1.5 * float(chart.phi.subs(alpha, 1000))
+    assert isinstance(chart.far_angle(size * size, size, PLAIN), float)
+
+
+def test_limits_are_the_first_coefficients_of_the_series(chart) -> None:
+    first, third = (sympy.series(chart.phi, alpha, 0, 4).removeO().coeff(alpha, k) for k in (1, 3))
+    sixth = sympy.Rational(1, 6)
+    assert chart.limits[0] == (1 / first, 1 / (2 * first**2), (sixth - 2 * third / first) / first**3)
+    assert chart.limits[1] == (first, -sympy.Rational(1, 2), 2 * third / first**2 + sixth / (2 * first))
+
+
+def test_known_angle_near_a_fold_keeps_all_digits() -> None:
+    """Allow 4 eps for h_i from a known angle, 1e-6 before the fold; from x alone, its error exceeds 1e-9."""
+    chart = parameterization("alpha/(1 + alpha**2/40)", "of_user")
+    angle = float(40**0.5) - 1e-6
+    at = {alpha: sympy.Float(angle, PHI_DIGITS)}
+    size, fi, _, hi = (c.subs(at).evalf(PHI_DIGITS) for c in (chart.phi, *chart.tangent_inv.coefficients))
+    x, exact = float(size**2), float(2 * hi)
+    known = chart.at_angle(x, float(2 * fi), angle, PLAIN)
+    assert known.hi == pytest.approx(exact, rel=1e-15)
+    assert chart.scalars(x, PLAIN).hi != pytest.approx(exact, rel=1e-9)

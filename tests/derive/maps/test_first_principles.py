@@ -1,17 +1,20 @@
-"""Tangent operators by differentiation of displacements, in comparison with closed forms; exponential maps."""
+"""Tangent operators and exponential maps from first principles; Cayley formula and Rodrigues vector of K10."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 import mpmath
 import pytest
 import sympy
 
-from derive.algebra import Dual, Quaternion, Tensor, Vector, functions
-from derive.maps import Cayley, closed_forms, first_principles, x
+from derive.algebra import Dual, Quaternion, Tensor, Vector, ZeroDivisorError, functions
+from derive.maps import Cayley, closed_forms, first_principles, rodrigues, x
 from derive.maps.exponential import quaternion_exponential, tensor_exponential
+from derive.maps.first_principles import tensor_by_sandwich
+from derive.maps.pose import Screw, tensor_from_screw
 
 TINY = mpmath.mpf(10) ** -40
 Gap = Callable[[object, object], Any]
@@ -87,3 +90,83 @@ def test_formulas_are_elements_of_the_algebra(n: int) -> None:
     turned = m.tensor.isotropic @ m.tensor.isotropic.transpose
     assert [sympy.cancel(c) for c in (turned.a, turned.b, turned.c)] == [1, 0, 0]
     assert m.tangent.isotropic.x == x
+
+
+def screw(angle: float, distance: float) -> Screw:
+    u = Vector(mpmath.mpf(2), mpmath.mpf(-3), mpmath.mpf(6)) / 7
+    return Screw(Dual(mpmath.mpf(angle), mpmath.mpf(distance)), Vector.dual(u, Vector(1, 4, -2).cross(u)))
+
+
+def test_closed_forms_are_exact_on_fractions(draw_exact) -> None:
+    b = draw_exact()
+    A = rodrigues.cayley_formula(b)
+    assert list(A @ A.transpose) == list(Tensor.identity())
+    assert list(rodrigues.cayley_matrix(A)) == list(Tensor.skew(b))
+    assert list(rodrigues.rodrigues_vector(A)) == list(b)
+    assert list(A) == list(closed_forms.tensor(1, b.dot(b)).tensor(b))
+
+
+@pytest.mark.parametrize("angle", [0.7, 2.9, -1.1, 4.5])
+def test_vector_is_the_tangent_of_half_the_angle_along_the_axis(angle: float, gap) -> None:
+    motion = screw(angle, 0.4)
+    b = rodrigues.rodrigues_vector(tensor_from_screw(motion))
+    half = motion.angle / 2
+    tangent = half.apply(mpmath.tan, lambda a: 1 + mpmath.tan(a) ** 2)
+    assert gap(b, motion.axis * tangent) < 1e-45
+
+
+def test_direction_is_the_axis_up_to_a_half_turn_and_opposite_beyond(gap) -> None:
+    for angle, sign in ((2.0, 1), (4.0, -1)):
+        motion = screw(angle, -1.5)
+        s = rodrigues.direction(rodrigues.rodrigues_vector(tensor_from_screw(motion)))
+        assert gap(s, motion.axis * sign) < 1e-45
+
+
+def test_half_turns_have_no_matrix() -> None:
+    half_turn = Tensor(((1, 0, 0), (0, -1, 0), (0, 0, -1))).map(Fraction)
+    with pytest.raises(ZeroDivisionError):
+        rodrigues.cayley_matrix(half_turn)
+    with pytest.raises(ZeroDivisionError):
+        rodrigues.rodrigues_vector(half_turn)
+
+
+def tensor(n: int, v: Vector) -> Tensor:
+    return closed_forms.tensor(n, v.dot(v)).tensor(v)
+
+
+def quaternion(n: int, v: Vector) -> Quaternion:
+    s, w = closed_forms.quaternion(n, v.dot(v))
+    return Quaternion(s, v * w)
+
+
+def test_homomorphism_from_quaternions(draw, gap) -> None:
+    q, r = (quaternion(3, draw()) for _ in range(2))
+    R = tensor_by_sandwich
+    assert gap(R(q * r), R(q) @ R(r)) < 1e-44
+    assert R(-q) == R(q)
+    assert gap(R(q).transpose, R(q.conjugate())) < 1e-48
+    assert gap(R(q) @ R(q).transpose, Tensor.identity()) < 1e-44
+    v = draw()
+    assert gap(R(q) @ v, q.sandwich(v)) < 1e-44
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 5, 8])
+def test_homomorphism_agrees_with_the_closed_tensor(n: int, draw, gap) -> None:
+    v = draw(1.5)
+    assert gap(tensor_by_sandwich(quaternion(n, v)), tensor(n, v)) < 1e-42
+
+
+def test_compositions_are_exact_on_fractions(draw_exact) -> None:
+    for _ in range(5):
+        v2, v1 = draw_exact(), draw_exact()
+        assert tensor(1, rodrigues.compose_first_order(v2, v1)) == tensor(1, v2) @ tensor(1, v1)
+        assert tensor(2, rodrigues.compose_second_order(v2, v1)) == tensor(2, v2) @ tensor(2, v1)
+        s = rodrigues.compose_second_order(v2, v1)
+        assert quaternion(2, s) == quaternion(2, v2) * quaternion(2, v1)
+
+
+def test_singular_compositions_raise() -> None:
+    e = Vector.dual([Fraction(1), Fraction(0), Fraction(0)], [Fraction(0)] * 3)
+    for closed_form in (rodrigues.compose_first_order, rodrigues.compose_second_order):
+        with pytest.raises(ZeroDivisorError, match="zero divisor"):
+            closed_form(e, e)

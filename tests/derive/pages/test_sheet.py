@@ -1,23 +1,32 @@
-"""Formula sheet: lines of proved theorems only, under names of the page of theorems."""
+"""Formula sheet: lines of proved theorems only, and the files that ``dualcay show --what sheet`` writes."""
 
 from __future__ import annotations
 
+import html
+import json
 import re
+import subprocess
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
+from unittest import mock
 
 import pytest
 import sympy
 
 from derive.maps import Cayley
-from derive.pages import sheet
+from derive.output.files import RefusedError
+from derive.pages import sheet, sheet_files
+from derive.pages.sheet_files import FLAGS, pieces
 from derive.pages.theorems import title
 from derive.proof import ProofFailed
 from derive.proof.identity import Proof
 from derive.proof.proved import CLAIMS
 from derive.proof.theorem import decided
+from docs._ext import sheet as site
+from tests.support import browsers
+from tests.support.command import ROOT, dualcay
 
 THEOREMS = (Path(__file__).parents[3] / "docs" / "theorems.md").read_text(encoding="utf-8")
 TABLES = (sheet.MAPS_OF_ORDER, sheet.MOTION_OF_ORDER, sheet.EVERY_PHI)
@@ -89,3 +98,126 @@ def test_step_adds_an_angle(known: Mapping[str, Proof], order: int, branch: int)
     step = next(given.equation for given in known["Moebius step"].premises if given.equation.left == sheet.r_k)
     found = step.right.xreplace({sheet.beta: angle, sympy.Symbol("r"): r})
     assert abs(sympy.N(found - sympy.tan(sympy.atan(r) + angle), 30)) < 1e-28  # two roads of 30 digits
+
+
+WIDE = r"""<script>addEventListener("load", () => {
+  const box = node => node.getBoundingClientRect();
+  const formulas = [...document.querySelectorAll("math")];
+  document.body.dataset.probe = JSON.stringify({
+    formulas: formulas.length,
+    flat: formulas.filter(node => box(node).width < 3 || box(node).height < 5).length,
+    wide: formulas.filter(node => box(node).right > box(node.closest(".line")).right + 1).map(node => node.textContent),
+    overflow: document.documentElement.scrollWidth - innerWidth,
+  });
+});</script>"""
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    output = tmp_path_factory.mktemp("sheet") / "sheet.html"
+    done = dualcay("show", "--what", "sheet", "-o", str(output))
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    return output
+
+
+def test_html_has_four_pages_with_theorems(written: Path) -> None:
+    text = written.read_text(encoding="utf-8")
+    assert text.count("<section>") == 4
+    assert "Cayley(3).tangent [n = 3] · (88), (111)" in text
+    assert "def · Jacobian of the rate" in text
+    assert "http" not in text.replace("http://www.w3.org/1998/Math/MathML", "")
+    assert 'mathvariant="bold"' not in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--what", "sheet"], "the sheet needs -o with an ending .html or .pdf"),
+        (["--what", "sheet", "-o", "sheet.txt"], "the sheet needs -o with an ending .html or .pdf"),
+        (["--what", "sheet", "-n", "2", "-o", "sheet.pdf"], "and no -n or --format"),
+        (["--what", "sheet", "--format", "json", "-o", "sheet.pdf"], "and no -n or --format"),
+        (["--what", "sheet,p", "-n", "2"], "or sheet alone, got 'sheet'"),
+        (["--what", "p", "-n", "2", "-o", "p.html"], "add --what sheet"),
+    ],
+)
+def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], message: str) -> None:
+    done = dualcay("show", *arguments, cwd=tmp_path)
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_altered_theorem_leaves_the_file_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    altered = [t.with_claim(0, t.claim[0].altered()) if t.name == "twist" else t for t in CLAIMS]
+    monkeypatch.setattr("derive.pages.sheet.CLAIMS", altered)
+    output = tmp_path / "sheet.html"
+    output.write_text("old", encoding="utf-8")
+    done = dualcay("show", "--what", "sheet", "-o", str(output))
+    assert done.returncode == 1
+    assert "not proved: omega = " in done.stderr
+    assert output.read_text(encoding="utf-8") == "old"
+
+
+@pytest.mark.parametrize("browser", ["", "false"])
+def test_pdf_needs_a_browser_that_prints(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, browser: str) -> None:
+    monkeypatch.setenv("CHROMIUM", browser)
+    monkeypatch.setattr("shutil.which", lambda _: None)
+    done = dualcay("show", "--what", "sheet", "-o", str(tmp_path / "sheet.pdf"))
+    assert done.returncode == 3
+    assert ("printed nothing" if browser else "needs Chromium or Chrome") in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_browser_that_hangs_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "browser").write_text("#!/bin/sh\nexec sleep 60\n", encoding="utf-8")
+    (tmp_path / "browser").chmod(0o755)
+    monkeypatch.setenv("CHROMIUM", str(tmp_path / "browser"))
+    monkeypatch.setattr(sheet_files, "TIMEOUT", 0.1)
+    monkeypatch.setattr(sheet_files, "page", lambda: "")
+    with pytest.raises(RefusedError, match=r"printed nothing: it was stopped after 0\.1 s"):
+        sheet_files.write_pdf(tmp_path / "sheet.pdf")
+    assert [path.name for path in tmp_path.iterdir()] == ["browser"]
+
+
+def test_formulas_break_at_outer_signs_only() -> None:
+    text = r"R = \left(1 - x\right) I + \frac{a + b}{c} v - w"
+    assert list(pieces(text)) == ["R", r"= \left(1 - x\right) I", r"+ \frac{a + b}{c} v", "- w"]
+
+
+@pytest.mark.browser
+def test_pdf_has_four_pages_of_a4(tmp_path: Path) -> None:
+    assert dualcay("show", "--what", "sheet", "-o", "sheet.pdf", cwd=tmp_path).returncode == 0
+    printed = (tmp_path / "sheet.pdf").read_bytes()
+    assert len(re.findall(rb"/Type /Page\b(?!s)", printed)) == 4
+    width, height = map(float, re.search(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", printed).groups())
+    assert (round(width), round(height)) == (595, 842)
+    assert [path.name for path in tmp_path.iterdir()] == ["sheet.pdf"]
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [390, 800])
+def test_no_formula_is_wider_than_its_column(written: Path, tmp_path: Path, width: int) -> None:
+    text = written.read_text(encoding="utf-8").replace("</body>", f"{WIDE}</body>")
+    (tmp_path / "sheet.html").write_text(text, encoding="utf-8")
+    options = (*FLAGS, f"--window-size={width},900", f"--user-data-dir={tmp_path}/profile", "--dump-dom")
+    command = [str(browsers.find()), *options, (tmp_path / "sheet.html").as_uri()]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    seen = json.loads(html.unescape(re.search(r'data-probe="([^"]*)"', done.stdout).group(1)))
+    assert seen["formulas"] > 300
+    assert (seen["flat"], seen["wide"] if width == 800 else [], max(seen["overflow"], 0)) == (0, [], 0)
+
+
+@pytest.mark.parametrize("browser", [None, "browser"])
+def test_site_has_the_sheets_to_which_it_links(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], browser: str | None
+) -> None:
+    replaced = {"find_browser": lambda: browser, "write_html": Path.touch, "write_pdf": Path.touch}
+    for name, function in replaced.items():
+        monkeypatch.setattr(sheet_files, name, function)
+    app = mock.Mock(outdir=tmp_path, tags=set())
+    site.setup(app)
+    site.write(app, None)
+    page = (ROOT / "docs" / "sheet.md").read_text(encoding="utf-8")
+    page = page if "pdf" in app.tags else re.sub(r"^::::\{only\} pdf$.*?^::::$", "", page, flags=re.S | re.M)
+    assert re.findall(r"\{button-link\} (\S+)", page) == sorted((p.name for p in tmp_path.iterdir()), reverse=True)
+    assert capsys.readouterr().out == ("" if browser else "skipped: the sheet as PDF needs Chromium or Chrome\n")
