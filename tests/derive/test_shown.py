@@ -1,4 +1,4 @@
-"""Display of results at a Python prompt and in a notebook, and copies of charts."""
+"""Toolkit as its users meet it: import, display at a prompt and in a notebook, copies of charts."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ import html
 import inspect
 import pickle
 import re
+import shutil
+import subprocess
+import sys
 from collections.abc import Callable
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -20,6 +24,7 @@ from derive.codegen import Package
 from derive.output.listing import Listing
 from derive.proof import Proof, theorems
 from tests.support import examples
+from tests.support.imports import ROOT, sources
 
 LONGEST = 120
 
@@ -131,3 +136,45 @@ def test_charts_are_copied_and_pickled(copied: Callable[[Any], Any]) -> None:
         assert other == chart
         assert other.tangent.coefficients == chart.tangent.coefficients
         assert callable(other.prove)
+
+
+def installed(folder: Path) -> Path:
+    """Return an installed folder of the toolkit, with empty subpackages."""
+    place = folder / "derive"
+    for name in derive._OWN:
+        if name.endswith(".py"):
+            place.mkdir(exist_ok=True)
+            shutil.copy(ROOT / "derive" / name, place)
+        else:
+            (place / name).mkdir(parents=True)
+            (place / name / "__init__.py").touch()
+    (place / "_templates").mkdir()
+    (place / "left_by_an_editor~").touch()
+    (place / "left_by_git" / "__pycache__").mkdir(parents=True)
+    return place
+
+
+def imported(folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-c", "import derive"], cwd=folder, capture_output=True, text=True)
+
+
+def test_own_modules_are_listed() -> None:
+    rooms = {name[0] for name, _ in sources("derive") if len(name) > 1}
+    files = {f"{name[0] if name else '__init__'}.py" for name, _ in sources("derive") if len(name) <= 1}
+    files -= {f"{room}.py" for room in rooms}
+    assert {room for room in rooms if (ROOT / "derive" / room / "__init__.py").exists()} <= derive._OWN
+    assert {name for name in files if (ROOT / "derive" / name).exists()} <= derive._OWN
+    assert all((ROOT / "derive" / name).exists() for name in derive._OWN)
+
+
+@pytest.mark.parametrize("foreign", ["config.py", "trace/__init__.py"])
+def test_files_of_another_distribution_are_named(tmp_path: Path, foreign: str) -> None:
+    place = installed(tmp_path)
+    assert imported(tmp_path).returncode == 0, imported(tmp_path).stderr
+    (place / foreign).parent.mkdir(exist_ok=True)
+    (place / foreign).touch()
+    done = imported(tmp_path)
+    last = done.stderr.splitlines()[-1]
+    assert last.startswith(f"ImportError: {place} holds files of another distribution ({foreign.partition('/')[0]})")
+    assert "cannot be installed together" in last
+    assert "pip uninstall derive" in last

@@ -38,10 +38,3 @@ def test_formulas_agree_at_the_switch_for_size_one_only():
     same, other = INVERTED(sigma) - EXACT(sigma)
     assert np.abs(same).max() < 1e-15
     assert np.abs(other).max() > 0.3
-
-
-def test_printed_results_and_figure(capsys: pytest.CaptureFixture[str], tmp_path):
-    pytest.importorskip("matplotlib")
-    example.main(["--runs", "3", "--steps", "120", "--figure", str(tmp_path / "filter.png")])
-    assert len(capsys.readouterr().out.splitlines()) == 5
-    assert (tmp_path / "filter.png").stat().st_size > 10_000

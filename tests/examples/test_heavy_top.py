@@ -52,10 +52,3 @@ def test_cotangent_jacobians_complete_the_derivative(name: str):
 def test_jacobians_save_iterations():
     with_jacobians, without = (top.simulate(top.cayley2, 1e-3, END, full)[1] for full in (True, False))
     assert with_jacobians < without - 0.5
-
-
-def test_printed_table_and_figure(capsys: pytest.CaptureFixture[str], tmp_path):
-    pytest.importorskip("matplotlib")
-    top.main(["--end", "0.02", "--figure", str(tmp_path / "top.png")])
-    assert len(capsys.readouterr().out.splitlines()) == 1 + len(top.CHARTS) * len(top.STEPS)
-    assert (tmp_path / "top.png").stat().st_size > 10_000

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from dualcay import cayley2, propagate
 from examples import rendezvous as example
@@ -33,10 +32,3 @@ def test_covariance_agrees_with_random_runs():
     # the mean of χ² of 6 over independent runs, within four deviations and 2 % for the second order
     assert abs(found(np.diag(example.NOISE**2)) - 6) < 4 * np.sqrt(12 / RUNS) + 0.12
     assert found(None) > 8  # without the noise, which adds about as much as the start has
-
-
-def test_printed_results_and_figure(capsys: pytest.CaptureFixture[str], tmp_path):
-    pytest.importorskip("matplotlib")
-    example.main(["--runs", "50", "--figure", str(tmp_path / "rendezvous.png")])
-    assert len(capsys.readouterr().out.splitlines()) == 9
-    assert (tmp_path / "rendezvous.png").stat().st_size > 10_000

@@ -37,10 +37,3 @@ def test_interpolation_is_of_second_order_without_jumps():
     for how in ("screws", "unwrapped"):
         assert largest(80, how) / largest(160, how) == pytest.approx(4, rel=0.1)  # the next term is 1 % of it
     assert largest(160, "recorded") > 90
-
-
-def test_printed_results_and_figure(capsys: pytest.CaptureFixture[str], tmp_path):
-    pytest.importorskip("matplotlib")
-    example.main(["--rate", "5", "--figure", str(tmp_path / "vectors.png")])
-    assert "41 poses" in capsys.readouterr().out
-    assert (tmp_path / "vectors.png").stat().st_size > 10_000

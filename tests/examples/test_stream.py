@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tracemalloc
-from pathlib import Path
 
 import dask
 import numpy as np
@@ -45,11 +44,3 @@ def test_memory_depends_on_the_chunk_only():
     few, many = peak(5), peak(30)
     # 25 more chunks of 48 bytes per pose would be 24 MB; their tasks in the graph take some 30 kB each
     assert many - few < 0.1 * 25 * 48 * 20_000
-
-
-def test_printed_results_and_figure(capsys: pytest.CaptureFixture[str], tmp_path: Path):
-    stream.main(["--count", "20000", "--chunk", "5000", "--figure", str(tmp_path / "stream.png")])
-    assert (tmp_path / "stream.png").stat().st_size > 10_000
-    out = capsys.readouterr().out
-    assert "100% Completed" in out
-    assert "20000 poses in chunks of 5000" in out

@@ -57,15 +57,15 @@ class ExponentialOracle(Oracle):
 
 def angle_by_tangent(field: Any, square: Any) -> Any:
     """Return α/tan(α/2) from α², with all nilpotent parts; a root would lose them near 0, so a series is used there."""
-    if abs(_real(square)) < 1e-30:
+    if abs(real(square)) < 1e-30:
         return 2 - square / 6 - square * square / 360 - square * square * square / 15120
     angle = field.sqrt(square)
     return angle / field.tan(angle / 2)
 
 
-def _real(number: Any) -> Any:
+def real(number: Any) -> Any:
     """Return the real part of a number with nested nilpotent parts."""
-    return _real(number.re) if hasattr(number, "re") and hasattr(number, "du") else number
+    return real(number.re) if hasattr(number, "re") and hasattr(number, "du") else number
 
 
 ORACLES = {

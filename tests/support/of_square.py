@@ -8,12 +8,13 @@ from typing import Any
 
 import mpmath
 
-from tests.support.families import DIGITS, angle_by_tangent
+from tests.support.families import DIGITS, angle_by_tangent, real
 from tests.support.first_principles import remembered
 from tests.support.nilpotent import Field, Nil, dot
 from tests.support.oracle import Oracle
 
 Share = Callable[[Field, Any], Any]
+
 
 class OfSquare(Oracle):
     """Oracle of v = α share(α²) u; α² comes from root finding, its nilpotent parts from steps with the real slope."""
@@ -32,7 +33,7 @@ class OfSquare(Oracle):
 
     def square(self, x: Any) -> Any:
         """Return α² at x = v·v; each step with the real slope adds one level of nilpotent parts."""
-        found, slope = self.root(_real(x))
+        found, slope = self.root(real(x))
         u = x * 0 + found
         for _ in range(_levels(x)):
             u = u - (self._x(u) - x) / slope
@@ -58,10 +59,6 @@ class OfSquare(Oracle):
     def size(self, theta: Any) -> Any:
         alpha = 2 * theta
         return alpha * self.share(self.field, alpha * alpha)
-
-
-def _real(number: Any) -> Any:
-    return _real(number.re) if isinstance(number, Nil) else number
 
 
 def _levels(number: Any) -> int:
