@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from derive.codegen.validation import compiled
+from tests.support import compilers
 from tests.support.imports import ROOT, imported, sources
 
 pytestmark = pytest.mark.smoke
@@ -127,3 +129,14 @@ def test_room_without_smoke_test_is_named(tmp_path: Path, monkeypatch: pytest.Mo
         (tmp_path / room).mkdir()
         (tmp_path / room / "test_it.py").write_text(text)
     assert without_smoke([tmp_path / "marked", tmp_path / "bare", tmp_path / "empty"]) == ["bare", "empty"]
+
+
+@pytest.mark.parametrize("named", [None, "", "cc", "tcc -m64", "no-such-compiler", "no-such-compiler cc"])
+@pytest.mark.parametrize("there", [(), ("clang",), ("cc", "tcc")])
+def test_tests_and_toolkit_find_the_same_compiler(named, there, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    for name in there:
+        (tmp_path / name).touch(mode=0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CC", raising=False) if named is None else monkeypatch.setenv("CC", named)
+    command = compiled.compiler()
+    assert compilers.find() == (str(tmp_path / command[0]) if command else None)
