@@ -1,4 +1,4 @@
-"""Checks of the benchmarks: peers and kernels compute equal results, and reports name missed gates."""
+"""Checks of the benchmarks: peers and kernels compute equal results, reports name missed gates; GPU script."""
 
 from __future__ import annotations
 
@@ -121,8 +121,6 @@ def test_chart_vectors_and_library_arguments_are_the_same_poses(name: str) -> No
     np.testing.assert_allclose(module.to_exponential(poses.v), poses.exponential, rtol=0, atol=1e-13)
     np.testing.assert_allclose(module.to_exponential(poses.w), poses.other, rtol=0, atol=1e-13)
 
-
-# --- GPU script, on the CPU -------------------------------------------------------------------------------------------
 
 QUICKLY = {"XLA_FLAGS": "--xla_backend_optimization_level=0"}
 """Options of XLA for quick compilation; tests do not need fast maps."""

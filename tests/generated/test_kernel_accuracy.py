@@ -24,9 +24,7 @@ BETWEEN = (4, 5)
 """Orders between a low one and a high one, whose programs are alike; they are tested among the thorough ones."""
 CASE = pytest.mark.parametrize(
     ("order", "regime"),
-    [
-        pytest.param(n, r, id=f"n={n}, {r}", marks=[pytest.mark.thorough] if n in BETWEEN else []) for n, r in CASES
-    ],
+    [pytest.param(n, r, id=f"n={n}, {r}", marks=[pytest.mark.thorough] if n in BETWEEN else []) for n, r in CASES],
 )
 
 
@@ -120,8 +118,6 @@ def slightly_off(function: Callable[..., Any]) -> Callable[..., Any]:
 
     return call
 
-
-# --- worst inputs of every function -----------------------------------------------------------------------------------
 
 KEPT, _ = cases.read()
 

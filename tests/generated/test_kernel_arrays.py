@@ -12,14 +12,7 @@ import pytest
 import dualcay
 from dualcay import _kernel, _runtime
 from tests.support.kernels import ALIKE, load, orders
-from tests.support.signatures import (
-    SHAPES,
-    SIGNATURES,
-    assert_nearly_equal,
-    components_last,
-    inputs,
-    rows_of,
-)
+from tests.support.signatures import SHAPES, SIGNATURES, assert_nearly_equal, components_last, inputs, rows_of
 
 FUNCTION = pytest.mark.parametrize("name", SIGNATURES)
 OF_TWO = pytest.mark.parametrize("name", [f for f, s in SIGNATURES.items() if len(s.arguments) == 2])

@@ -42,8 +42,6 @@ def test_every_function_meets_all_regimes():
 
 
 LEFT = (0.2, 0.1, 3e-2, 3e-3, 1e-4)  # distances from the edge, as shares of the edge angle
-
-
 EDGES = [(name, LEFT[(i + k) % 5]) for i, name in enumerate(FAMILIES) if name != "exponential" for k in (0, 2)]
 
 

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from derive.codegen.signatures import ROTATIONS
+from dualcay.rotation import cayley2
 from tests.support import families
 from tests.support.oracle import Oracle, oracle_of
 
@@ -91,8 +92,6 @@ def test_published_numbers(published: str) -> None:
 
 def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
     """Compare the columns of Ḃ(σ, σ̇): ¼ Ḃ ω is ∂σ̇/∂σ applied to σ̇."""
-    from dualcay.rotation import cayley2
-
     sigma_dot = np.array([0.015, 0.045, -0.005]) / DEGREE
     printed = [
         [-0.4583662361046585, 1.7761691649055522, 4.1825919044550091],
@@ -107,8 +106,6 @@ def test_published_rate_of_the_matrix_of_mrp_kinematics() -> None:
 
 def test_composition_of_two_half_turns_is_the_identity() -> None:
     """Expect σ = 0 for the sum (addMRP) of two vectors of half a turn."""
-    from dualcay.rotation import cayley2
-
     half = np.array([0.0, 0.0, 1.0])
     np.testing.assert_allclose(cayley2.compose(half, half), np.zeros(3), rtol=0, atol=ROUNDING)
     np.testing.assert_allclose(cayley2.between(half, -half), np.zeros(3), rtol=0, atol=ROUNDING)

@@ -15,18 +15,9 @@ pytestmark = pytest.mark.smoke
 
 EPS = float(np.finfo(float).eps)
 AXES = [
-    [1.0, 0, 0],
-    [-1.0, 0, 0],
-    [0, 1.0, 0],
-    [0, -1.0, 0],
-    [0, 0, 1.0],
-    [0, 0, -1.0],
-    [0.6, 0.8, 0],
-    [-0.6, 0.8, 0],
-    [0, -0.6, 0.8],
-    [0.6, 0, -0.8],
-    [-1 / 3, 2 / 3, -2 / 3],
-]
+    [1.0, 0, 0], [-1.0, 0, 0], [0, 1.0, 0], [0, -1.0, 0], [0, 0, 1.0], [0, 0, -1.0],
+    [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, -0.6, 0.8], [0.6, 0, -0.8], [-1 / 3, 2 / 3, -2 / 3],
+]  # fmt: skip
 AXIS = pytest.mark.parametrize("axis", AXES, ids=str)
 FINITE = pytest.mark.parametrize("order", [n for n in ORDERS if n > 1])  # n = 1 has no vector at π
 
@@ -73,10 +64,9 @@ def test_at_pi_matrices_give_the_axis_with_first_component_positive(order: int, 
     dual = np.stack([turn, np.zeros((3, 3))])
     for branch in branches(order):
         wanted = expected(order, side, 0.0, np.zeros(3), branch)
-        for got in (kernel.from_pose(matrix, branch), kernel.from_pose(matrix[None], branch)[0]):
-            np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
-        for got in (kernel.from_tensor(dual, branch), kernel.from_tensor(dual[None], branch)[0]):
-            np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
+        for function, given in ((kernel.from_pose, matrix), (kernel.from_tensor, dual)):
+            for got in (function(given, branch), function(given[None], branch)[0]):
+                np.testing.assert_allclose(got, wanted, rtol=1e-13, atol=1e-14)
 
 
 @FINITE
@@ -168,13 +158,9 @@ def test_branches_of_a_translation_turn_about_its_direction(kernel: ModuleType, 
 
 # Vectors at exact multiples of 2π: |v|² = 3 for n = 3, |v|² = 1 for n = 4 and 8.
 AT_FULL_TURNS = [
-    (3, [1.0, 1.0, 1.0]),
-    (3, [1.0, -1.0, 1.0]),
-    (4, [0.0, 1.0, 0.0]),
-    (4, [0.0, 0.0, -1.0]),
-    (8, [-1.0, 0.0, 0.0]),
-    (8, [0.0, 1.0, 0.0]),
-]
+    (3, [1.0, 1.0, 1.0]), (3, [1.0, -1.0, 1.0]), (4, [0.0, 1.0, 0.0]), (4, [0.0, 0.0, -1.0]),
+    (8, [-1.0, 0.0, 0.0]), (8, [0.0, 1.0, 0.0]),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("order", "real"), AT_FULL_TURNS)

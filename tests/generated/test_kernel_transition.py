@@ -1,4 +1,4 @@
-"""Derivatives of v by its initial value and by the vector of another chart, compared with integrated motions."""
+"""Derivatives of v by its start and by the vector of another chart; a Kalman filter and a pose graph that use them."""
 
 from __future__ import annotations
 
@@ -155,8 +155,6 @@ def test_convert_jacobian_keeps_layouts_and_types_and_names_errors() -> None:
     with pytest.raises(ValueError, match=r"out must have shape \(2, 3, 6, 6\), got \(6, 6\)"):
         dualcay.convert_jacobian(v, cayley3, cayley2, out=np.empty((6, 6)))
 
-
-# --- applications -----------------------------------------------------------------------------------------------------
 
 RUNS, STEPS, SEEN, DT = 200, 40, 20, 0.05
 POINTS = np.array([[1.0, 0, 0], [0, 2.0, 0], [0, 0, 1.5], [-1.0, 1.0, 0.5]])

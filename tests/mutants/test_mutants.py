@@ -1,4 +1,4 @@
-"""Tests of mutants: operators change the intended tokens, samples are stable, every trial ends with a verdict."""
+"""Tests of mutants of tokens and statements: operators change what is intended, samples are stable, trials end."""
 
 from __future__ import annotations
 

@@ -48,8 +48,6 @@ def in_a_process(*arguments: str, code: str | None = None, errors: str = "strict
     start = ["-m", "derive"] if code is None else ["-c", code]
     env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1", **variables}
     command = [sys.executable, *start, *arguments]
-    done = subprocess.run(
-        command, cwd=ROOT, env=env, capture_output=True, encoding="utf-8", errors=errors, check=False
-    )
+    done = subprocess.run(command, cwd=ROOT, env=env, capture_output=True, encoding="utf-8", errors=errors, check=False)
     assert "Traceback" not in done.stderr
     return Done(done.returncode, done.stdout, done.stderr)

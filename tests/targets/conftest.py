@@ -25,9 +25,7 @@ def folder(shared: Callable[[str, Callable[[Path], object]], Path]) -> Callable[
 
 
 @pytest.fixture(scope="session")
-def package(
-    folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[Callable[[str], str]]:
+def package(folder: Callable[[str], Path], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], str]]:
     """Provide a function that returns the import name of a target's package.
 
     Each process has its own Numba cache. In a shared cache, a loop and the function around it may come from different

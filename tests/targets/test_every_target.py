@@ -68,8 +68,6 @@ def test_compiled_functions_that_share_a_kernel_have_their_own_constants(package
     assert shared == {name: (row.kernel, row.constants) for name, row in PUBLIC.items() if row.constants}
 
 
-# --- rotations alone agree with the NumPy kernels ---------------------------------------------------------------------
-
 EPS = np.finfo(float).eps
 COMPILED = ("tensor", "twist", "compose", "shadow", "from_angle_axis", "to_angle_axis", "rate_jacobian")
 """Sample of functions, one of each kind: a function takes a second to compile."""

@@ -73,8 +73,6 @@ def test_rows_of_any_number_are_read_and_written_within_their_bounds(
     assert (target[:, -16:] == 5).all()
 
 
-# --- memory -----------------------------------------------------------------------------------------------------------
-
 SANITIZED = ("optimization=0", "b_sanitize=address,undefined", "b_lundef=false")
 
 CALLS = """
@@ -107,10 +105,7 @@ def test_no_access_is_out_of_bounds(shared: Callable[[str, Callable[[Path], obje
     where = [str(find()), "-print-file-name=libasan.so"]
     library = subprocess.run(where, capture_output=True, text=True, check=True).stdout.strip()
     assert Path(library).is_file(), f"these tests need AddressSanitizer, which {where[0]} has not"
-    environment = {
-        **os.environ, "LD_PRELOAD": library, "ASAN_OPTIONS": "detect_leaks=0",
-        "PYTHONPATH": str(site),
-    }  # fmt: skip
+    environment = {**os.environ, "LD_PRELOAD": library, "ASAN_OPTIONS": "detect_leaks=0", "PYTHONPATH": str(site)}
     done = subprocess.run([sys.executable, "-c", CALLS], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-3000:]
     called, direct = map(int, done.stdout.split())

@@ -80,20 +80,13 @@ def test_single_precision(compiled, name):
     assert_nearly_equal(got, getattr(load(ORDER), name)(*values, axis=0), eps=60)
 
 
-def test_parallel_loops(compiled):
-    values = inputs(load(ORDER), "transform_point", ORDER, (200,))
-    expected = load(ORDER).transform_point(*values)
-    assert_nearly_equal(compiled(ORDER).transform_point(*values, parallel=True), expected, eps=40)
-    rows = [components_first(a, 1) for a in values]
-    first = compiled(ORDER).transform_point(*rows, axis=0, parallel=True)
-    assert_nearly_equal(components_last(first, 1), expected, eps=40)
-
-
-def test_parallel_loops_of_a_result_in_several_parts(compiled):
-    values = inputs(load(ORDER), "pose", ORDER, (200,))
-    expected, rows = load(ORDER).pose(*values), [components_first(a, 1) for a in values]
-    assert_nearly_equal(compiled(ORDER).pose(*values, parallel=True), expected, eps=40)
-    assert_nearly_equal(components_last(compiled(ORDER).pose(*rows, axis=0, parallel=True), 2), expected, eps=40)
+@pytest.mark.parametrize(("name", "rank"), [("transform_point", 1), ("pose", 2)])
+def test_parallel_loops(compiled, name, rank):
+    """Test a result in one part and one in several."""
+    values, parallel = inputs(load(ORDER), name, ORDER, (200,)), getattr(compiled(ORDER), name)
+    expected, rows = getattr(load(ORDER), name)(*values), [components_first(a, 1) for a in values]
+    assert_nearly_equal(parallel(*values, parallel=True), expected, eps=40)
+    assert_nearly_equal(components_last(parallel(*rows, axis=0, parallel=True), rank), expected, eps=40)
 
 
 def test_out_is_written_and_may_overlap(compiled):

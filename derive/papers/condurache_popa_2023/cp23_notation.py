@@ -76,8 +76,7 @@ def _limit(env: Env, index: Term, body: Term) -> Any:
 
 limit = define("limit", r"\lim_{{{0} \to \infty}} {1}", "lim {0} {1}", PRODUCT, (ATOM, PRODUCT), _limit, lazy=True)
 provided = define("if", r"\text{{if }} {0}", "if {0}", RELATION, (LIST,), lambda env, a: a)
-tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,),
-               lambda env, a, b: env.equal(a, b))
+tends = define("tends", r"{0} \to {1}", "{0} {1}", RELATION, (SUM,), lambda env, a, b: env.equal(a, b))
 preimage_count = define("preimage count", r"\#\, {0}^{{-1}}\left({1}\right)", "#{0}{1}", ATOM, (ATOM, LIST),
                         lambda env, f, target: f.reaches(env.field, target))
 

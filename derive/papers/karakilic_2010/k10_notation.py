@@ -85,8 +85,7 @@ quadratic = define("K10 quadratic form", r"{0}^{{T}}\, {1}\, {0}", "{0}T{1}{0}",
                    lambda env, a, T: a.dot(T @ a))
 parts = define("K10 parts", r"\left({0}, {1}\right)", "({0},{1})", ATOM, (LIST,),
                lambda env, a, b: Vector.dual(a, b) if isinstance(a, Vector) else Dual(a, b))
-column = define("K10 column", r"\left({0}, {1}, {2}\right)", "({0},{1},{2})", ATOM, (LIST,),
-                lambda env, *a: Vector(*a))
+column = define("K10 column", r"\left({0}, {1}, {2}\right)", "({0},{1},{2})", ATOM, (LIST,), lambda env, *a: Vector(*a))
 matrix = define(
     "matrix", r"\begin{{bmatrix}} {0} & {1} & {2} \\ {3} & {4} & {5} \\ {6} & {7} & {8} \end{{bmatrix}}",
     "{0}{1}{2}{3}{4}{5}{6}{7}{8}", ATOM, (LIST,), lambda env, *a: Tensor.from_entries(a),
@@ -127,8 +126,7 @@ def _provided(env: Env, statement: Term, condition: Term) -> bool:
     return not needed or bool(env.value(statement))
 
 
-provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True,
-                  traits=Trait.JOINS)
+provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _provided, lazy=True, traits=Trait.JOINS)
 """Formula with its printed domain."""
 
 

@@ -83,8 +83,7 @@ def _unequal(env: Env, a: Term, multiple: Term, index: Term) -> bool:
     return not env.field.same(turns, round(float(turns)))
 
 
-unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal,
-                 lazy=True, traits=Trait.DELICATE)
+unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _unequal, lazy=True, traits=Trait.DELICATE)
 """Claim ``unequal(Re(alpha), 2 * k * pi, k)``: Re α ≠ 2kπ for every integer k."""
 
 

@@ -160,8 +160,7 @@ def _floor(env: Env, a: Any, b: int) -> int:
 
 
 floor_over = define("floor", r"\left\lfloor {0}/{1} \right\rfloor", "{0}/{1}", ATOM, (ATOM, ATOM), _floor)
-binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST),
-                  lambda env, n, k: math.comb(n, k))
+binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, LIST), lambda env, n, k: math.comb(n, k))
 
 
 # ---- dual parts -----------------------------------------------------------------------------------------------

@@ -98,9 +98,7 @@ def test_bad_input_has_a_message_and_an_exit_code(tmp_path: Path, arguments, cod
     ("place", "message"),
     [("file/in", "'file' is no folder"), ("file/a/b.svg", "'file' is no folder"), ("a" * 256, "at most 255 bytes")],
 )
-def test_a_place_where_nothing_can_be_written_is_refused_first(
-    tmp_path: Path, monkeypatch, command, place, message
-):
+def test_a_place_where_nothing_can_be_written_is_refused_first(tmp_path: Path, monkeypatch, command, place, message):
     monkeypatch.setattr(commands, "run_module", lambda *_: pytest.fail("worked in vain"))
     (tmp_path / "file").write_text("mine")
     done = dualcay(*command.split(), place, cwd=tmp_path)

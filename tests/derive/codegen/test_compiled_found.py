@@ -63,9 +63,6 @@ def test_no_warning_without_compiled_functions(native: ModuleType, recwarn: pyte
     assert not recwarn
 
 
-# --- fingerprint ------------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def facts() -> Facts:
     return Facts(lower(prove(Cayley(3))))

@@ -33,16 +33,8 @@ def test_printed_coefficients() -> None:
             2 * (3 - x) * (1 - 3 * x) / (1 + x) ** 3,
             2 * (3 - x) ** 2 / (1 + x) ** 3,
         ),
-        (3, "tangent"): (
-            2 * (1 - 3 * x) * (3 - x) / (1 + x) ** 3,
-            2 * (3 - x) ** 2 / (1 + x) ** 3,
-            32 / (1 + x) ** 3,
-        ),
-        (3, "tangent_inv"): (
-            (1 - 3 * x) / (2 * (3 - x)),
-            -sympy.Rational(1, 2),
-            (11 - x) / (6 * (3 - x)),
-        ),
+        (3, "tangent"): (2 * (1 - 3 * x) * (3 - x) / (1 + x) ** 3, 2 * (3 - x) ** 2 / (1 + x) ** 3, 32 / (1 + x) ** 3),
+        (3, "tangent_inv"): ((1 - 3 * x) / (2 * (3 - x)), -sympy.Rational(1, 2), (11 - x) / (6 * (3 - x))),
     }
     for (n, name), coefficients in expected.items():
         for got, wanted in zip(getattr(Cayley(n), name).coefficients, coefficients, strict=True):

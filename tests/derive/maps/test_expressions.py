@@ -1,4 +1,4 @@
-"""Text of φ: accepted grammar, reasons given for refusals, and no execution of user text."""
+"""Text of φ: accepted grammar, reasons given for refusals, no execution of user text; evaluation of expressions."""
 
 from __future__ import annotations
 

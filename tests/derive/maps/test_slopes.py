@@ -1,4 +1,4 @@
-"""Scalars of every chart at numbers, near v = 0 and beyond: slopes are derivatives, and all scalars fit one φ.
+"""Scalars of every chart at numbers: slopes are derivatives, all fit one φ; Stumpff functions and their series.
 
 Proofs cover the formulas beyond, and the functions approximated by polynomials near v = 0. Tests evaluate both.
 """
@@ -126,8 +126,6 @@ def test_number_of_terms_is_the_least_for_long_doubles():
     one_less = share * (2 * stumpff.TERMS + 6) * (2 * stumpff.TERMS + 7) / (stumpff.LIMIT / 4)
     assert share < 2.0**-63 < one_less
 
-
-# --- scalars beyond the limit of the series ---------------------------------------------------------------------------
 
 EPS = 2.0**-52
 SQUARES = [17 + 0.07 * k for k in range(310)]

@@ -1,4 +1,4 @@
-"""Tests of CP23: all errata, and statuses and single entries of sections 2 to 6 and 9."""
+"""Tests of CP23: all errata, statuses and entries of sections 2 to 6 and 9, and preimages of the Cayley map."""
 
 from __future__ import annotations
 

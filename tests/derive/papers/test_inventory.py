@@ -76,9 +76,7 @@ BASE = ("derive", "papers")
 PACKAGES = tuple(paper.package.rpartition(".")[2] for paper in PAPERS)
 DECIDING = ("sharp", "explore", "decide", "entry_certificate")
 ENTRIES = ("equation", "result")
-ROOMS = (
-    "numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "",
-)  # fmt: skip
+ROOMS = ("numbers", "language", *ENTRIES, *PACKAGES, *DECIDING, "report", "")
 """Import order: each subpackage or module may import itself and earlier ones; the empty name is derive.papers."""
 
 IN_A_PAPER = ("notation", "definitions", "sections")

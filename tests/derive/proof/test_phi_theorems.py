@@ -112,10 +112,7 @@ def test_difference_to_the_limit_has_the_stated_slope(length: str):
 
 def _maps(chart, r, u):
     at, v = chart.scalars(r * r, PLAIN), u * r
-    return {
-        "tensor": _tensor(1 - r * r * at.g, at.f, at.g, v),
-        "tangent": _tensor(at.f, at.g, at.h, v),
-    }
+    return {"tensor": _tensor(1 - r * r * at.g, at.f, at.g, v), "tangent": _tensor(at.f, at.g, at.h, v)}
 
 
 def _tensor(a, b, c, v):

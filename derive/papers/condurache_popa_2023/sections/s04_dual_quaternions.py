@@ -30,9 +30,7 @@ i_, j_ = (Symbol(f"unit {name}", "quaternion", rf"\hat{{\mathbf{{{name}}}}}", na
 scalar = define("scalar part", r"\operatorname{{scal}} {0}", "{0}", PRODUCT, (PRODUCT,), scalar_part)
 
 PARTS = (let(s, scalar_part, any_q), let(w, vector_part, any_q))
-INDEXED = (
-    let(s1, scalar_part, q1), let(w1, vector_part, q1), let(s2, scalar_part, q2), let(w2, vector_part, q2),
-)
+INDEXED = (let(s1, scalar_part, q1), let(w1, vector_part, q1), let(s2, scalar_part, q2), let(w2, vector_part, q2))
 HALVES = (let(q_re, real_of, unit), let(q_du, dual_of, unit),
           let(rho, plain(lambda q: pose_from_tensor(tensor_by_sandwich(q)).displacement), unit))
 ACTION = (let(Delta, lambda env: tensor_by_sandwich), let(Delta_map, motions.covering))
@@ -108,7 +106,6 @@ ENTRIES = (
              where=(*ACTION, *UNIT_PARTS),
              also=lambda draw: {"the same up to sign": {units[0]: (q := draw.quaternion(draw.real())), units[1]: -q}},
              because=both(equal(1 + trace(Delta(unit)), 4 * s**2), equal(vect(Delta(unit)), 2 * s * w),
-                          equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I,
-                                4 * dyad(w, w))),
+                          equal(Delta(unit) + transpose(Delta(unit)) + (1 - trace(Delta(unit))) * I, 4 * dyad(w, w))),
              remark="The supporting identity: the tensor determines all products of two components of q."),
 )

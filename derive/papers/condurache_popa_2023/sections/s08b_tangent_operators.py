@@ -29,8 +29,7 @@ q_now = Symbol("q_n now", "number", r"q_n\left(\left|\underline{\mathbf{v}}\righ
 TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R))
 EXPONENTIAL = (
     let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, velocities.sinc),
-    let(dexp, lambda env, a: first_principles.tangent(
-        lambda w: tensor_exponential(w, env.field), env.now(a)), a),
+    let(dexp, lambda env, a: first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a)), a),
     let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp),
     let(dexp_inv_T, transpose_of, dexp_inv),
     let(invertible, lambda env, T: not env.field.same(innermost(real_part(T.det())), 0), dexp),

@@ -11,17 +11,7 @@ import pytest
 from derive.papers import PAPERS, Entry, Reading, Result, Status, equation
 from derive.papers.language.operator_table import Re, equal, nonzero
 from derive.papers.language.printed import Symbol, latex
-from derive.papers.report.content import (
-    Report,
-    command,
-    domain,
-    example,
-    extent,
-    label,
-    place,
-    readings,
-    why,
-)  # fmt: skip
+from derive.papers.report.content import Report, command, domain, example, extent, label, place, readings, why
 from derive.papers.report.pages import notes
 from derive.papers.report.plain import escape, plain
 from derive.papers.report.text import as_text, table
@@ -71,9 +61,7 @@ def test_only_errata_have_corrections_and_counterexamples() -> None:
 
 
 def test_notebook_shows_the_correction_beside_the_printed_form() -> None:
-    assert ERRATUM._repr_latex_() == (
-        r"$\displaystyle \text{(7) erratum:}\quad a = b\quad\longrightarrow\quad a = -b$"
-    )  # fmt: skip
+    assert ERRATUM._repr_latex_() == (r"$\displaystyle \text{(7) erratum:}\quad a = b\quad\longrightarrow\quad a = -b$")
     assert IF._repr_latex_() == r"$\displaystyle \text{(7) holds-if:}\quad a = b$"
     assert repr(IF) == "<Result condurache-popa-2023 (7): holds-if>"
 
