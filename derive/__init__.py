@@ -40,8 +40,7 @@ if TYPE_CHECKING:
 
 _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "alpha": "maps.families", "x": "maps", "motion_equation": "motion_equations", "generate": "codegen",
-    "compare": "pages.comparison",
-    "verify": "papers",
+    "compare": "pages.comparison", "verify": "papers",
 }  # fmt: skip
 __all__ = [
     "Cayley", "Parameterization", "__version__", "alpha", "compare", "family", "generate", "motion_equation", "verify",

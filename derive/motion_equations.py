@@ -181,7 +181,6 @@ class MotionEquation(Typeset):
         return given.__array_namespace__(), _dual(self.kind, given, f"a state of ({self.number})")
 
     def _quaternion(self, state: Any, m: Arithmetic) -> Quaternion:
-        """Return the quaternion of a quaternion or vector."""
         if self.kind is Quaternion:
             return state  # type: ignore[no-any-return]
         square = state.dot(state)
@@ -189,7 +188,6 @@ class MotionEquation(Typeset):
         return Quaternion(_lifted(square, at.s, at.sy), state * _lifted(square, at.w, at.wy))
 
     def _of_tensor(self, R: Tensor) -> Any:
-        """Return the quaternion or vector of an orthogonal dual tensor."""
         screw = IDENTITY if all(a == b for a, b in zip(R, Tensor.identity(), strict=True)) else natural_invariants(R)
         if self.kind is Quaternion:
             return quaternion_from_screw(screw)

@@ -47,6 +47,5 @@ def as_lines(shown: dict[str, Any]) -> str:
 
 
 def _sealed(certificate: Certificate) -> Certificate:
-    """Return a certificate with the digest of its text."""
     text = json.dumps({**certificate, "sha256": ""}, sort_keys=True)
     return {**certificate, "sha256": hashlib.sha256(text.encode()).hexdigest()}

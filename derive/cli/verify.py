@@ -52,7 +52,6 @@ def verify(
 
 
 def _certify(file: Path, report: Report, orders: tuple[int, ...]) -> None:
-    """Write the certificates of a report and of all theorems."""
     shown = certified(report.results, report.proofs, orders or ORDERS)
     files.write(file.parent, {file.name: as_lines(shown)}, force=True)
     click.echo(f"{file}: {shown['certified']} certificates, {shown['uncertified']} decisions without", err=True)

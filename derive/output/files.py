@@ -127,7 +127,6 @@ def _folded(path: Path) -> Path:
 
 
 def _folders(folder: Path, texts: Mapping[str, str]) -> set[Path]:
-    """Return the folders of texts within a folder."""
     return {folder / parent for name in texts for parent in PurePosixPath(name).parents} - {folder}
 
 

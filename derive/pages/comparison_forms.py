@@ -78,7 +78,6 @@ def _json(compared: Sequence[Compared]) -> str:
 
 
 def _page(compared: Sequence[Compared]) -> str:
-    """Return the text of docs/parameterizations.md."""
     return render(
         "report/parameterizations.md.j2",
         shape=_table(*_shape(compared)),

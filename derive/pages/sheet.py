@@ -226,7 +226,6 @@ def _step(order: int, branch: int, known: Mapping[str, Proof]) -> Iterator[Line]
 
 
 def _of_exponential(known: Mapping[str, Proof]) -> Iterator[Block]:
-    """Yield the blocks of the exponential."""
     chart = Exponential()
     found = {proof.name: proof for proof in proofs(chart)}
     maps = (_map(getattr(chart, name), found["coefficients in alpha"]) for name in MAPS)
@@ -239,7 +238,6 @@ def _of_exponential(known: Mapping[str, Proof]) -> Iterator[Block]:
 
 
 def _map(formula: Formula, proof: Proof) -> Line:
-    """Return the line of a map with explicit coefficients."""
     return Line((f"{formula.symbol} = {formula.explicit}",), title(proved(proof)), formula.equations)
 
 

@@ -33,7 +33,6 @@ COVERED = """## Kernel functions
 | function | validated | theorems | validated only |
 | --- | --- | --- | --- |"""
 
-
 BY = """## Who proves what
 
 The toolkit proves every statement with its own prover. A certificate holds the polynomials of a proof, which

@@ -49,7 +49,6 @@ def certificate(result: Result, orders: Sequence[int] = ORDERS) -> Certificate |
 
 
 def _only_equations(statement: Term) -> bool:
-    """Return whether a statement consists of equations only."""
     if not isinstance(statement, Apply):
         return False
     if statement.operator is operator_table.both:

@@ -106,7 +106,6 @@ def _points(entry: Entry, statement: Term, fixed: Values, draw: Draw, real: Draw
 
 
 def _real(value: Any) -> Any:
-    """Return a value without its dual part."""
     if isinstance(value, Structure):
         return value.map(_real)
     return Dual(value.re, 0 * value.du) if isinstance(value, Dual) else value

@@ -42,19 +42,15 @@ REASONS: dict[str, str] = {
 """Further lines that claim nothing, by reason. Blank lines, lines of the journal and references are omitted."""
 
 PAPER = Paper(
-    slug="condurache-popa-2023",
-    short="CP23",
+    slug="condurache-popa-2023", short="CP23",
     citation="D. Condurache, I. Popa: A Minimal Parameterization of Rigid Body Displacement and Motion Using a "
     "Higher-Order Cayley Map by Dual Quaternions. Symmetry 15(11) 2011, 2023",
     doi="10.3390/sym15112011",
-    lost=LOST,
-    package=__name__,
-    claims=CLAIMS,
-    reasons=REASONS,
+    lost=LOST, package=__name__, claims=CLAIMS, reasons=REASONS,
     sections=(
         "s02_1_dual_numbers", "s02_2_dual_vectors", "s02_3_dual_tensors", "s03_rigid_motion", "s04_dual_quaternions",
         "s05_cayley_tensors", "s06_cayley_quaternions", "s07a_fractional_transform", "s07b_order_lists",
         "s07c_parameterizations", "s07d_families", "s07e_references", "s08a_kinematics", "s08b_tangent_operators",
         "s09a_explicit_orders", "s09b_components", "s10_conclusions",
     ),
-)
+)  # fmt: skip

@@ -31,15 +31,11 @@ REASONS: dict[str, str] = {
 """Further lines that claim nothing, by reason. Blank lines, lines of the journal and references are omitted."""
 
 PAPER = Paper(
-    slug="karakilic-2010",
-    short="K10",
+    slug="karakilic-2010", short="K10",
     citation="İ. Karakılıç: The Dual Rodrigues Parameters. International Journal of Engineering and Applied Sciences "
     "2(2), 23-32, 2010",
-    lost=LOST,
-    package=__name__,
-    claims=CLAIMS,
-    reasons=REASONS,
+    lost=LOST, package=__name__, claims=CLAIMS, reasons=REASONS,
     sections=(
         "s1a_dual_numbers", "s1b_dual_vectors", "s2_cayley_formula", "s3a_rodrigues", "s3b_components", "s4_conclusion",
     ),
-)
+)  # fmt: skip

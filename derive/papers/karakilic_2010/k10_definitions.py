@@ -13,7 +13,7 @@ import mpmath
 from ...algebra import Dual, Tensor, Vector, dual_part, real_part
 from ...maps import pose, rodrigues
 from ..language import values
-from ..language.common_definitions import component_of, screw_tensor
+from ..language.common_definitions import component_of, plain, screw_tensor
 from ..language.environment import Definition, Env, let
 from ..language.printed import Symbol
 from ..numbers.draw import Draw
@@ -68,24 +68,12 @@ def direction(env: Env, b: Vector) -> Vector:
 # ---- the rhombus of figure 1, in a frame Q whose third axis is the rotation axis --------------------------------
 
 
-def axis_of(env: Env, Q: Tensor) -> Vector:
-    """Return the third axis of a frame."""
-    return Vector(*Q.transpose.rows[2])
-
-
-def across(env: Env, size: Any, Q: Tensor) -> Any:
-    """Return a vector along the first axis of a frame, orthogonal to the third."""
-    return Vector(*Q.transpose.rows[0]) * size
-
-
-def raised(env: Env, size: Any, height: Any, Q: Tensor) -> Any:
-    """Return a vector with components along the first and third axes: any vector in a suitable frame."""
-    return across(env, size, Q) + axis_of(env, Q) * height
-
-
-def projected(env: Env, x: Vector, axis: Vector) -> Any:
-    """Return the part of a vector orthogonal to an axis."""
-    return x - axis * x.dot(axis)
+axis_of = plain(lambda Q: Vector(*Q.transpose.rows[2]))
+across = plain(lambda size, Q: Vector(*Q.transpose.rows[0]) * size)
+raised = plain(lambda size, height, Q: Q @ Vector(size, 0, height))
+"""Vector with components along the first and third axes: any vector in a suitable frame."""
+projected = plain(lambda x, axis: x - axis * x.dot(axis))
+"""Part of a vector orthogonal to an axis."""
 
 
 # ---- lines ----------------------------------------------------------------------------------------------------

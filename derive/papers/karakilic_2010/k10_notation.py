@@ -130,21 +130,15 @@ provided = define("K10 provided", r"{0}, \quad {1}", "{0},{1}", LIST, (LIST,), _
 """Formula with its printed domain."""
 
 
-
-def _all_pairs(env: Env, body: Term) -> list[Any]:
-    return [env.bound(i, a).bound(j, b).value(body) for a in (1, 2, 3) for b in (1, 2, 3)]
-
-
-def _ordered_pairs(env: Env, body: Term, strict: bool) -> list[Any]:
-    pairs = [(a, b) for a in (1, 2, 3) for b in (1, 2, 3) if a < b or (a == b and not strict)]
-    return [env.bound(i, a).bound(j, b).value(body) for a, b in pairs]
+def _at_pairs(env: Env, body: Term, related: Callable[[int, int], bool] = lambda a, b: True) -> list[Any]:
+    return [env.bound(i, a).bound(j, b).value(body) for a in (1, 2, 3) for b in (1, 2, 3) if related(a, b)]
 
 
 everywhere = define("K10 everywhere", r"{0} \quad (i, j = 1, 2, 3)", "{0}", LIST, (LIST,),
-                    lambda env, body: all(_all_pairs(env, body)), lazy=True)
+                    lambda env, body: all(_at_pairs(env, body)), lazy=True)
 sum_all = define("K10 sum over i and j", r"\sum_{{i, j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                 lambda env, body: sum(_all_pairs(env, body)), lazy=True)
+                 lambda env, body: sum(_at_pairs(env, body)), lazy=True)
 sum_upper = define("K10 sum over i ≤ j", r"\sum_{{i \leq j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, False)), lazy=True)
+                   lambda env, body: sum(_at_pairs(env, body, operator.le)), lazy=True)
 sum_above = define("K10 sum over i < j", r"\sum_{{i < j}} {0}", "Σ{0}", PRODUCT, (PRODUCT,),
-                   lambda env, body: sum(_ordered_pairs(env, body, True)), lazy=True)
+                   lambda env, body: sum(_at_pairs(env, body, operator.lt)), lazy=True)

@@ -88,7 +88,6 @@ unequal = define("unequal", r"{0} \neq {1}", "{0}≠{1}", RELATION, (SUM,), _une
 
 
 def _orthogonal(env: Env, a: Any) -> bool:
-    """Return whether a value is a proper orthogonal tensor."""
     if not isinstance(a, Tensor):
         return False
     return env.equal(a @ a.transpose, Tensor.identity()) and env.equal(a.det(), 1)

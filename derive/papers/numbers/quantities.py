@@ -65,14 +65,11 @@ def _half_turn(d: Draw) -> Quaternion:
     return d.quaternion(mpmath.pi / 2)
 
 
-def _within(d: Draw) -> Quaternion:
-    """Return a displacement within a half turn."""
-    return d.quaternion(d.real(0.3, 1.3))
+def _turn(low: float, high: float) -> Callable[[Draw], Quaternion]:
+    return lambda d: d.quaternion(d.real(low, high))
 
 
-def _beyond(d: Draw) -> Quaternion:
-    """Return a displacement beyond a half turn."""
-    return d.quaternion(d.real(1.7, 3.0))
+_within, _beyond = _turn(0.3, 1.3), _turn(1.7, 3.0)  # a half turn
 
 
 def _translation(sign: int) -> Make:

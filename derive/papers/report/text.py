@@ -55,7 +55,6 @@ def _erratum(result: Result) -> Rows:
 
 
 def _ambiguous(result: Result) -> Rows:
-    """Yield each reading with its verdict."""
     for i, verdict in enumerate(result.verdicts):
         yield "" if i else _name(result), _lines(plain(verdict.latex), verdict.note), str(verdict.true).lower()
 

@@ -12,7 +12,7 @@ from ....algebra import Dual, Tensor, Vector
 from ....maps import first_principles
 from ....maps.pose import line_through, pose_from_tensor
 from ...language import values
-from ...language.common_definitions import condition
+from ...language.common_definitions import condition, plain
 from ...language.environment import Env
 from ...numbers.fields import innermost
 from .motions import AXES
@@ -55,9 +55,8 @@ def moved_line(env: Env, R: Tensor, point: Vector, along: Vector) -> Vector:
     return line_through(pose.apply(point), pose.rotation @ along)
 
 
-def rotation_part(env: Env, R: Tensor) -> Tensor:
-    """Return the rotation Q in ``R = (I + ε ρ̃) Q``: the real parts as dual numbers, with their rates."""
-    return R.map(lambda c: Dual(c.re, 0 * c.re))
+rotation_part = plain(lambda R: R.map(lambda c: Dual(c.re, 0 * c.re)))
+"""Rotation Q in ``R = (I + ε ρ̃) Q``: the real parts as dual numbers, with their rates."""
 
 
 def velocity_at_origin(env: Env, Q: Tensor, rho: Vector) -> Any:

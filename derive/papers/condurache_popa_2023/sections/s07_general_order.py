@@ -23,8 +23,7 @@ SCREW = (*POLYNOMIALS, let(q_hat, screw_quaternion, alpha, u), let(R, screw_tens
 """Definitions in terms of the displacement with angle α and axis u."""
 
 SCREW_OF_V = (
-    *POLYNOMIALS,
-    let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
+    *POLYNOMIALS, let(q_of, cayley_maps.function_of(screw_quaternion), alpha, u),
     let(R_of, cayley_maps.function_of(screw_tensor), alpha, u),
 )
 """Definitions in terms of the displacement, printed as functions of v."""

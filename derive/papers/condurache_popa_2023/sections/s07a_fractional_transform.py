@@ -36,8 +36,7 @@ step = both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + p(X)),
 ARGUMENT = "definitions/preimages, for every n,"
 ONTO = (*POLYNOMIALS, *STEP, let(by_roots, preimages.counted_by_roots),
         let(cay, cayley_maps.cayley_function, n), let(cay_counted, cayley_maps.counted_cayley_function, n),
-        let(scalar, scalar_part, target),
-        let(s_1, lambda env, v: orders.cayley(env, 1, v).scalar, v),
+        let(scalar, scalar_part, target), let(s_1, lambda env, v: orders.cayley(env, 1, v).scalar, v),
         let(s_2, lambda env, v: orders.cayley(env, 2, v).scalar, v))
 FOR_EVERY_N = "For every n by induction with Pascal's rule, the supporting identity."
 turned = (alpha + 2 * k * pi) / (2 * n)
@@ -46,8 +45,7 @@ both_signs = equal(preimage_count(cay_counted, target) + preimage_count(cay_coun
 several = both(nonzero(Re(target**2 - 1)), nonzero(Re(target**2 - (-Number(1)) ** n)))
 COEFFICIENTS = (
     let(r_0, lambda env, n, alpha: cayley_maps.branch_coefficient(env, n, 0, alpha), n, alpha),
-    let(r_k, cayley_maps.branch_coefficient, n, k, alpha),
-    let(v_0, cayley_maps.rodrigues_vector, n, alpha, u),
+    let(r_k, cayley_maps.branch_coefficient, n, k, alpha), let(v_0, cayley_maps.rodrigues_vector, n, alpha, u),
     let(v_k, cayley_maps.branch, n, k, alpha, u),
 )
 TYPES = (
@@ -70,8 +68,7 @@ FRACTIONAL = (
              extract="c a y n 2 v _ = 1 + v _ n 2 1 v _ n 2", where=(let(cay_v, orders.cayley, n, v),),
              fixed_by="lines 243 and 261: ((1 + v)/(1 − v)) to the power n/2"),
     equation("theorem-11-well-defined", "the value is a unit quaternion", 237,
-             both(equal(cay_v * conjugate(cay_v), 1), equal(norm(cay_v), 1)),
-             where=(let(cay_v, orders.cayley, n, v),)),
+             both(equal(cay_v * conjugate(cay_v), 1), equal(norm(cay_v), 1)), where=(let(cay_v, orders.cayley, n, v),)),
     equation("theorem-11-onto", "the transform is onto the unit quaternions", 235, reaches(cay, target), where=ONTO,
              because=both(by_roots, step, equal(s_1 * root(1 + x), 1), equal((1 + s_2) * (1 + x), 2)),
              argument=ARGUMENT, said="are well defined and onto.",
@@ -80,8 +77,7 @@ FRACTIONAL = (
                             implies(equal(n, 1), iff(reaches(cay, target), positive(Re(scalar))))),
              remark="Order 1 misses scalar parts with real part ≤ 0 (of the half turns either sign), order 2 misses "
              "real part −1; from order 3 on it is onto."),
-    equation("47", "inverse of the transform", 241,
-             equal(v, (q_hat**(2 / n) - 1) / (q_hat**(2 / n) + 1)),
+    equation("47", "inverse of the transform", 241, equal(v, (q_hat**(2 / n) - 1) / (q_hat**(2 / n) + 1)),
              extract="v _ = q ^ _ 2 n 1 q ^ _ 2 n + 1",
              where=(let(v, orders.preimage, n, alpha, u), let(q_hat, screw_quaternion, alpha, u)),
              condition=nonzero(Re(q_hat**(2 / n) + 1)),
@@ -95,8 +91,7 @@ FRACTIONAL = (
              where=(let(v_k, cayley_maps.branch, n, k, alpha, u), let(image, orders.cayley, n, v_k),
                     let(q_hat, screw_quaternion, alpha, u)),
              condition=finite(turned), said="The inverse of the previous fractional order Cayley map",
-             corrected=equal(image, pm(q_hat)),
-             remark="The other sign appears on odd branches of even order already."),
+             corrected=equal(image, pm(q_hat)), remark="The other sign appears on odd branches of even order already."),
     equation("corollary-4-rotation", "pure rotation if and only if |v| is real", 245,
              iff(is_rotation, zero(Du(norm(v)))), where=TYPES),
     equation("corollary-4-translation", "pure translation if |v| has real part 0", 245,
@@ -177,19 +172,16 @@ POLYNOMIAL = (
              both(equal(p_next(X), p(X) - X**2 * q(X)), equal(q_next(X), q(X) + q(X)), equal(p_1(X), 1),
                   equal(q_1(X), 1)),
              extract="p n + 1 X = p n X X 2 q n X q n + 1 X = q n X + q n X p 1 X = 1 , q 1 X = 1",
-             where=(*POLYNOMIALS, *STEP),
-             remark="Contradicts (52): q₂ would be 2q₁ = 2 by chance, and q₃ would be 4.",
+             where=(*POLYNOMIALS, *STEP), remark="Contradicts (52): q₂ would be 2q₁ = 2 by chance, and q₃ would be 4.",
              corrected=step),
-    equation("57", "orthogonal dual tensor of order n", 279,
-             equal(R, rotation_by(norm(v), (1 + x)**n, V)),
+    equation("57", "orthogonal dual tensor of order n", 279, equal(R, rotation_by(norm(v), (1 + x)**n, V)),
              extract="R _ = I _ + 2 p n v _ q n v _ 1 + v _ 2 n v ~ _ + 2 q n 2 v _ 1 + v _ 2 n v ~ _ 2", where=CAYLEY),
 )
 
 quotient_2, quotient_1 = ((1 + a) / (1 - a) for a in (v_2, v_1))
 product = (quotient_2 ** (n / 2) * quotient_1 ** (n / 2)) ** (2 / n)
 COMPOSITION = (
-    equation("58", "composition of two displacements of order n", 287,
-             equal(v_composed, (product - 1) / (product + 1)),
+    equation("58", "composition of two displacements of order n", 287, equal(v_composed, (product - 1) / (product + 1)),
              extract="v _ = 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 n 2 2 n 1 1 + v _ 2 1 v _ 2 n 2 1 + v _ 1 1 v _ 1 "
              "n 2 2 n + 1", where=(let(v_composed, lambda env, n, second, first: orders.solution(
                  env, n, orders.cayley(env, n, second) * orders.cayley(env, n, first)), n, v_2, v_1),),

@@ -21,8 +21,7 @@ def family(definition: Callable[..., Any], order: Definition | None) -> tuple[De
     """Return the definitions of a family's v and of the factors a(v) at which (59) gives the displacement."""
     of_order = order.symbol if order else n
     arguments = (alpha, u) if order else (n, alpha, u)
-    return (*((order,) if order else ()), let(v, definition, *arguments),
-            let(screw, screw_quaternion, alpha, u),
+    return (*((order,) if order else ()), let(v, definition, *arguments), let(screw, screw_quaternion, alpha, u),
             let(a, cayley_maps.function_of(cayley_maps.scales), of_order, screw, v), *SCREW_OF_V)
 
 
@@ -36,8 +35,7 @@ FIRST = (
     equation("normal-vector", "normal higher-order Rodrigues vector and its factor", 318,
              both(equal(v, 2 * n * tan(alpha / (2 * n)) * u), equal(a(v), 2 * n)),
              extract="v _ = 2 n t a n α _ 2 n u _ , a v _ = 2 n", where=NORMAL, condition=reachable),
-    equation("normal-quaternion", "its unit dual quaternion", 319,
-             equal(pm(q_hat), 1 / root(power) * (pw + qw * v)),
+    equation("normal-quaternion", "its unit dual quaternion", 319, equal(pm(q_hat), 1 / root(power) * (pw + qw * v)),
              extract="± q _ ^ = 1 1 + w _ 2 n p n w _ + q n w _ v _", where=NORMAL, condition=reachable,
              corrected=equal(pm(q_hat), 1 / root(power) * (pw + qw * w)),
              remark="The vector part is along w = v/2n, not v."),
@@ -96,8 +94,7 @@ FOURTH = (
              (Reading(both(equal(v, root(tan(alpha / 4) * cot(alpha / 4)) * u), factor), "root of the product"),
               Reading(both(equal(v, tan(alpha / 4) * cot(alpha / 4) * u), factor), "product without a root")),
              extract="v _ = t a n α _ 4 c o t α _ 4 u _ , a v _ = 4 + v _ 4 v _ 2 2", where=BREUSING,
-             condition=forward_4,
-             corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
+             condition=forward_4, corrected=both(equal(v, sin(alpha / 4) / root(cos(alpha / 4)) * u), factor),
              because=both(equal(c * x_breusing, 1 - c**2), equal(4 + x_breusing**2, (x_breusing + 2 * c)**2),
                           equal(cos(alpha / 4) * tan(alpha / 4), sin(alpha / 4)), equal(w_two, tan(alpha / 4) * u),
                           equal(image_two, screw)),
@@ -113,8 +110,7 @@ FOURTH = (
              equal(R_of(v), I + 4 * a(v) * ((a**2)(v) - x) / (a(v)**2 + x)**2 * V
                    + 8 * (a**2)(v) / (a(v)**2 + x)**2 * V**2),
              extract="R _ v _ = I _ + 4 a v _ a 2 v _ v _ 2 a v _ 2 + v _ 2 2 v ~ _ + 8 a 2 v _ a v _ 2 "
-             "+ v _ 2 2 v ~ _ 2",
-             where=ANY_FACTOR, remark="For every a(v)."),
+             "+ v _ 2 2 v ~ _ 2", where=ANY_FACTOR, remark="For every a(v)."),
 )
 
 SINES = (

@@ -30,8 +30,7 @@ TWISTS = (let(omega, velocities.twist, R), let(omega_B, velocities.body_twist, R
 EXPONENTIAL = (
     let(a, multiple, alpha, u), let(R, screw_tensor, alpha, u), *TWISTS, let(sinc, velocities.sinc),
     let(dexp, lambda env, a: first_principles.tangent(lambda w: tensor_exponential(w, env.field), env.now(a)), a),
-    let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp),
-    let(dexp_inv_T, transpose_of, dexp_inv),
+    let(dexp_inv, inverse_of, dexp), let(dexp_T, transpose_of, dexp), let(dexp_inv_T, transpose_of, dexp_inv),
     let(invertible, lambda env, T: not env.field.same(innermost(real_part(T.det())), 0), dexp),
     let(half_sinc, lambda env, alpha: velocities.sinc(env)(values.divide(env.now(alpha), 2)), alpha),
 )
@@ -63,8 +62,7 @@ ENTRIES = (
              remark="At Re |α| = 2kπ, k ≥ 1, dexp has no inverse."),
     equation("dexp-inverse-domain", "where dexp has an inverse", 396,
              implies(nonzero(Re(norm(a) - 2 * pi)), invertible), where=EXPONENTIAL,
-             said="if the real part of α _ is different by 2 π",
-             corrected=iff(full_turn, invertible),
+             said="if the real part of α _ is different by 2 π", corrected=iff(full_turn, invertible),
              remark="Not at 2π only: also not at 4π, 6π, …"),
     equation("84", "inverse tangent tensor of the exponential", 397,
              equal(dexp_inv, I - half * A + (1 - norm(a) / 2 * cot(norm(a) / 2)) * (A**2 / norm(a)**2)),

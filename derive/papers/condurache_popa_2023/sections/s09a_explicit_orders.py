@@ -64,8 +64,7 @@ ENTRIES = (
     o4.entry("118", "tangent operator", 447, o4.dcay,
              8 / (1 + x)**4 * (p4 * (1 - x) * I + q4 * V + (x2 - 3 * x + 10) * VV),
              "d c a y 4 = 8 1 + v _ 2 4 1 6 v _ 2 + v _ 4 1 v _ 2 I _ + 4 1 v _ 2 v ~ _ "
-             "+ v _ 4 3 v _ 2 + 10 v _ v _",
-             remark="Contradicts (88) at n = 4 in the factors of ṽ and v ⊗ v.",
+             "+ v _ 4 3 v _ 2 + 10 v _ v _", remark="Contradicts (88) at n = 4 in the factors of ṽ and v ⊗ v.",
              corrected=equal(o4.dcay, 8 / (1 + x)**4 * (p4 * (1 - x) * I + 4 * (1 - x)**2 * V
                                                         + (2 * x2 - 4 * x + 10) * VV))),
     o4.entry("119", "kinematic tensor", 448, o4.dcay_inv,
@@ -88,8 +87,7 @@ ENTRIES = (
     o5.entry("125", "kinematic tensor", 456, o5.dcay_inv,
              p5_printed / (2 * q5) * I - half * V + (45 - 16 * x + x2) / (10 * q5) * VV,
              "d c a y 5 1 = 1 10 v _ 2 + v _ 4 2 5 10 v _ 2 + v _ 4 I _ 1 2 v _ ~ + 45 16 v _ 2 + v _ 4 "
-             "10 5 10 v _ 2 + v _ 4 v _ v _",
-             condition=nonzero(Re(q5)),
+             "10 5 10 v _ 2 + v _ 4 v _ v _", condition=nonzero(Re(q5)),
              also=lambda draw: {"Re q₅ = 0": {v: draw.unit() * mpmath.tan(mpmath.pi / 5)}},
              corrected=equal(o5.dcay_inv, p5 / (2 * q5) * I - half * V + (45 - 34 * x + x2) / (10 * q5) * VV),
              remark="Contradicts (89) at n = 5 in the factors of I and v ⊗ v, and (121) in p₅."),

@@ -10,8 +10,7 @@ a, a_, a_hat, b_hat, c_hat = real("a"), real("a", star=True), *(hat(name, "dual 
 
 NUMBERS = (
     equation("dual-number", "dual numbers and the dual unit", 23,
-             both(equal(a_hat, a + e * a_), equal(e**2, 0), nonzero(e)),
-             where=(let(a_hat, from_parts, a, a_),)),
+             both(equal(a_hat, a + e * a_), equal(e**2, 0), nonzero(e)), where=(let(a_hat, from_parts, a, a_),)),
     equation("addition", "sum of dual numbers", 25,
              equal(group(a1 + e * a1_) + group(b1 + e * b1_), group(a1 + b1) + e * (a1_ + b1_)),
              extract=shown(r"(a_{1} + ea_{1}^{*}) + (b_{1} + eb_{1}^{*}) = (a_{1} + b_{1}) + e(a_{1}^{*} + "

@@ -79,8 +79,7 @@ STUDY = (
     equation("study-product", "scalar product of lines at the dual angle", 23, equal(dot(l_a, l_b), cos(f_hat)),
              where=LINES),
     equation("study-angle", "f is the angle of the lines", 23, equal(f, angle), where=LINES,
-             condition=at_least(pi, f, 0),
-             remark="The angle of two directions is at most π."),
+             condition=at_least(pi, f, 0), remark="The angle of two directions is at most π."),
     equation("study-distance", "f* is the distance of the lines", 23, equal(f_, distance), where=LINES,
              condition=at_least(f_, 0), remark="A distance has no sign: it is |f*|."),
 )

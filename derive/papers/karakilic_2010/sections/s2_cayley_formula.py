@@ -45,8 +45,7 @@ ENTRIES = (
              extract=shown(r"\hat{X} + \hat{x} = (\hat{A} + I)\hat{x} \hat{x} = (\hat{A} + I)^{-1}(\hat{X} + \hat{x}) "
                            r"(\hat{X} - \hat{x}) = (\hat{A} - I)\hat{x}"),
              where=MOVED, condition=no_half_turn, also=reflections),
-    equation("difference-from-sum", "difference from sum", 68,
-             equal(X - x, (A - I) * (A + I) ** (-1) * (X + x)),
+    equation("difference-from-sum", "difference from sum", 68, equal(X - x, (A - I) * (A + I) ** (-1) * (X + x)),
              extract=shown(r"\hat{X} - \hat{x} = (\hat{A} - I)(\hat{A} + I)^{-1}(\hat{X} + \hat{x})"),
              where=MOVED, condition=no_half_turn, also=reflections),
     equation("b-orthogonal", "B̂(X̂ + x̂) is orthogonal to X̂ + x̂", 70, zero(dot(B * (X + x), X + x)), where=FROM_A,

@@ -26,8 +26,7 @@ f_hat, axis, Q = hat("f", "angle"), Symbol("axis", "unit vector"), Symbol("Q", "
 size, height = Symbol("size", "dual number"), Symbol("height", "dual number")
 x_across, X_across = hat("x", "dual vector", "'"), hat("X", "dual vector", "'")
 FIGURE = (
-    let(axis, k10.axis_of, Q), let(x, k10.raised, size, height, Q),
-    let(x_across, k10.across, size, Q),
+    let(axis, k10.axis_of, Q), let(x, k10.raised, size, height, Q), let(x_across, k10.across, size, Q),
     let(X, k10.turned, x, f_hat, axis), let(X_across, k10.projected, X, axis),
     let(A, screw_tensor, f_hat, axis), let(b_hat, plain(rodrigues.rodrigues_vector), A),
 )
@@ -87,8 +86,7 @@ DUAL_PARTS = (
     equation("3", "tangent of half the dual angle", 143, equal(Tan(f_hat / 2), Tan(f / 2) + e * slope),
              extract=shown(r"Tan\frac{\hat{f}}{2} = Tan\frac{f}{2} + e\frac{f^*}{2}(1 + Tan^2\frac{f}{2})"),
              where=OF_SCREW, condition=nonzero(cos(f / 2))),
-    equation("4", "both norms", 148,
-             equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
+    equation("4", "both norms", 148, equal(length(b) + e * (pair(b, b_) / length(b)), Tan(f / 2) + e * slope),
              extract=shown(r"\| \stackrel{\mathbf{r}}{b} \| + e \frac{\stackrel{\mathbf{r}}{b} "
                            r"\stackrel{\mathbf{r}}{b}}{\| \stackrel{\mathbf{r}}{b} \|} = Tan \frac{f}{2} + e "
                            r"\frac{f^*}{2} (1 + Tan^2 \frac{f}{2})"),

@@ -79,8 +79,7 @@ LINEAR = (
              extract=shown(r"b_1 = s_1 Tan \frac{f}{2} b_2 = s_2 Tan \frac{f}{2} \left\| \stackrel{\mathbf{r}}{b} "
                            r"\right\| = Tan \frac{f}{2} b_3 = s_3 Tan \frac{f}{2}"),
              where=SCREW, condition=forward),
-    relation("with-tangents", "(11) with tangents", 198,
-             equal(b1_, cubed / (Tan2(f / 2) - s1**2 * Tan2(f / 2))),
+    relation("with-tangents", "(11) with tangents", 198, equal(b1_, cubed / (Tan2(f / 2) - s1**2 * Tan2(f / 2))),
              extract=shown(r"b_{1}^{*} = \frac{s_{1}^{*}Tan^{3}\frac{f}{2} + s_{1}s_{2}Tan^{2}\frac{f}{2}b_{2}^{*} + "
                            r"s_{1}s_{3}Tan^{2}\frac{f}{2}b_{3}^{*}}{Tan^{2}\frac{f}{2} - s_{1}^{2}Tan^{2}\frac{f}{2}}"),
              where=SCREW, condition=both(forward, nonzero(1 - s1**2))),
@@ -130,8 +129,7 @@ SOLVED = (
              stated=(219, "If one or two of them are equal to zero"),
              said="If one or two of them are equal to zero then one can obtain the solutions of b_i^* 's from (14), "
                   "(15), (16).",
-             because=equal(det(identity - dyad(turn, turn)), 0),
-             corrected=equal(b_, T * s_ + slope * s),
+             because=equal(det(identity - dyad(turn, turn)), 0), corrected=equal(b_, T * s_ + slope * s),
              remark="(14)-(16) are (I − s ⊗ s) b* = Tan f/2 s*, a singular system: they leave b* free along s. With "
              "(6) they have one solution, the same as for other s."),
     relation("denominators", "the denominators of (14)-(16)", 219,
