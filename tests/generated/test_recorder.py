@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import signal
-import threading
+import sys
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -198,16 +199,17 @@ def test_few_prepared_programs_are_kept() -> None:
 @pytest.mark.parametrize("count", [100, 5000])
 def test_threads_agree_with_one_another(monkeypatch: pytest.MonkeyPatch, count: int) -> None:
     v = np.random.default_rng(0).normal(size=(count, 6)) / 4
-    expected = cayley3.pose(v)
+    given = [v / share for share in range(1, 9)]
+    expected = [cayley3.pose(one) for one in given]
     monkeypatch.setattr(cayley3.KERNELS._chart, "_recorded", {})
-    found: list[Any] = []
-    threads = [threading.Thread(target=lambda: found.append(cayley3.pose(v))) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert all(np.array_equal(result, expected) for result in found)
-    assert len(found) == len(threads)
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)  # threads change places between any two operations
+    try:
+        with ThreadPoolExecutor(8) as pool:
+            found = list(pool.map(cayley3.pose, given * 20))
+    finally:
+        sys.setswitchinterval(before)
+    assert all(np.array_equal(one, wanted) for one, wanted in zip(found, expected * 20, strict=True))
 
 
 @pytest.mark.parametrize("count", [100, 20_000])
@@ -216,7 +218,7 @@ def test_signal_handler_may_call_kernels(count: int) -> None:
     expected, inner = cayley3.pose(v), []
 
     def handler(*_: Any) -> None:
-        inner.append(cayley3.pose(v[:100]))
+        inner.append(cayley3.pose(-v[:100]))
 
     former = signal.signal(signal.SIGALRM, handler)
     try:
@@ -227,4 +229,4 @@ def test_signal_handler_may_call_kernels(count: int) -> None:
         signal.signal(signal.SIGALRM, former)
     assert all(np.array_equal(result, expected) for result in results)
     assert inner
-    assert all(np.array_equal(result, expected[:100]) for result in inner)
+    assert all(np.array_equal(result, cayley3.pose(-v[:100])) for result in inner)
