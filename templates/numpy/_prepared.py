@@ -22,7 +22,7 @@ Shape: TypeAlias = tuple[int, ...]
 PREPARED_MAX = 1024
 """Largest batch for a prepared program; in larger batches, copies of rows cost more than views."""
 
-KEPT_MAX = 64
+KEPT_MAX = 32
 """Largest number of prepared programs kept between calls."""
 
 
