@@ -112,7 +112,8 @@ def alone(headers: Path, chart: Chart, tmp_path: Path) -> Path:
     assert {f"{prefix(chart, table)}_{name}" for table in C.tables for name in table.public} <= names
     calls = "".join(f"reinterpret_cast<const void *>(&dualcay::{name}<TYPE >),\n" for name in sorted(names))
     path = tmp_path / f"{chart.name}.cpp"
-    path.write_text(f'#include "scalars.h"\n{includes}extern const void *const all[];\nconst void *const all[] = {{\n{calls}}};\n', encoding="utf-8")
+    array = f"extern const void *const all[];\nconst void *const all[] = {{\n{calls}}};\n"
+    path.write_text(f'#include "scalars.h"\n{includes}{array}', encoding="utf-8")
     return path
 
 
