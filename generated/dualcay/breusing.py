@@ -377,7 +377,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="8b5f57e711baeb2b",
+    programs="6089442e9dfab6a1",
 )
 
 KERNELS = PoseKernels(CHART)

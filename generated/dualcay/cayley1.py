@@ -209,7 +209,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1fd09a4fc0a63807",
+    programs="42090eb80ab92db8",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -279,7 +279,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="8c31895cd0d69dbb",
+    programs="c9b7702dfe484952",
 )
 
 KERNELS = PoseKernels(CHART)

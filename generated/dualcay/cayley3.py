@@ -322,7 +322,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="e7484103121477e5",
+    programs="1a1a32b9a8e99fc1",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -343,7 +343,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="8f567292c473ceee",
+    programs="32678cfdce294777",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="72da9c31b7a32ba6",
+    programs="2302e8c508d2109b",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -370,7 +370,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="51d8a783f9627cce",
+    programs="edd0e99c5896d627",
 )
 
 KERNELS = PoseKernels(CHART)

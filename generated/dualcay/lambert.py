@@ -338,7 +338,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="ced254eb77c94481",
+    programs="8bfb290123bf0cf3",
 )
 
 KERNELS = PoseKernels(CHART)

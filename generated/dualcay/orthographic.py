@@ -253,7 +253,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b9506811a032bb88",
+    programs="7c5cefcae55d08a4",
 )
 
 KERNELS = PoseKernels(CHART)

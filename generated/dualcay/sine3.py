@@ -359,7 +359,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="cb4426d0da6e6eb3",
+    programs="7d595394ade2faff",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -363,7 +363,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="320db9b5e0ad8fa3",
+    programs="b13d1fc0261cd9a1",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 2
 
 
 CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="43032fd9bad009a7"
+    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="e0c39e158dd4190e"
 )
 
 KERNELS = PoseKernels(CHART)

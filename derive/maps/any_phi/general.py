@@ -37,7 +37,7 @@ class GeneralScalars(DependentScalars):
         super().__init__(x, m)
         self.chart = chart
         limit = chart.near.limit
-        self.is_near = m.name("near", m.less(limit.denominator * x, limit.numerator))
+        self.is_near = m.name("within", m.less(limit.denominator * x, limit.numerator))
 
     def _select(self, near: Coefficient, far: Coefficient) -> Coefficient:
         """Return `near` below the limit of x, and `far` beyond."""

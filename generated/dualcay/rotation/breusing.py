@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f9b005c1e90161a0",
+    programs="b70ddc8a6c65a939",
 )
 
 KERNELS = RotationKernels(CHART)

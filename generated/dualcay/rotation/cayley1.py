@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e760a9230069726f",
+    programs="e85309fbbda592df",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="55b756d1d688d643",
+    programs="bb2f7daf21f51889",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f726d26f63ec302c",
+    programs="f905a7355ef97bbd",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8589f818d776669e",
+    programs="997fe9c72aa80109",
 )
 
 KERNELS = RotationKernels(CHART)

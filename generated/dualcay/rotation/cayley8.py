@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bbac13ad65bfd6bb",
+    programs="1840c4132040782a",
 )
 
 KERNELS = RotationKernels(CHART)

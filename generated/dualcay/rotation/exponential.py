@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27837200d167db06",
+    programs="f9c26ab4826d8aa4",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3c3891f8a52f920a",
+    programs="56a43ffc6da2159c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6e33ea16a7c49549",
+    programs="0557750220b5d4a1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9232977fe313bb01",
+    programs="edd4f255e912c0d6",
 )
 
 KERNELS = RotationKernels(CHART)

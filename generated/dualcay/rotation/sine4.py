@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d26250626bba26e4",
+    programs="17af3809cdce9a67",
 )
 
 KERNELS = RotationKernels(CHART)
