@@ -9,9 +9,10 @@ from typing import Any
 import sympy
 
 from . import maps
+from .maps.any_order import AnyOrder
 from .output.listing import Listing
 from .output.progress import bar
-from .proof import Proof, proofs
+from .proof import Proof, proofs, theorems
 
 
 class Provable:
@@ -37,6 +38,24 @@ class Provable:
 @dataclass(frozen=True)
 class Cayley(Provable, maps.Cayley):
     __doc__ = maps.Cayley.__doc__
+
+    def __new__(cls, order: Any = None, *others: Any, **named: Any) -> Any:
+        """Return a map of symbolic order for an expression with symbols."""
+        symbolic = isinstance(order, sympy.Expr) and bool(order.free_symbols)
+        return object.__new__(CayleyOfAnyOrder if symbolic else cls)
+
+
+@dataclass(frozen=True)
+class CayleyOfAnyOrder(AnyOrder, Cayley):
+    __doc__ = AnyOrder.__doc__
+
+    def subs(self, *changes: Any) -> Any:
+        """Return the map with symbols of its order replaced, as by ``n.subs``; ``subs(n, 7)`` is ``Cayley(7)``."""
+        return Cayley(self.order.subs(*changes))
+
+    def prove(self) -> Listing[Proof]:
+        """Decide the theorems for every n and return their proofs."""
+        return Listing(theorems())
 
 
 def family(name: str) -> Any:

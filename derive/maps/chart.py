@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias, TypeVar, cast
 
 import mpmath
 import sympy
+from sympy.core.traversal import bottom_up
 
 from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import PLAIN, Arithmetic
@@ -208,7 +209,14 @@ class Chart(Typeset, ABC):
     @property
     def range(self) -> sympy.Expr:
         """Length |v| at the edge; infinite at a pole."""
-        return self.phi.subs(alpha, self.edge)
+        end = self.phi.subs(alpha, self.edge)
+        return end if end.evalf().is_finite else sympy.oo
+
+    @property
+    def angle(self) -> sympy.Expr:
+        """Angle φ⁻¹(|v|), as a function of x, up to the edge."""
+        found: sympy.Expr = self.unfolded(x, sympy.sqrt(x), PLAIN)
+        return found
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
@@ -275,11 +283,25 @@ class Chart(Typeset, ABC):
         return kind(
             name=name,
             order=self.order,
-            coefficients=tuple(map(sympy.factor, coefficients)) if self.algebraic else coefficients,
+            coefficients=tuple(map(_factored, coefficients)) if self.algebraic else coefficients,
             equations=(),
             identities=IDENTITIES[name],
             domain=f"{domain} off the poles" if lost and name == "tangent_inv" else domain,
             singular=f"{lost} {', '.join(poles)}; {end}" if lost else end,
             symbol=symbol,
             definition=definition,
+            **{} if self.algebraic else {"angle": self.angle, "at_zero": self._at_zero[name]},
         )
+
+    @property
+    def _at_zero(self) -> dict[str, tuple[sympy.Expr, ...]]:
+        """Coefficients of the maps at α = 0, by name."""
+        tangent, tangent_inv = self.limits
+        f, g, _ = tangent
+        of_tensors = {"tensor": (sympy.Integer(1), f, g), "tangent": tangent, "tangent_inv": tangent_inv}
+        return {"quaternion": (sympy.Integer(1), f / 2), **of_tensors}
+
+
+def _factored(expression: sympy.Expr) -> sympy.Expr:
+    """Return the factors of an expression, with products that SymPy keeps when it rebuilds them, as copies do."""
+    return bottom_up(sympy.factor(expression), lambda e: e.func(*e.args) if e.args else e)

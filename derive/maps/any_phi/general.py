@@ -19,9 +19,11 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
+from ..polynomials import x as length_square
 from ..real_constants import plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
@@ -182,6 +184,14 @@ class General(AngleChart):
         with mpmath.workdps(PHI_DIGITS):
             size = float(self.phi.subs(alpha, self.edge).evalf(PHI_DIGITS))
         return f"v ends, at Re|v| = {size:.6g}", size
+
+    @property
+    def range(self) -> sympy.Expr:
+        return sympy.oo if self._edge.kind == "pole" else super().range
+
+    @property
+    def angle(self) -> sympy.Expr:
+        return Angle.of(self.phi, self.edge, sympy.sqrt(length_square))
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
