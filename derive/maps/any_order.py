@@ -16,7 +16,7 @@ import sympy
 from sympy.printing.precedence import PRECEDENCE
 
 from .cayley import Cayley
-from .chart import Map
+from .chart import Map, factored
 from .families import alpha
 from .formula import IsotropicMap, QuaternionMap
 from .polynomials import x
@@ -116,7 +116,7 @@ class AnyOrder(Cayley):
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
         """Coefficients of T and of T⁻¹ at α = 0."""
         tangent, tangent_inv = super().limits
-        return tuple(map(sympy.factor, tangent)), tuple(map(sympy.factor, tangent_inv))
+        return tuple(map(factored, tangent)), tuple(map(factored, tangent_inv))
 
     @property
     def quaternion(self) -> QuaternionMap:  # type: ignore[override]

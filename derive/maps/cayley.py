@@ -164,6 +164,7 @@ class Cayley(BranchesOfOrder):
 
     @property
     def title(self) -> str:  # type: ignore[override]
+        """Headline, such as "Cayley map of order 3"."""
         return f"Cayley map of order {self.order}"
 
     @property
@@ -240,7 +241,7 @@ class Cayley(BranchesOfOrder):
 
     def latex(self) -> str:
         """Return the polynomials and the four maps as LaTeX, in the notation of the paper."""
-        return self._aligned(*((f"{letter}_{{{self.order}}}", latex(value)) for letter, value in self.letters))
+        return self._aligned((f"{letter}_{{{latex(self.order)}}}", latex(value)) for letter, value in self.letters)
 
 
 def _definitions(n: int | sympy.Expr) -> dict[str, str]:

@@ -45,7 +45,8 @@ class Formula(Typeset):
         >>> print(derive.Cayley(1).tangent_inv.latex().rpartition("= ")[2])
         \frac{1}{2} I - \frac{1}{2} \tilde{v} + \frac{1}{2} v \otimes v
         """
-        return f"{self.symbol} = {self.definition} = {self.explicit}"
+        definition, *letters = self.definition.split(r" \qquad ")
+        return r" \qquad ".join((f"{self.symbol} = {definition} = {self.explicit}", *letters))
 
     @property
     def explicit(self) -> str:
