@@ -44,8 +44,8 @@ _HOMES = dict.fromkeys(("Cayley", "Parameterization", "family"), "front") | {
     "compare": "pages.comparison", "explain": "pages.explain", "verify": "papers",
 }  # fmt: skip
 __all__ = [
-    "Cayley", "Parameterization", "__version__", "alpha", "compare", "explain", "family", "generate", "motion_equation", "verify",
-    "x",
+    "Cayley", "Parameterization", "__version__", "alpha", "compare", "explain", "family", "generate",
+    "motion_equation", "verify", "x",
 ]  # fmt: skip
 
 _OWN = {

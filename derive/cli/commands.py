@@ -86,7 +86,7 @@ def generate(**given: Any) -> None:
 @click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
               "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
 @click.option("--what", callback=options.formulas, metavar="NAMES",
-              help=f"Out of {ALL}; by default all that the chart has. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
+              help=f"Out of {ALL}; by default all of the chart. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
 @form(("text", "latex", "markdown", "json"), "How formulas are written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File of the sheet, .html or .pdf.")
 @options.max_n

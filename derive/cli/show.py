@@ -27,7 +27,7 @@ def show(
     if what == (about.SHEET,):
         write = WRITERS.get(output.suffix) if output and form == "text" and not chosen else None
         if output is None or write is None:
-            raise click.UsageError(f"the sheet needs -o with an ending {' or '.join(WRITERS)}, no chart and no --format")
+            raise click.UsageError(f"the sheet needs -o with an ending {' or '.join(WRITERS)}, no chart, no --format")
         write(output)
         return
     if output is not None:

@@ -73,6 +73,8 @@ def power_sum(coefficient: sympy.Expr, last: sympy.Expr, first: int = 0) -> symp
 class AnyOrder(Cayley):
     """Cayley map of a symbolic order n ≥ 1, with formulas but without kernels."""
 
+    order: Any
+
     def __post_init__(self) -> None:
         n = self.order
         if n.is_integer is False or n.is_positive is False or n.has_free(x, alpha):
@@ -80,23 +82,23 @@ class AnyOrder(Cayley):
         object.__setattr__(self, "name", f"cayley_{n}")
 
     @property
-    def p(self) -> sympy.Expr:  # type: ignore[override]
+    def p(self) -> sympy.Expr:
         """Polynomial p_n as a sum, CP23 (51)."""
         return power_sum((-1) ** k * sympy.binomial(self.order, 2 * k), self.order / 2)
 
     @property
-    def q(self) -> sympy.Expr:  # type: ignore[override]
+    def q(self) -> sympy.Expr:
         """Polynomial q_n as a sum, CP23 (52)."""
         return power_sum((-1) ** k * sympy.binomial(self.order, 2 * k + 1), (self.order - 1) / 2)
 
     @property
-    def c(self) -> sympy.Expr:  # type: ignore[override]
+    def c(self) -> sympy.Expr:
         """Bracket ``[n (1+x)ⁿ⁻¹ − p q]/x`` of dcay_n as a sum."""
         n, choose = self.order, sympy.binomial
         return power_sum(n * choose(n - 1, k) - (-1) ** k * choose(2 * n, 2 * k + 1) / 2, n - 1, 1)
 
     @property
-    def d(self) -> sympy.Expr:  # type: ignore[override]
+    def d(self) -> sympy.Expr:
         """Bracket ``[(1+x) q − n p]/x`` of dcay_n⁻¹ as a sum."""
         n, choose = self.order, sympy.binomial
         term = choose(n, 2 * k + 1) - choose(n, 2 * k - 1) - n * choose(n, 2 * k)
@@ -119,26 +121,26 @@ class AnyOrder(Cayley):
         return tuple(map(factored, tangent)), tuple(map(factored, tangent_inv))
 
     @property
-    def quaternion(self) -> QuaternionMap:  # type: ignore[override]
+    def quaternion(self) -> QuaternionMap:
         """Unit dual quaternion, CP23 (50), (55)."""
         root = (1 + x) ** (self.order / 2)
         return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
 
     @property
-    def tensor(self) -> IsotropicMap:  # type: ignore[override]
+    def tensor(self) -> IsotropicMap:
         """Orthogonal dual tensor, CP23 (57)."""
         f, g = self._rotation
         return self._formula(IsotropicMap, "tensor", 1 - x * g, f, g)
 
     @property
-    def tangent(self) -> IsotropicMap:  # type: ignore[override]
+    def tangent(self) -> IsotropicMap:
         """Tangent operator dcay_n, CP23 (88); it takes v̇ to the space twist."""
         n, norm = self.order, (1 + x) ** self.order
         bracket = n * (1 + x) ** (n - 1) - self.p * self.q
         return self._formula(IsotropicMap, "tangent", *self._rotation, 2 * bracket / (x * norm))
 
     @property
-    def tangent_inv(self) -> IsotropicMap:  # type: ignore[override]
+    def tangent_inv(self) -> IsotropicMap:
         """Inverse tangent operator dcay_n⁻¹, CP23 (89); it takes the space twist to v̇."""
         p, q, half = self.p, self.q, sympy.Rational(1, 2)
         bracket = (1 + x) * q - self.order * p

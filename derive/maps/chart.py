@@ -236,7 +236,7 @@ class Chart(Typeset, ABC):
     def angle(self) -> sympy.Expr:
         """Angle φ⁻¹(|v|), as a function of x, up to the edge."""
         found: sympy.Expr = self.unfolded(x, sympy.sqrt(x), PLAIN)
-        return found
+        return found.replace(sympy.atan2, lambda sine, cosine: sympy.atan(sine / cosine))  # the cosine is positive
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
@@ -285,7 +285,7 @@ class Chart(Typeset, ABC):
     def _aligned(self, letters: Iterable[tuple[str, str]]) -> str:
         """Return equations in LaTeX: the letters of every chart, further letters, then the four maps."""
         maps = (self.quaternion, self.tensor, self.tangent, self.tangent_inv)
-        first = (*LETTERS, (r"\varphi(\alpha)", latex(self.phi)), *letters)
+        first = ((r"\varphi(\alpha)", latex(self.phi)), *LETTERS, *letters)
         equations = (*first, *((of.symbol, of.definition) for of in maps))
         lines = " \\\\\n".join(f"{left} &= {right}" for left, right in equations)
         return f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"

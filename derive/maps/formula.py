@@ -31,7 +31,7 @@ class Formula(Typeset):
     symbol: str = field(repr=False)  # LaTeX of the left-hand side
     definition: str = field(repr=False)  # LaTeX of the right-hand side in p_n, q_n
     angle: sympy.Expr = field(default=alpha, repr=False)  # α as a function of x
-    at_zero: tuple[sympy.Expr, ...] = field(default=(), repr=False)  # coefficients at α = 0, where formulas in α are 0/0
+    at_zero: tuple[sympy.Expr, ...] = field(default=(), repr=False)  # coefficients at α = 0 if they are 0/0
 
     basis: ClassVar[tuple[str, ...]] = ()
     """LaTeX of the basis that the coefficients multiply."""
@@ -114,10 +114,10 @@ class Formula(Typeset):
 
 
 def _prepared(v: Sequence[Any]) -> tuple[list[sympy.Expr], int, int]:
-    """Return components as expressions, and digits of results and of work: 0 unless all are numbers, some of them floats.
+    """Return components as expressions, and digits of results and of work; 0 digits if there is a symbol or no float.
 
-    Numbers beside floats become floats of the working digits. In coefficients of a small α up to five times its digits cancel: h and its slope are
-    differences of order α⁵. Near an edge, twice the digits of a float cancel.
+    With floats, all numbers get the working digits. At a small α up to five times its digits cancel, in the slope of h;
+    near an edge, twice the digits of a float.
     """
     if len(v) not in (3, 6):
         raise ValueError(f"expected 6 components, real part v1 v2 v3 then dual part, or 3 for a rotation, got {len(v)}")

@@ -1,4 +1,4 @@
-"""Explanation of one kernel function of a chart: formula, theorems, programs with their operations, place of the text."""
+"""Explanation of one kernel function of a chart: formula, theorems, programs with operations, places of the text."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import importlib.util
 import inspect
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
@@ -31,10 +31,10 @@ class Explanation:
     function: str
     chart: Chart
     formula: str  # contract of the geometry program, which all charts share
-    scalars: Mapping[str, str]  # formulas of the scalar programs that it calls, by name
+    scalars: Mapping[str, str] = field(hash=False)  # formulas of the scalar programs that it calls, by name
     theorems: tuple[Proof, ...]
     validation: str  # how the text on disk is compared with the formula
-    operations: Mapping[str, Counter[str]]  # operations of the geometry program and of each scalar program, by name
+    operations: Mapping[str, Counter[str]] = field(hash=False)  # of the geometry and the scalar programs, by name
     total: int  # operations of a call; a scalar program counts as often as it is called
     places: tuple[str, ...]  # files and lines of the recipe and of the generated text
 

@@ -102,7 +102,8 @@ class Entry(Typeset):
 def _entry_at(source: str, number: str) -> Entry:
     """Return the entry with a number in the module at a path."""
     entries = importlib.import_module(source.removesuffix(".py").replace("/", ".")).ENTRIES
-    return replace(next(entry for entry in entries if entry.number == number), source=source)
+    found: Entry = next(entry for entry in entries if entry.number == number)
+    return replace(found, source=source)
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:

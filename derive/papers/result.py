@@ -28,7 +28,7 @@ class Counterexample:
 
     point: str
     letters: Mapping[str, list[str]] = field(hash=False)  # numbers of each free symbol by its LaTeX
-    sides: tuple[list[str], ...] = field(hash=False)  # numbers of both sides of the equation that fails; empty for a claim in words
+    sides: tuple[list[str], ...] = field(hash=False)  # numbers of both sides that differ; empty for a claim in words
 
 
 @dataclass(frozen=True)

@@ -110,10 +110,10 @@ class Symbol(Term):
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
         # SymPy rebuilds a node from its own arguments
-        name, quantity, latex, text = (part and str(part) for part in (name, quantity, latex, text))
+        name, quantity, latex, text = (str(part) for part in (name, quantity, latex or name, text or name))
         if quantity not in QUANTITIES:
             raise ValueError(f"no quantity {quantity!r}: expected {', '.join(QUANTITIES)}")
-        node: Self = super().__new__(cls, *map(Str, (name, quantity, latex or name, text or name)))
+        node: Self = super().__new__(cls, *map(Str, (name, quantity, latex, text)))
         return node
 
     @property

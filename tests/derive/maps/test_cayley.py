@@ -173,5 +173,7 @@ def test_bad_input() -> None:
         Cayley(0)
     with pytest.raises(TypeError, match=r"n must be an integer >= 1, got 2.5 of type float"):
         Cayley(2.5)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match=r"expected 6 symbols, .* got 3"):
-        Cayley(2).tensor.matrix(V[:3])
+    with pytest.raises(ValueError, match=r"expected 6 components, .* or 3 for a rotation, got 4"):
+        Cayley(2).tensor.matrix(V[:4])
+    with pytest.raises(ValueError, match="t"):
+        Cayley(2).tensor.matrix(["t", 0, 0])  # type: ignore[list-item]
