@@ -9,6 +9,7 @@ The formulas are CP23 (55), (57), (88) and (89) as printed. The theorems for eve
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -18,10 +19,10 @@ from sympy.printing.precedence import PRECEDENCE
 from .cayley import Cayley
 from .chart import Map, factored
 from .families import alpha
-from .formula import IsotropicMap, QuaternionMap
+from .formula import IsotropicMap
 from .polynomials import x
 
-k = sympy.Symbol("k", integer=True, nonnegative=True)
+k, choose = sympy.Symbol("k", integer=True, nonnegative=True), sympy.binomial
 
 
 class PowerSum(sympy.Sum):  # type: ignore[misc]  # SymPy is untyped
@@ -81,79 +82,43 @@ class AnyOrder(Cayley):
             raise ValueError(f"the order n must be an integer >= 1, or an expression in symbols for one, got {n}")
         object.__setattr__(self, "name", f"cayley_{n}")
 
-    @property
-    def p(self) -> sympy.Expr:
-        """Polynomial p_n as a sum, CP23 (51)."""
-        return power_sum((-1) ** k * sympy.binomial(self.order, 2 * k), self.order / 2)
-
-    @property
-    def q(self) -> sympy.Expr:
-        """Polynomial q_n as a sum, CP23 (52)."""
-        return power_sum((-1) ** k * sympy.binomial(self.order, 2 * k + 1), (self.order - 1) / 2)
-
-    @property
-    def c(self) -> sympy.Expr:
-        """Bracket ``[n (1+x)ⁿ⁻¹ − p q]/x`` of dcay_n as a sum."""
-        n, choose = self.order, sympy.binomial
-        return power_sum(n * choose(n - 1, k) - (-1) ** k * choose(2 * n, 2 * k + 1) / 2, n - 1, 1)
+    p = property(lambda m: power_sum((-1) ** k * choose(m.n, 2 * k), m.n / 2))
+    q = property(lambda m: power_sum((-1) ** k * choose(m.n, 2 * k + 1), (m.n - 1) / 2))
+    c = property(
+        lambda m: power_sum(m.n * choose(m.n - 1, k) - (-1) ** k * choose(2 * m.n, 2 * k + 1) / 2, m.n - 1, 1)
+    )
 
     @property
     def d(self) -> sympy.Expr:
-        """Bracket ``[(1+x) q − n p]/x`` of dcay_n⁻¹ as a sum."""
-        n, choose = self.order, sympy.binomial
-        term = choose(n, 2 * k + 1) - choose(n, 2 * k - 1) - n * choose(n, 2 * k)
-        return power_sum((-1) ** k * term, (n + 1) / 2, 1)
-
-    @property
-    def poles(self) -> tuple[sympy.Expr, ...]:
-        """No tuple for a symbolic n, whose number of poles depends on n: ValueError."""
-        raise ValueError("the number of poles depends on n: put a number in its place, by subs")
+        term = choose(self.n, 2 * k + 1) - choose(self.n, 2 * k - 1) - self.n * choose(self.n, 2 * k)
+        return power_sum((-1) ** k * term, (self.n + 1) / 2, 1)
 
     @property
     def singular_angles(self) -> tuple[sympy.Expr, ...]:
         """No tuple for a symbolic n: ValueError. The angles are 2πk < nπ, and nπ."""
         raise ValueError("the number of singular angles depends on n: put a number in its place, by subs")
 
+    poles = singular_angles
+
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:
-        """Coefficients of T and of T⁻¹ at α = 0."""
         tangent, tangent_inv = super().limits
         return tuple(map(factored, tangent)), tuple(map(factored, tangent_inv))
 
-    @property
-    def quaternion(self) -> QuaternionMap:
-        """Unit dual quaternion, CP23 (50), (55)."""
-        root = (1 + x) ** (self.order / 2)
-        return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
-
-    @property
-    def tensor(self) -> IsotropicMap:
-        """Orthogonal dual tensor, CP23 (57)."""
-        f, g = self._rotation
-        return self._formula(IsotropicMap, "tensor", 1 - x * g, f, g)
-
-    @property
-    def tangent(self) -> IsotropicMap:
-        """Tangent operator dcay_n, CP23 (88); it takes v̇ to the space twist."""
-        n, norm = self.order, (1 + x) ** self.order
-        bracket = n * (1 + x) ** (n - 1) - self.p * self.q
-        return self._formula(IsotropicMap, "tangent", *self._rotation, 2 * bracket / (x * norm))
-
-    @property
-    def tangent_inv(self) -> IsotropicMap:
-        """Inverse tangent operator dcay_n⁻¹, CP23 (89); it takes the space twist to v̇."""
-        p, q, half = self.p, self.q, sympy.Rational(1, 2)
-        bracket = (1 + x) * q - self.order * p
-        return self._formula(IsotropicMap, "tangent_inv", half * p / q, -half, half * bracket / (self.order * x * q))
-
-    @property
-    def _rotation(self) -> tuple[sympy.Expr, sympy.Expr]:
-        norm = (1 + x) ** self.order
-        return 2 * self.p * self.q / norm, 2 * self.q**2 / norm
+    def _isotropic(self, closed_form: Callable[..., Any]) -> IsotropicMap:
+        """Return a map as printed in CP23, in p_n and q_n."""
+        n, p, q, norm, name = self.n, self.p, self.q, (1 + x) ** self.n, closed_form.__name__
+        f, g, half = 2 * p * q / norm, 2 * q**2 / norm, sympy.Rational(1, 2)
+        printed = {
+            "tensor": (1 - x * g, f, g),
+            "tangent": (f, g, 2 * (n * (1 + x) ** (n - 1) - p * q) / (x * norm)),
+            "tangent_inv": (half * p / q, -half, half * ((1 + x) * q - n * p) / (n * x * q)),
+        }
+        return self._formula(IsotropicMap, name, *printed[name])
 
     @property
     def _lost(self) -> str:
-        return f"2*pi*k for 0 < 2*k < {self.order}"
+        return f"2*pi*k for 0 < 2*k < {self.n}"
 
     def _formula(self, kind: type[Map], name: str, *coefficients: sympy.Expr) -> Map:
         return replace(super()._formula(kind, name, *coefficients), at_zero=self._at_zero[name])

@@ -56,7 +56,8 @@ class Cayley(BranchesOfOrder):
     Parameters
     ----------
     order : int
-        Integer n ≥ 1: TypeError for other types, ValueError below 1.
+        Integer n ≥ 1: TypeError for other types, ValueError below 1. In ``derive.Cayley``, also a symbol or expression
+        of SymPy: p and q are then sums, the maps are formulas in them, and ``subs(n, 7)`` is the map of one order.
     name, selection : optional
         Name of the module and command-line option, for a user's φ equal to tan(α/2n).
 
@@ -116,7 +117,7 @@ class Cayley(BranchesOfOrder):
     @cached_property
     def quaternion(self) -> QuaternionMap:
         """Unit dual quaternion, CP23 (50), (55)."""
-        root = (1 + x) ** sympy.Rational(self.order, 2)
+        root = (1 + x) ** (sympy.sympify(self.order) / 2)
         return self._formula(QuaternionMap, "quaternion", self.p / root, self.q / root)
 
     @cached_property

@@ -7,7 +7,6 @@ import inspect
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 
 from ..codegen.lowered import geometry, lower_chart
@@ -16,8 +15,7 @@ from ..codegen.rows import Function
 from ..codegen.signatures import PUBLIC
 from ..maps.chart import Chart
 from ..proof import Proof, shown, theorems
-from ..proof.phi_theorems import ANY_PHI
-from ..proof.theorem import decided
+from ..proof.phi_theorems import any_phi
 from .coverage import COVERAGE
 
 SLOPES = {"slopes of the tangent operators": "slopes", "second slopes of the tangent operators": "second slopes"}
@@ -104,8 +102,7 @@ def explain(chart: Chart, function: str) -> Explanation:
 
 def _formula(chart: Chart, name: str) -> str:
     every, of_order, _ = FORMULAS[name]
-    texts = [shown(every), *([shown(of_order, chart.cayley)] if chart.cayley and of_order else [])]
-    return "; ".join(texts)
+    return "; ".join([shown(every), *([shown(of_order, chart.cayley)] if chart.cayley and of_order else [])])
 
 
 def _rests_on(chart: Chart, row: Function) -> tuple[Proof, ...]:
@@ -113,35 +110,22 @@ def _rests_on(chart: Chart, row: Function) -> tuple[Proof, ...]:
     wanted = COVERAGE[row.name].theorems
     if not chart.cayley:
         wanted = tuple(f"any phi: {SLOPES.get(name, name)}" for name in wanted)
-    return tuple(proof for proof in (theorems() if chart.cayley else _every_phi()) if proof.name in wanted)
-
-
-@cache
-def _every_phi() -> tuple[Proof, ...]:
-    return decided(ANY_PHI)
+    return tuple(proof for proof in (theorems() if chart.cayley else any_phi()) if proof.name in wanted)
 
 
 def _places(chart: Chart, row: Function, called: list[str]) -> Iterator[str]:
     """Yield file and line of the recipe, of the public function and of the programs that it runs."""
     recipe = PUBLIC[row.kernel].recipe
     assert recipe is not None
-    yield f"{_short(inspect.getsourcefile(recipe))}:{inspect.getsourcelines(recipe)[1]}  recipe {recipe.__name__}"
+    file, line = recipe.__module__.replace(".", "/"), inspect.getsourcelines(recipe)[1]
+    yield f"{file}.py:{line}  recipe {recipe.__name__}"
     package = importlib.util.find_spec("dualcay")
     folder = Path(package.origin).parent if package and package.origin else Path()
     module = (chart.base or chart).name  # a multiple runs the programs of its base chart
-    scalars = [f"_{name}" for name in called]
-    for file, names in (("_interface", [row.name]), ("_geometry", [row.kernel]), (module, scalars)):
+    for file, names in (("_interface", [row.name]), ("_geometry", [row.kernel]), (module, [f"_{c}" for c in called])):
         text = folder / f"{file}.py"
-        if not text.exists():
-            yield f"{file}.py  {', '.join(names)}: dualcay generate {' '.join(chart.selection)} -o FOLDER writes it"
-            continue
-        lines = text.read_text(encoding="utf-8").splitlines()
+        lines = text.read_text(encoding="utf-8").splitlines() if text.exists() else []
         for name in names:
             place = next((i for i, line in enumerate(lines, 1) if line.strip().startswith(f"def {name}(")), None)
-            yield f"{_short(text)}:{place}  {name}"
-
-
-def _short(file: str | Path | None) -> str:
-    """Return a path from the folder above its package."""
-    path = Path(str(file))
-    return "/".join(path.parts[next(i for i, part in enumerate(path.parts) if part in ("derive", "dualcay")) :])
+            written = f":{place}  {name}" if place else f"  {name}, by dualcay generate {' '.join(chart.selection)}"
+            yield f"dualcay/{file}.py{written}"

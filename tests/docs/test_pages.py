@@ -129,7 +129,7 @@ def test_toolkit_page_names_the_symbols_and_parts_of_charts() -> None:
     rows = re.findall(r"^\| (`.+?) \|", text, re.MULTILINE)
     names = re.findall(r"`(\w+)(?:\([^)]*\))?`", " ".join(rows))
     owners = (derive.Cayley(2), derive.Cayley(sympy.Symbol("n")), derive.Cayley(2).tensor, theorems()[0])
-    assert len(names) == 33
+    assert len(names) == 32
     assert [name for name in names if not any(hasattr(owner, name) for owner in owners)] == []
 
 
