@@ -1,4 +1,4 @@
-r"""Angle φ⁻¹ of a length as a function of SymPy, for charts whose φ has no inverse in closed form."""
+"""Angle φ⁻¹ of a length as a function of SymPy, for charts whose φ has no inverse in closed form."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import sympy
 
 from .angle_of_length import angle_of, real_value
 from .families import alpha
+from .polynomials import x
 
 TURN = sympy.Symbol("_alpha", real=True)
 """Bound symbol of φ in an `Angle`; the name cannot be one of a user's own symbols by accident."""
@@ -27,9 +28,9 @@ class Angle(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
     is_commutative = True
 
     @classmethod
-    def of(cls, phi: sympy.Expr, edge: sympy.Expr, length: sympy.Expr) -> sympy.Expr:
-        """Return the angle of a length for φ as a function of `families.alpha`."""
-        return cls(sympy.Lambda(TURN, phi.xreplace({alpha: TURN})), edge, length)
+    def at_square(cls, phi: sympy.Expr, edge: sympy.Expr) -> sympy.Expr:
+        """Return the angle as a function of x, for φ as a function of `families.alpha`."""
+        return cls(sympy.Lambda(TURN, phi.xreplace({alpha: TURN})), edge, sympy.sqrt(x))
 
     @classmethod
     def eval(cls, phi: sympy.Lambda, edge: sympy.Expr, length: sympy.Expr) -> sympy.Expr | None:

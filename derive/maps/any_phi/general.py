@@ -23,7 +23,6 @@ from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
-from ..polynomials import x as length_square
 from ..real_constants import plus
 from ..scalars import DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
@@ -163,6 +162,10 @@ class General(AngleChart):
     def edge(self) -> sympy.Expr:
         return self._edge.angle
 
+    @property
+    def angle(self) -> sympy.Expr:
+        return Angle.at_square(self.phi, self.edge)
+
     @cached_property
     def near(self) -> Ratio:
         """Polynomials of a(x) and its derivatives, below a limit."""
@@ -188,10 +191,6 @@ class General(AngleChart):
     @property
     def range(self) -> sympy.Expr:
         return sympy.oo if self._edge.kind == "pole" else super().range
-
-    @property
-    def angle(self) -> sympy.Expr:
-        return Angle.of(self.phi, self.edge, sympy.sqrt(length_square))
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)
