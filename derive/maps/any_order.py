@@ -9,13 +9,14 @@ The formulas are CP23 (55), (57), (88) and (89) as printed. The theorems for eve
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE
 
+from ..algebra.latex import latex
 from .cayley import Cayley
 from .chart import Map, factored
 from .families import alpha
@@ -115,6 +116,9 @@ class AnyOrder(Cayley):
             "tangent_inv": (half * p / q, -half, half * ((1 + x) * q - n * p) / (n * x * q)),
         }
         return self._formula(IsotropicMap, name, *printed[name])
+
+    def _aligned(self, letters: Iterable[tuple[str, str]]) -> str:
+        return super()._aligned(((latex(self.n), r"\text{order, an integer} \ge 1"), *letters))
 
     @property
     def _lost(self) -> str:
