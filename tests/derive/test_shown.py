@@ -12,7 +12,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -141,16 +141,17 @@ CHARTS: list[Any] = [
 MAPS = [getattr(chart, name) for chart in CHARTS for name in ("quaternion", "tensor", "tangent", "tangent_inv")]
 
 
-def results() -> list[Any]:
+@cache
+def results() -> tuple[Any, ...]:
     """Return an object of each public type that is no chart and no map, among them failed proofs and errata."""
     failed = STATED[2].with_claim(0, STATED[2].claim[0].altered()).decide({})
     verified = derive.verify("karakilic-2010", ["14", "22"])
-    return [
+    return (
         *theorems(), *derive.family("exponential").prove(), *derive.Cayley(2).prove()[-3:], failed, *verified,
         *(result.equation for result in verified), *(result.verdicts[0] for result in verified),
         derive.explain(derive.Cayley(2), "pose"), derive.motion_equation("90", 2), derive.motion_equation("70"),
         *derive.compare([2], ["lambert"]), Package({"a": "b"}, ()),
-    ]  # fmt: skip
+    )  # fmt: skip
 
 
 COPIES: list[Callable[[Any], Any]] = [copy.copy, copy.deepcopy, lambda item: pickle.loads(pickle.dumps(item))]
