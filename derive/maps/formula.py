@@ -72,7 +72,7 @@ class Formula(Typeset):
         -------
         tuple of two Matrix, or Matrix
             Real and dual part for 6 components, the real part for 3: 3x3 matrices, or 4x1 columns of a quaternion,
-            scalar first. Entries are NaN where a float lies beyond the edge of the chart.
+            scalar first. Floats beyond the edge of the chart give entries that are not real: NaN or complex.
 
         Raises
         ------
