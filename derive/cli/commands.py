@@ -82,13 +82,16 @@ def generate(**given: Any) -> None:
 
 @cli.command()
 @orders("Orders n of v = tan(α/2n) u, e.g. 3 or 1-5.")
-@click.option("--what", callback=options.formulas, default=ALL, metavar="NAMES",
-              help=f"Out of {ALL}; all by default. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
+@families("Other parameterizations, e.g. lambert,sine7.")
+@click.option("--phi", metavar="EXPR", help="A parameterization v = φ(α) u of your own, e.g. "
+              "'alpha/(1 + alpha**2/40)'; -n is the n in it.")  # fmt: skip
+@click.option("--what", callback=options.formulas, metavar="NAMES",
+              help=f"Out of {ALL}; by default all of the chart. Or {about.SHEET}: four pages of formulas.")  # fmt: skip
 @form(("text", "latex", "markdown", "json"), "How formulas are written.")
 @click.option("-o", "output", type=options.Place(dir_okay=False), help="File of the sheet, .html or .pdf.")
 @options.max_n
 def show(**given: Any) -> None:
-    """Print the formulas of an order, or write the formula sheet."""
+    """Print the formulas of charts, or write the formula sheet."""
     run_module("show", given)
 
 

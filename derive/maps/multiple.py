@@ -81,11 +81,11 @@ class Multiple(Chart):
     selection: tuple[str, str] = ("", "")
     title: str = ""
 
-    order = property(attrgetter("base.order"))
-    edge = property(attrgetter("base.edge"))
-    branches = property(attrgetter("base.branches"))
-    singular_angles = property(attrgetter("base.singular_angles"))
-    remainder = property(attrgetter("base.remainder"))
+    order = property(attrgetter("base.order"), doc="Order of the base chart.")
+    edge = property(attrgetter("base.edge"), doc="Edge of the base chart.")
+    branches = property(attrgetter("base.branches"), doc="Period of the branches of the base chart.")
+    singular_angles = property(attrgetter("base.singular_angles"), doc="Singular angles of the base chart.")
+    remainder = property(attrgetter("base.remainder"), doc="Approximation error of the base chart.")
 
     @property
     def phi(self) -> sympy.Expr:
@@ -113,6 +113,10 @@ class Multiple(Chart):
         return SimpleNamespace(
             x=x, **{k: v.xreplace({x: x / factor**2}) / factor ** POWERS[k] for k, v in found.items()}
         )
+
+    @property
+    def angle(self) -> sympy.Expr:
+        return self.base.angle.xreplace({x: x / sympy.Rational(self.factor) ** 2})
 
     # --- scalars and inverse maps ---------------------------------------------------------------------------------
 

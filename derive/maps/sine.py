@@ -22,7 +22,7 @@ from ..algebra import Coefficient
 from ..algebra.arithmetic import Arithmetic
 from .families import alpha
 from .order_charts import Derivatives, OrderChart, double_angle
-from .polynomials import RING, RING_X, Pair, horner, ring_pair
+from .polynomials import RING, RING_X, Pair, horner, ring_pair, x
 from .scalars import DependentScalars, scalar
 
 
@@ -133,6 +133,10 @@ class Sine(OrderChart):
     @property
     def phi(self) -> sympy.Expr:
         return sympy.sin(alpha / (2 * self.order))
+
+    @property
+    def angle(self) -> sympy.Expr:
+        return 2 * self.order * sympy.asin(sympy.sqrt(x))
 
     def overflow(self, largest: float) -> tuple[str, float]:
         return "v ends, at Re|v| = 1", 1.0

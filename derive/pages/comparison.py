@@ -16,7 +16,6 @@ from ..codegen import catalogue
 from ..codegen.lowered import lower_chart
 from ..maps import PhiError
 from ..maps.chart import Chart
-from ..maps.families import alpha
 from ..output.listing import Listing
 from ..output.progress import Step, bar
 from .stretch import Stretch, stretch
@@ -50,7 +49,7 @@ class Compared:
     @property
     def range(self) -> float:
         """Value of |v| at the edge of the chart."""
-        return as_float(self.chart.phi.subs(alpha, self.chart.edge))
+        return as_float(self.chart.range)
 
     @cached_property
     def stretches(self) -> dict[str, Stretch | None]:

@@ -91,8 +91,19 @@ class Entry(Typeset):
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"
 
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        """Return the place of an entry of a paper, whose definitions are functions that pickle refuses."""
+        return (_entry_at, (self.source, self.number)) if self.source else super().__reduce_ex__(protocol)
+
     def _typeset(self) -> str:
         return rf"\text{{({self.number})}}\quad {latex(self.readings[0].statement)}"
+
+
+def _entry_at(source: str, number: str) -> Entry:
+    """Return the entry with a number in the module at a path."""
+    entries = importlib.import_module(source.removesuffix(".py").replace("/", ".")).ENTRIES
+    found: Entry = next(entry for entry in entries if entry.number == number)
+    return replace(found, source=source)
 
 
 def equation(number: str, title: str, line: int, printed: Term | tuple[Reading, ...], **rest: Any) -> Entry:

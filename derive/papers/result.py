@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -27,8 +27,8 @@ class Counterexample:
     """Point at which a statement is false, as in the output of ``--format json``."""
 
     point: str
-    letters: Mapping[str, list[str]]  # numbers of each free symbol by its LaTeX
-    sides: tuple[list[str], ...]  # numbers of both sides of the equation that fails; empty for a claim in words
+    letters: Mapping[str, list[str]] = field(hash=False)  # numbers of each free symbol by its LaTeX
+    sides: tuple[list[str], ...] = field(hash=False)  # numbers of both sides that differ; empty for a claim in words
 
 
 @dataclass(frozen=True)

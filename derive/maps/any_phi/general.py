@@ -19,6 +19,7 @@ import sympy
 from ...algebra import Coefficient
 from ...algebra.arithmetic import Arithmetic
 from .. import stumpff
+from ..angle import Angle
 from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
@@ -161,6 +162,10 @@ class General(AngleChart):
     def edge(self) -> sympy.Expr:
         return self._edge.angle
 
+    @property
+    def angle(self) -> sympy.Expr:
+        return Angle.at_square(self.phi, self.edge)
+
     @cached_property
     def near(self) -> Ratio:
         """Polynomials of a(x) and its derivatives, below a limit."""
@@ -182,6 +187,10 @@ class General(AngleChart):
         with mpmath.workdps(PHI_DIGITS):
             size = float(self.phi.subs(alpha, self.edge).evalf(PHI_DIGITS))
         return f"v ends, at Re|v| = {size:.6g}", size
+
+    @property
+    def range(self) -> sympy.Expr:
+        return sympy.oo if self._edge.kind == "pole" else super().range
 
     def scalars(self, x: Coefficient, m: Arithmetic) -> GeneralScalars:
         return GeneralScalars(self, x, m)

@@ -80,6 +80,9 @@ def test_accepting_command_begins_as_typed(monkeypatch):
         (["generate", "-n", "2", "--target", "fortran"], 2, "'fortran' is not"),
         (["show"], 2, "Missing option '-n'"),
         (["show", "-n", "2", "--what", "p,r"], 2, "expected names out of p, q, quaternion"),
+        (["show", "--family", "lambert", "--what", "p"], 2, "only Cayley maps have p, not lambert"),
+        (["show", "--family", "lamb"], 2, "a family is one of"),
+        (["show", "--phi", "alpha**2"], 2, "not odd by its structure"),
         (["nonsense"], 2, "No such command 'nonsense'"),
         (["generate", "-n", "2", "-o", "/proc/nowhere"], 3, "cannot write /proc/nowhere"),
         (["generate", "-n", "2", "-o", ""], 2, "expected a name, got an empty one"),
@@ -223,6 +226,18 @@ def test_show_prints_formulas(form, expected):
     done = dualcay("show", "-n", "3", "--format", form)
     assert done.returncode == 0
     assert expected in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "expected"),
+    [
+        (["--family", "lambert,sine3", "--what", "tangent"], "name = lambert, phi = sin(alpha/4)\n  tangent = ("),
+        (["--phi", "sinh(alpha/3)"], "name = phi, phi = sinh(alpha/3)\n  quaternion = (cos(alpha/2)) 1"),
+        (["--phi", "tan(alpha/(2*n))", "-n", "7", "--what", "p"], "p_7 = 1 - 21*x"),
+    ],
+)
+def test_show_prints_other_charts(arguments: list[str], expected: str):
+    assert expected in dualcay("show", *arguments).stdout
 
 
 def test_show_prints_json():
