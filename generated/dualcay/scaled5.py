@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="d48d7e6e2474c17d"
+    BASE, __name__, 10, 1, constant=('inside',), programs="64c70137e9fb82fc"
 )
 
 KERNELS = PoseKernels(CHART)

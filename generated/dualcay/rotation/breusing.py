@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f9b005c1e90161a0",
+    programs="41c81f9530faa1c8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e760a9230069726f",
+    programs="e6e07fa3d6b5bb10",
 )
 
 KERNELS = RotationKernels(CHART)

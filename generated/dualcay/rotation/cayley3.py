@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="55b756d1d688d643",
+    programs="8169b02d6d35af6e",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f726d26f63ec302c",
+    programs="320ff5d9cfb98c98",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8589f818d776669e",
+    programs="a9f114d27a94dc4a",
 )
 
 KERNELS = RotationKernels(CHART)

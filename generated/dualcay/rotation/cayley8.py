@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bbac13ad65bfd6bb",
+    programs="763ad305c7fb184e",
 )
 
 KERNELS = RotationKernels(CHART)

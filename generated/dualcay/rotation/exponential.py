@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27837200d167db06",
+    programs="b225a63486894536",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3c3891f8a52f920a",
+    programs="6f8b94424b4cae6a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9f82d2d8b0cfe66f",
+    programs="ae1912303a385be5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9232977fe313bb01",
+    programs="af5583b106e4d175",
 )
 
 KERNELS = RotationKernels(CHART)

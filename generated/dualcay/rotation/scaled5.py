@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0fd768aee944450c",
+    programs="78aed2e64ef4cbee",
 )
 
 KERNELS = RotationKernels(CHART)

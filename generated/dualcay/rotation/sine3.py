@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="543f1c714eb67960",
+    programs="aeaee57ca9aa36fd",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d26250626bba26e4",
+    programs="2089d64f83f31632",
 )
 
 KERNELS = RotationKernels(CHART)
