@@ -158,7 +158,7 @@ class Chart(Typeset, ABC):
             return 1
         over = m.name("over", plus(x, number(-(self.range**2)), m, "overx"))
         back = m.div(1, 1 + 4 * times(number(1 / self.range**2), over, m, "share"))
-        return m.name("shrunk", m.where(m.less(0, over), back, 1))
+        return m.name("shrunk", m.where(m.less(over, 0), 1, back))
 
     @abstractmethod
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:

@@ -208,7 +208,7 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
 # factor that takes a vector of square x back to the edge; 1 within the chart
 def _inside(m: Any, x: Any) -> Result:
     over = x - 1
-    shrunk = m.where(0 < over, 1 / (1 + 4 * over), 1)
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
     return shrunk,
 
 
@@ -326,7 +326,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="706d5983e3740e91",
+    programs="03b93c1bcf8fc6ed",
 )
 
 KERNELS = PoseKernels(CHART)

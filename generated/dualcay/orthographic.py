@@ -167,7 +167,7 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
     e3_gain = e3 * gain
     x = e1_gain * e1_gain + e2_gain * e2_gain + e3_gain * e3_gain
     over = x - 1
-    shrunk = m.where(0 < over, 1 / (1 + 4 * over), 1)
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
     kept = gain * shrunk
     return kept,
 
@@ -175,7 +175,7 @@ def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
 # factor that takes a vector of square x back to the edge; 1 within the chart
 def _inside(m: Any, x: Any) -> Result:
     over = x - 1
-    shrunk = m.where(0 < over, 1 / (1 + 4 * over), 1)
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
     return shrunk,
 
 
@@ -252,7 +252,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b49b434eeb4f83a5",
+    programs="fdb6c12b4ebb7592",
 )
 
 KERNELS = PoseKernels(CHART)

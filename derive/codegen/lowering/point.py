@@ -100,7 +100,8 @@ class Geometry(Trace):
         """Return a vector of the chart, taken back to the edge if rounding has put it beyond."""
         made = self.vector("made", v)
         (inside,) = self.ask("inside", (Point(self, (*made, 0, 0, 0), "made").x,))
-        return inside * made
+        kept: Vector = inside * made
+        return kept
 
 
 def dual_tensor(entries: Sequence[Number]) -> Tensor:

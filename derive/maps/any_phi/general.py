@@ -208,12 +208,12 @@ class General(AngleChart):
             limit = -(mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2)
         own = m.name(f"square{mark}", angle * angle)
         over = m.name(f"over{mark}", plus(own, limit, m, f"within{mark}"))
-        if self._edge.kind == "fold":
-            beyond = m.less(own, own + m.div(over, NOISE))
-        else:
-            beyond = m.either(m.less(0, over), m.equal(over, 0))
         none = m.name(f"none{mark}", own - own)
-        left = m.name(f"left{mark}", m.where(beyond, none, 1 + none))
+        if self._edge.kind == "fold":
+            left = m.where(m.less(own, own + m.div(over, NOISE)), none, 1 + none)
+        else:
+            left = m.where(m.less(over, 0), 1 + none, none)
+        left = m.name(f"left{mark}", left)
         one = m.name(f"inside{mark}", m.div(left, left))
         at = PhiValues(angle, m)
         return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

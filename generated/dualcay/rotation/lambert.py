@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6f8b94424b4cae6a",
+    programs="e4ab0c5ed24500e3",
 )
 
 KERNELS = RotationKernels(CHART)

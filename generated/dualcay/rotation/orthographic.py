@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="ae1912303a385be5",
+    programs="32e1d0b0e61d5fd5",
 )
 
 KERNELS = RotationKernels(CHART)

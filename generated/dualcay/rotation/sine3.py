@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="aeaee57ca9aa36fd",
+    programs="b512b72bdbc6edcf",
 )
 
 KERNELS = RotationKernels(CHART)

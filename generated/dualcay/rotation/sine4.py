@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2089d64f83f31632",
+    programs="a4bcff0c9d73683d",
 )
 
 KERNELS = RotationKernels(CHART)
