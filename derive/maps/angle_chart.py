@@ -16,7 +16,7 @@ from ..algebra import Coefficient, Quaternion
 from ..algebra.arithmetic import Arithmetic
 from . import order_charts
 from .families import alpha
-from .order_charts import Derivatives, half_cosine, half_sine
+from .order_charts import Derivatives, half_cosine, half_sine, kept_inside
 from .polynomials import Pair
 from .real_constants import number, times
 from .scalars import QuaternionChart
@@ -54,14 +54,16 @@ class AngleChart(QuaternionChart):
         r, slope, _ = self.phi_derivatives(angle, m)
         return m.name("r", r), m.name("slope", slope)
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
         """Return ``φ/sin(α/2)``; α follows from sine and cosine of α/2."""
-        negative, cosine = half_cosine(q, m, positive)
+        sign, cosine = half_cosine(q, size, m)
+        if self.edge <= sympy.pi:
+            cosine = m.name("size_of_cos", m.abs(cosine))
         still, _, sine = half_sine(q, cosine, m)
         r, _, _ = self.phi_derivatives(m.name("angle", 2 * m.atan2(sine, cosine)), m)
         at_rest = times(number(2 * self.phi.diff(alpha).subs(alpha, 0)), cosine, m, "rest")
         gain = m.where(still, at_rest, r) / m.where(still, cosine * cosine, sine)
-        return m.name("gain", m.where(negative, -1, 1) * gain)
+        return kept_inside(self, m.name("gain", sign * gain), q, m)
 
     # --- branches ---------------------------------------------------------------------------------------------------
 

@@ -197,8 +197,8 @@ class Cayley(BranchesOfOrder):
         r = m.name("r", side * m.where(next_to, 1, t) / m.where(next_to, t, 1))
         return r, m.name("slope", m.div(1 + r * r, 2 * self.order))
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return m.name("gain", cayley_gain(self.order, q, size, m, positive))
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        return m.name("gain", cayley_gain(self.order, q, size, m))
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         at = self.scalars(x, m)

@@ -36,6 +36,7 @@ from .angle_of_length import angle_of
 from .families import alpha, of_angle
 from .formula import Formula, IsotropicMap, QuaternionMap
 from .polynomials import Pair, Triple, x
+from .real_constants import number, plus, times
 
 if TYPE_CHECKING:
     from .cayley import Cayley
@@ -165,8 +166,20 @@ class Chart(Typeset, ABC):
         return self.coefficient(angle, m)
 
     @abstractmethod
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        """Return the factor in ``v = gain · vec q`` for norm `size`; `positive` asserts a positive scalar part."""
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return the factor in ``v = gain · vec q`` for a quaternion of norm `size`.
+
+        The sign is that of the scalar part of q. It is 1 if the scalar part is 0 up to rounding, at half a turn: the
+        side of the given vector part stands. The vector ends at the edge, despite rounding.
+        """
+
+    def inside(self, x: Coefficient, m: Arithmetic) -> Coefficient:
+        """Return 1, or a smaller factor for a vector of square x that is beyond the edge by rounding."""
+        if self.range.is_infinite:
+            return 1
+        over = m.name("over", plus(x, number(-(self.range**2)), m, "overx"))
+        back = m.div(1, 1 + 4 * times(number(1 / self.range**2), over, m, "share"))
+        return m.name("shrunk", m.where(m.less(over, 0), 1, back))
 
     @abstractmethod
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:

@@ -133,8 +133,8 @@ class Multiple(Chart):
         r, slope = pair
         return self._times(r, m, "r_v"), self._times(slope, m, "slope_v")
 
-    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic, positive: bool = False) -> Coefficient:
-        return self._times(self.base.gain(q, size, m, positive), m, "gain_v")
+    def gain(self, q: Quaternion, size: Coefficient, m: Arithmetic) -> Coefficient:
+        return self._times(self.base.gain(q, size, m), m, "gain_v")
 
     def back(self, x: Coefficient, fi: Coefficient, m: Arithmetic) -> Pair:
         f, h = self.base.back(self._square(x, m), m.name("fi_w", divided(fi, self.factor, m)), m)

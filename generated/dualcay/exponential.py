@@ -36,7 +36,7 @@ from ._kernel import Result
 ORDER = 1
 
 
-# steps that 13 programs share
+# steps that 12 programs share
 def _within_to_alpha(m: Any, x: Any) -> Result:
     within = x < 6
     z = m.where(within, x, x - x) / 4
@@ -71,7 +71,7 @@ def _C01_to_h(m: Any, C0: Any, CC1: Any, C1: Any, C3: Any, alpha: Any, xx: Any, 
     return C01, C2, sine, versine, lost, f, h
 
 
-# steps that 5 programs share
+# steps that 6 programs share
 def _s_and_w(m: Any, alpha: Any, within: Any, C0: Any, C1: Any) -> Result:
     t = m.tan(alpha / 4)
     tt = t * t
@@ -258,56 +258,49 @@ def _tangent_inv_dot_scalars(m: Any, x: Any) -> Result:
 
 # a + b v = size q for the unit quaternion q, size > 0, and f, g, h of R and T
 def _ray(m: Any, x: Any) -> Result:
-    within, _, _, _, C3, C1, CC1, C0, xx, alpha = _within_to_alpha(m, x)
-    t = m.tan(alpha / 4)
-    tt = t * t
-    below = 1 + tt
-    s = m.where(within, C0, (1 - tt) / below)
-    w = m.where(within, C1 / 2, 2 * t / below / alpha)
+    within = x < 6
+    zero = x - x
+    z = m.where(within, x, zero) / 4
+    C7 = (
+        (72 - z * ((3603600 - z * (32760 - z * (210 - z * ((93024 - z * (342 - z * ((212520 - z * (506 - z)) / 212520)))
+        / 93024)))) / 3603600)) / 72 / 5040
+    )
+    C5 = (1 - 120 * (z * C7)) / 120
+    C3 = (1 - 6 * (z * C5)) / 6
+    C1 = 1 - z * C3
+    CC1 = C1 * C1
+    C0 = m.sqrt(1 - z * CC1)
+    xx = m.where(within, 6 + x, x)
+    alpha = m.sqrt(xx)
+    s, w = _s_and_w(m, alpha, within, C0, C1)
     _, _, sine, versine, lost, f, h = _C01_to_h(m, C0, CC1, C1, C3, alpha, xx, within)
     g = m.where(within, CC1 / 2, (versine + lost * sine) / xx)
-    return s, w, 1, f, g, h
+    one = zero + 1
+    return s, w, one, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
     return gain,
 
 
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, e0, ss))
-    angle = 2 * m.atan2(sin, e0)
-    gain = m.where(still, 2 * e0, angle) / m.where(still, e0 * e0, sin)
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    return gain,
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    return 1,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, within, C0, C1)
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -318,7 +311,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, within, C0, C1)
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     turned = m.where(kept + s < kept, -w, w)
     one = s - s + 1
     sign = one * m.where((turned < 0) | (w == 0) & (y < 0), -1, 1)
@@ -344,7 +337,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beyond1 = limit1 < limit1 + (x - limit1) / 64
     rx = m.sqrt(x)
     within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, within, C0, C1)
@@ -380,11 +373,11 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="2fcbc55f67e07c8b",
+    programs="023e3fc2ea3bfb9e",
 )
 
 KERNELS = PoseKernels(CHART)

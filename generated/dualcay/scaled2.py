@@ -35,7 +35,7 @@ ORDER = 2
 
 
 CHART = multiple(
-    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="e0c39e158dd4190e"
+    BASE, __name__, 4, 1, constant=('inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray', 'inside'), programs="bbd521dd67b443e1"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="6b89d0a851ca39e2"
+    BASE, __name__, 6, 1, constant=('inside',), programs="70e64b5e4e7124bf"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="cf7cf654fcfb1cc7"
+    BASE, __name__, 8, 1, constant=('inside',), programs="cc1cc198e3d85517"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="82ad099f280be08a"
+    BASE, __name__, 10, 1, constant=('inside',), programs="29c9142f6e3337a5"
 )
 
 KERNELS = PoseKernels(CHART)

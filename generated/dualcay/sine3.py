@@ -198,54 +198,36 @@ def _ray(m: Any, x: Any) -> Result:
     _, _, s, w, h, ww = _cc_to_ww(m, x)
     f = 2 * (s * w)
     g = 2 * ww
-    return s, w, 1, f, g, h
+    one = x - x + 1
+    return s, w, one, f, g, h
 
 
-# v = gain vec q for a unit quaternion q, gain = phi/sin(alpha/2)
-def _gain_unit(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+# v = gain vec q for a quaternion of this size, size 1: gain = phi/sin(alpha/2)
+def _gain(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size: Any) -> Result:
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     t = m.tan(m.atan2(sin, cos) / 6)
     tt = t * t
     below = 1 + tt
-    gain = m.where(negative, -1, 1) * m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin)
+    gain = sign * m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin)
     return gain,
 
 
-# v = gain vec q for a quaternion q of any size with e0 >= 0
-def _gain_positive(m: Any, e0: Any, e1: Any, e2: Any, e3: Any) -> Result:
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, e0, ss))
-    t = m.tan(m.atan2(sin, e0) / 6)
-    tt = t * t
-    below = 1 + tt
-    gain = m.where(still, 1, 2 * t / below) / m.where(still, 3 * e0, sin)
-    return gain,
-
-
-# v = gain vec q for a product q of quaternions of size2 and size1
-def _gain_product(m: Any, e0: Any, e1: Any, e2: Any, e3: Any, size2: Any, size1: Any) -> Result:
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
-    ss = e1 * e1 + e2 * e2 + e3 * e3
-    still = ss == 0
-    sin = m.sqrt(m.where(still, cos, ss))
-    t = m.tan(m.atan2(sin, cos) / 6)
-    tt = t * t
-    below = 1 + tt
-    gain = m.where(negative, -1, 1) * m.where(still, 1, 2 * t / below) / m.where(still, 3 * cos, sin)
-    return gain,
+# factor that takes a vector of square x back to the edge; 1 within the chart
+def _inside(m: Any, x: Any) -> Result:
+    over = x - 1
+    shrunk = m.where(over < 0, 1, 1 / (1 + 4 * over))
+    return shrunk,
 
 
 # sign of the principal axis along v, from the length r of v and y, the product of v and v°
 def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
@@ -259,7 +241,7 @@ def _direction(m: Any, x: Any, y: Any, r: Any) -> Result:
 def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
     x_by_4 = 4 * x
     w = 3 - x_by_4
-    kept = m.where(w < 0, 0, 16)
+    kept = m.where(w < 0, 0, 64)
     cc = 1 - x
     c = m.sqrt(cc)
     s = c * (1 - x_by_4)
@@ -307,7 +289,7 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
 
 # truth of x > limit, beyond the principal branch, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beyond1 = limit1 < limit1 + (x - limit1) / 64
     return beyond1, cos1, sin1
 
 
@@ -355,11 +337,11 @@ CHART = Chart(
     ),
     functions=by_name(
         _quaternion_scalars, _pose_scalars, _tangent_scalars, _tangent_dot_scalars, _rate_scalars, _inverse_scalars,
-        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain_unit, _gain_positive,
-        _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
+        _inverse_at, _tangent_inv_at, _tangent_inv_scalars, _tangent_inv_dot_scalars, _ray, _gain, _inside, _direction,
+        _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="7d595394ade2faff",
+    programs="c88fb8905faa0e2d",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -88,7 +88,7 @@ class _Followed:
         # near whole turns take the axis of v1; elsewhere the axis of z is as accurate and has the slope of the motion
         clear = name("clear", trace.either(self.apart, trace.less(trace.abs(z.scalar), trace.abs(sine))))
         pairs = zip(factor * z.vector, size * self.axis, strict=True)
-        re = trace.vector("v_", Vector(*(where(clear, one, other) for one, other in pairs)))
+        re = trace.vector("v_", trace.inside(Vector(*(where(clear, one, other) for one, other in pairs))))
         fi = name("fe", factor * z.scalar)
         (hi,) = trace.ask("inverse_at", (Point(trace, (*re, 0, 0, 0), "w").x, fi, angle))
-        return (*re, *dual_part(trace, fi, hi, re, rho))
+        return (*re, *dual_part(trace, fi, hi, re, rho / 2))

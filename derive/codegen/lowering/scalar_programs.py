@@ -43,9 +43,8 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "tangent_inv_scalars": ("fi, hi of T^-1 with slopes `fiy = 2 dfi/dx`, hiy", "", ("tangent_inv",)),
     "tangent_inv_dot_scalars": ("fi, hi of T^-1 with slopes fiy, hiy and second slopes fiyy, hiyy", "", ()),
     "ray": ("`a + b v = size q` for the unit quaternion q, size > 0, and f, g, h of R and T", "`a/b = p/q`", ()),
-    "gain_unit": ("`v = gain vec q` for a unit quaternion q, `gain = phi/sin(alpha/2)`", "", ()),
-    "gain_positive": ("`v = gain vec q` for a quaternion q of any size with e0 >= 0", "", ()),
-    "gain_product": ("`v = gain vec q` for a product q of quaternions of size2 and size1", "", ()),
+    "gain": ("`v = gain vec q` for a quaternion of this size, size 1: `gain = phi/sin(alpha/2)`", "", ()),
+    "inside": ("factor that takes a vector of square x back to the edge; 1 within the chart", "", ()),
     "direction": ("sign of the principal axis along v, from the length r of v and y, the product of v and v°", "", ()),
     "natural": ("principal angle, d alpha/d r and sign of the axis, from x, y and the length r of v", "", ()),
     "unfolded": ("angle of `v = r u` on its own branch", "", ()),
@@ -91,13 +90,8 @@ def _ray(chart: Chart, trace: Trace, x: Number) -> tuple[Number, ...]:
     return *at.ray, at.f, at.g, at.h
 
 
-def _gain_positive(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
-    q = Quaternion.from_components(e)
-    return (chart.gain(q, trace.name("size", trace.sqrt(q.norm2())), trace, positive=True),)
-
-
-def _gain_product(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
-    return (chart.gain(Quaternion.from_components(e[:4]), trace.name("size", e[4] * e[5]), trace),)
+def _gain(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
+    return (chart.gain(Quaternion.from_components(e[:4]), e[4], trace),)
 
 
 def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Number, ...]:
@@ -140,9 +134,8 @@ SCALARS: Mapping[str, Scalar] = {
     "tangent_inv_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy")),
     "tangent_inv_dot_scalars": Scalar(("x",), ("fi", "hi", "fiy", "hiy", "fiyy", "hiyy")),
     "ray": Scalar(("x",), ("a", "b", "size", "f", "g", "h"), _ray),
-    "gain_unit": Scalar(E, ("gain",), lambda c, m, *e: (c.gain(Quaternion.from_components(e), 1, m),)),
-    "gain_positive": Scalar(E, ("gain",), _gain_positive),
-    "gain_product": Scalar((*E, "size2", "size1"), ("gain",), _gain_product),
+    "gain": Scalar((*E, "size"), ("gain",), _gain),
+    "inside": Scalar(("x",), ("inside",), lambda c, m, x: (c.inside(x, m),)),
     "direction": Scalar(("x", "y", "r"), ("sign",), lambda c, m, *at: (c.direction(*at, m),)),
     "natural": Scalar(("x", "y", "r"), ("angle", "slope", "sign"), lambda c, m, *at: c.natural(*at, m)),
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),)),
@@ -182,7 +175,7 @@ def scalar_programs(chart: Chart) -> dict[str, Program]:
 def scalar_program(name: str, chart: Chart) -> Program:
     """Return a scalar program of a chart.
 
-    Constant fractions, and a constant size that `gain_product` divides by, take the type of the first argument. Other
+    Constant fractions, and a constant size that `gain` reads, take the type of the first argument. Other
     integers are returned unchanged, since no program divides them.
     """
     row, trace = SCALARS[name], Trace()
@@ -194,7 +187,7 @@ def scalar_program(name: str, chart: Chart) -> Program:
     zero = trace.name(trace.free_name("zero"), arguments[0] - arguments[0])
     one = trace.name(trace.free_name("one"), zero + 1)
     for i, (letter, result) in enumerate(zip(row.results, results, strict=True)):
-        divided = letter == "size" and "size1" in scalar_program("gain_product", chart).operands
+        divided = letter == "size" and "size" in scalar_program("gain", chart).operands
         if isinstance(result, Constant) and (result.denominator != 1 or divided):
             results[i] = trace.name(trace.free_name(letter), result * one)
     return trace.program(name, results)

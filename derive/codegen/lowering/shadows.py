@@ -19,7 +19,7 @@ Axis = tuple[Number, Vector, Number, Vector]
 def turn(trace: Geometry) -> Results:
     """Vector φ(α + 2kπ) u, which is v turned further by k whole turns about its own axis, CP23 (49)."""
     point = trace.point()
-    return _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin")))
+    return _inside(trace, _turned(trace, point, _axis(trace, point), *trace.inputs(TABLE, ("cos", "sin"))))
 
 
 def shadow(trace: Geometry) -> Results:
@@ -29,7 +29,7 @@ def shadow(trace: Geometry) -> Results:
     axis = _axis(trace, point)
     # take the length from the axis, not from x: only then the gradient is finite at Re v = 0
     (sign,) = trace.ask("direction", (point.x, point.y, axis[0]))
-    return _turned(trace, point, axis, cosine, point.name("sn", sign * sine))
+    return _inside(trace, _turned(trace, point, axis, cosine, point.name("sn", sign * sine)))
 
 
 def principal(trace: Geometry) -> Results:
@@ -119,6 +119,10 @@ def _turned(trace: Geometry, point: Point, axis: Axis, cosine: Number, sine: Num
     return (*(length * u), *(length * moment + length_du * u))
 
 
+def _inside(trace: Geometry, found: tuple[Number, ...]) -> tuple[Number, ...]:
+    return *trace.inside(Vector(*found[:3])), *found[3:]
+
+
 def to_screw(trace: Geometry) -> Results:
     """Angle α in [0, π] and axis u of v, CP23 Theorem 3.
 
@@ -147,11 +151,12 @@ def angle(trace: Geometry) -> Results:
 def from_screw(trace: Geometry) -> Results:
     """Vector v = φ(α) u, in dual numbers."""
     angle, distance = trace.inputs("angle", ("alpha", "alphao"))
-    line = trace.point("line", "u").v
-    u, moment = line.re, line.du
+    line = trace.point("line", "u")
+    u, moment = line.v.re, line.v.du
     size, slope = trace.ask("coefficient", (angle,))
-    size_du = trace.name("ro", distance * slope)
-    return *(size * u), *(size * moment + size_du * u)
+    every = trace.name("every", sum((distance, *line.components), start=angle))
+    size, size_du = trace.name("size", size + (every - every)), trace.name("ro", distance * slope)
+    return *trace.inside(size * u), *(size * moment + size_du * u)
 
 
 def to_exponential(trace: Geometry) -> Results:
@@ -171,7 +176,7 @@ def from_exponential(trace: Geometry) -> Results:
     (angle,) = trace.ask("reached", (trace.name("alpha", trace.where(resting, point.x, length)),))
     size, slope = trace.ask("coefficient", (angle,), "n")
     share = trace.name("share", trace.where(resting, slope, size / length))
-    return _rescaled(trace, point, square, share, slope)
+    return _inside(trace, _rescaled(trace, point, square, share, slope))
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:

@@ -72,7 +72,7 @@ def _on_symbols(chart: Chart, row: Function, *formulas: Formula) -> Case:
 
 def _goes_back_by_roots(chart: Chart) -> bool:
     """Tell whether the inverse map takes at most `ROOTS_MAX` square roots and no trigonometry."""
-    operations = scalar_program("gain_unit", chart).operations
+    operations = scalar_program("gain", chart).operations
     return not operations.keys() & {"tan", "atan2"} and operations["sqrt"] <= ROOTS_MAX
 
 

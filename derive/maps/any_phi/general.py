@@ -24,7 +24,7 @@ from ..angle_chart import AngleChart
 from ..families import alpha
 from ..order_charts import Derivatives, half_angle
 from ..real_constants import plus
-from ..scalars import DependentScalars, scalar
+from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
 from .first_guess import Guess, guess
 from .near_zero import Ratio, ratio
@@ -212,10 +212,17 @@ class General(AngleChart):
         return angle
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:
-        """Return φ, φ′, φ″; NaN beyond the edge, by the root of a negative number."""
+        """Return φ, φ′, φ″; NaN beyond the edge, by 0/0. At a fold, an angle beyond it by rounding is the edge."""
         with mpmath.workdps(PHI_DIGITS):
-            square = mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2
-        left = m.name(f"left{mark}", m.sqrt(plus(-(angle * angle), square, m, f"within{mark}")))
+            limit = -(mpmath.mpf(self.edge.evalf(PHI_DIGITS)) ** 2)
+        own = m.name(f"square{mark}", angle * angle)
+        over = m.name(f"over{mark}", plus(own, limit, m, f"within{mark}"))
+        none = m.name(f"none{mark}", own - own)
+        if self._edge.kind == "fold":
+            left = m.where(m.less(own, own + m.div(over, NOISE)), none, 1 + none)
+        else:
+            left = m.where(m.less(over, 0), 1 + none, none)
+        left = m.name(f"left{mark}", left)
         one = m.name(f"inside{mark}", m.div(left, left))
         at = PhiValues(angle, m)
         return at.derivative(self.phi, 0) * one, at.derivative(self.phi, 1) * one, at.derivative(self.phi, 2) * one

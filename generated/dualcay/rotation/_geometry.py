@@ -370,24 +370,29 @@ def transition(m: Any, c: Any, v: Components, v0: Components, table: Components)
     return matrix_product(back, start)
 
 
-def vector_of(gain: Any, e: Components) -> Result:
-    """Vector v = gain vec e of a quaternion e."""
-    _, e1, e2, e3 = e
-    v1 = e1 * gain
-    v2 = e2 * gain
-    v3 = e3 * gain
+def vector_of(m: Any, c: Any, e: Components, size: Any, whole: Any) -> Result:
+    """Vector v = gain vec e of a quaternion e of a size; NaN if `whole` is not finite."""
+    e0, e1, e2, e3 = e
+    gain, = c.gain(m, e0, e1, e2, e3, size)
+    factor = gain + (whole - whole)
+    v1 = e1 * factor
+    v2 = e2 * factor
+    v3 = e3 * factor
     return v1, v2, v3
 
 
 def from_quaternion(m: Any, c: Any, e: Components) -> Result:
-    """Vector v = gain vec q̂ of a unit dual quaternion q̂, CP23 (47)."""
+    """Vector v = gain vec q̂ of a dual quaternion q̂ of any norm, CP23 (47)."""
     e0, e1, e2, e3 = e
-    gain, = c.gain_unit(m, e0, e1, e2, e3)
-    return vector_of(gain, e)
+    square = e0 * e0 + (e1 * e1 + e2 * e2 + e3 * e3)
+    size = m.sqrt(square)
+    inverse = 1 / square
+    whole = size + inverse
+    return vector_of(m, c, e, size, whole)
 
 
 def quaternion_of(m: Any, Q: Components) -> Result:
-    """Positive multiple of the quaternion of a rotation Q, with scalar part >= 0."""
+    """Multiple of the quaternion of a rotation Q, and its size; the first component of its vector part is positive."""
     Q11, Q12, Q13, Q21, Q22, Q23, Q31, Q32, Q33 = Q
     a1 = Q32 - Q23
     a2 = Q13 - Q31
@@ -420,16 +425,17 @@ def quaternion_of(m: Any, Q: Components) -> Result:
     z31 = m.where(larger3, s13, z21)
     z32 = m.where(larger3, s23, z22)
     z33 = m.where(larger3, t3, z23)
-    sign = m.where((z30 < 0) | (z30 == 0) & ((z31 < 0) | (z31 == 0) & ((z32 < 0) | (z32 == 0) & (z33 < 0))), -1, 1)
-    return sign * z30, sign * z31, sign * z32, sign * z33
+    size = m.sqrt(z30 * z30 + (z31 * z31 + z32 * z32 + z33 * z33))
+    beside2 = size + z32 / 16
+    beside1 = size + z31 / 16
+    sign = m.where((beside1 < size) | (beside1 == size) & ((beside2 < size) | (beside2 == size) & (z33 < 0)), -1, 1)
+    return sign * z30, sign * z31, sign * z32, sign * z33, size
 
 
 def from_tensor(m: Any, c: Any, R: Components) -> Result:
     """Vector v of a rotation Q, computed from its quaternion."""
-    e = quaternion_of(m, R)
-    e0, e1, e2, e3 = e
-    gain, = c.gain_positive(m, e0, e1, e2, e3)
-    return vector_of(gain, e)
+    e0, e1, e2, e3, esize = quaternion_of(m, R)
+    return vector_of(m, c, (e0, e1, e2, e3), esize, esize)
 
 
 def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Result:
@@ -437,7 +443,14 @@ def from_angle_axis(m: Any, c: Any, angle: Components, line: Components) -> Resu
     alpha, = angle
     u1, u2, u3 = line
     r, _ = c.coefficient(m, alpha)
-    return u1 * r, u2 * r, u3 * r
+    every = alpha + u1 + u2 + u3
+    size = r + (every - every)
+    made1 = u1 * size
+    made2 = u2 * size
+    made3 = u3 * size
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def axis_of(m: Any, v: Components) -> Result:
@@ -502,7 +515,12 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)
     share = m.where(resting, slopen, rn / length)
-    return w1 * share, w2 * share, w3 * share
+    made1 = w1 * share
+    made2 = w2 * share
+    made3 = w3 * share
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -510,7 +528,12 @@ def turn(m: Any, c: Any, v: Components, table: Components) -> Result:
     cos, sin = table
     r, u1, u2, u3 = axis_of(m, v)
     rk, _, _ = c.turned(m, r, cos, sin)
-    return u1 * rk, u2 * rk, u3 * rk
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
@@ -522,7 +545,12 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     sign, = c.direction(m, x, 0, r)
     sn = sign * sin
     rk, _, _ = c.turned(m, r, cos, sn)
-    return u1 * rk, u2 * rk, u3 * rk
+    made1 = u1 * rk
+    made2 = u2 * rk
+    made3 = u3 * rk
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    return made1 * inside, made2 * inside, made3 * inside
 
 
 def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
@@ -600,9 +628,8 @@ def compose(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
     e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, v1)
     found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
-    e0, e1, e2, e3 = found
-    gain, = c.gain_product(m, e0, e1, e2, e3, size_2, size_1)
-    return vector_of(gain, found)
+    size = size_2 * size_1
+    return vector_of(m, c, found, size, size)
 
 
 def between(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -687,16 +714,16 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
     return retract_jacobians(m, c, (-v1, -v2, -v3), (-d1, -d2, -d3))
 
 
-def logarithm(m: Any, e: Components) -> Result:
-    """Logarithm δ of a displacement, from a positive multiple e of the quaternion of exp(δ)."""
+def logarithm(m: Any, e: Components, size: Any) -> Result:
+    """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ)."""
     e0, e1, e2, e3 = e
-    negative = e0 < 0
-    cos = m.where(negative, -e0, e0)
+    sign = m.where(size + e0 / 16 < size, -1, 1)
+    cos = sign * e0
     ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
-    gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
+    gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
     d1 = e1 * gain
     d2 = e2 * gain
     d3 = e3 * gain
@@ -706,10 +733,11 @@ def logarithm(m: Any, e: Components) -> Result:
 def local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
     """Step δ from v1 to v2 in space, exp(δ) = R(v2) R(v1)⁻¹."""
     a1, a2, a3 = v1
-    e0_2, e1_2, e2_2, e3_2, _ = displacement(m, c, v2)
-    e0_1, e1_1, e2_1, e3_1, _ = displacement(m, c, (-a1, -a2, -a3))
+    e0_2, e1_2, e2_2, e3_2, size_2 = displacement(m, c, v2)
+    e0_1, e1_1, e2_1, e3_1, size_1 = displacement(m, c, (-a1, -a2, -a3))
     found = quaternion_product((e0_2, e1_2, e2_2, e3_2), (e0_1, e1_1, e2_1, e3_1))
-    return logarithm(m, found)
+    size = size_2 * size_1
+    return logarithm(m, found, size)
 
 
 def body_local(m: Any, c: Any, v2: Components, v1: Components) -> Result:
@@ -772,9 +800,14 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     nosine = m.where(still, 1 + sinet, sinet)
     factor = m.where(still, 2 * slopen / z0s, rn / nosine)
     clear = apart | (m.abs(e0) < m.abs(sinet))
-    v_1 = m.where(clear, e1 * factor, axis1 * rn)
-    v_2 = m.where(clear, e2 * factor, axis2 * rn)
-    v_3 = m.where(clear, e3 * factor, axis3 * rn)
+    made1 = m.where(clear, e1 * factor, axis1 * rn)
+    made2 = m.where(clear, e2 * factor, axis2 * rn)
+    made3 = m.where(clear, e3 * factor, axis3 * rn)
+    xmade = made1 * made1 + made2 * made2 + made3 * made3
+    inside, = c.inside(m, xmade)
+    v_1 = made1 * inside
+    v_2 = made2 * inside
+    v_3 = made3 * inside
     return v_1, v_2, v_3
 
 

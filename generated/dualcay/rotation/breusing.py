@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b70ddc8a6c65a939",
+    programs="3f15a0175518d5df",
 )
 
 KERNELS = RotationKernels(CHART)

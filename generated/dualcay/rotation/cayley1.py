@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e85309fbbda592df",
+    programs="84ba836422d2bcf1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="907218d1ee090f5d",
+    programs="6cf676670e7f7f84",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bb2f7daf21f51889",
+    programs="84b2624c5bc6fd59",
 )
 
 KERNELS = RotationKernels(CHART)

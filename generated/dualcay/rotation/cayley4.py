@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f905a7355ef97bbd",
+    programs="5f017297a05a53b6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="997fe9c72aa80109",
+    programs="3209f18b38428992",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1840c4132040782a",
+    programs="430270b9386d3452",
 )
 
 KERNELS = RotationKernels(CHART)

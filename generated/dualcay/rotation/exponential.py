@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f9c26ab4826d8aa4",
+    programs="c3656a02a870ec03",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="56a43ffc6da2159c",
+    programs="33f18314a87d78ce",
 )
 
 KERNELS = RotationKernels(CHART)

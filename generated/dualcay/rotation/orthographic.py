@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="018cfec44d9233e7",
+    programs="2b361fb0b629b6c5",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0557750220b5d4a1",
+    programs="12b2e363c8fcb9ff",
 )
 
 KERNELS = RotationKernels(CHART)

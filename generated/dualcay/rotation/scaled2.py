@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="b10177bc332477c1",
+    programs="cac234a9e6d00479",
 )
 
 KERNELS = RotationKernels(CHART)

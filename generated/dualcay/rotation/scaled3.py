@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2a1af881c3f24a4e",
+    programs="6b165d8e8ef1d1a6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="edd4f255e912c0d6",
+    programs="42a340b5a8b75a4b",
 )
 
 KERNELS = RotationKernels(CHART)

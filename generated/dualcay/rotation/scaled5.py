@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="15d990ad334e5525",
+    programs="59d056af53f6524a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1f024561c2feb8cf",
+    programs="c415e78fcef9d2d6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="17af3809cdce9a67",
+    programs="257eedad208950c1",
 )
 
 KERNELS = RotationKernels(CHART)

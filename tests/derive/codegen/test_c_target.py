@@ -243,11 +243,11 @@ def test_printed_package_agrees(staged):
     [
         ("cayley3.h", "pose_scalars", r"q = 3 - x", "q = 3 + x"),
         ("cayley3.h", "tangent_scalars", r"\*gy_at = gy", "*gy_at = hy"),
-        ("cayley3.h", "gain_unit", r"/ 3\b", "/ 4"),
+        ("cayley3.h", "gain", r"/ 3\b", "/ 4"),
         ("cayley3.h", "natural", r"2 \* dualcay_atan2", "dualcay_atan2"),
         ("cayley3.h", "beyond", r"limit1 < limit1 \+", "limit1 < limit1 -"),
         ("cayley3.h", "step", r"\{DUALCAY_NUMBER\(-0\.5", "{DUALCAY_NUMBER(0.5"),
-        ("cayley4.h", "gain_unit", r"\(1 \+ ", "(1 - "),
+        ("cayley4.h", "gain", r"\(1 \+ ", "(1 - "),
         ("geometry.h", "body_twist", r"1, \(dualcay_real\)-1, omega", "1, 1, omega"),
         ("geometry.h", "body_rate_rows", r"NUMBER\(-0\.5", "NUMBER(0.5"),
         ("geometry.h", "from_tensor_core", r"/ 2\b", "/ 3"),

@@ -56,7 +56,7 @@ def test_calls_ask_only_for_slopes_that_are_read() -> None:
     names = ("f", "g", "_", "_", "_", "_")
     found = narrowed(Call(names, "tangent_scalars", SQUARES))
     assert found == Call(("f", "g", "_"), "pose_scalars", SQUARES)
-    kept = Call(("gain",), "gain_unit", ("e0", "e1", "e2", "e3"))
+    kept = Call(("gain",), "gain", ("e0", "e1", "e2", "e3", "size"))
     assert narrowed(kept) == kept
 
 
