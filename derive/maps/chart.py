@@ -178,14 +178,14 @@ class Chart(Typeset, ABC):
 
     @abstractmethod
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
-        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
-
-        For a principal v the caller passes ``r = sqrt(1 + x)`` and ignores the results, which must be numbers.
-        """
+        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r."""
 
     @abstractmethod
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        """Return whether v lies beyond the principal branch, then x or an unused number, and the turn back.
+
+        Limits and turns come from the table `returns`. The unused number is near x at half a turn.
+        """
 
     @abstractmethod
     def turn(self, branch: int) -> tuple[Any, Any]:
@@ -209,6 +209,11 @@ class Chart(Typeset, ABC):
     def range(self) -> sympy.Expr:
         """Length |v| at the edge; infinite at a pole."""
         return self.phi.subs(alpha, self.edge)
+
+    @property
+    def ends(self) -> bool:
+        """Tell whether vectors longer than `range` have no pose."""
+        return not self.range.is_infinite
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:

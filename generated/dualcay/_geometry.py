@@ -840,16 +840,14 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     v1, v2, v3, _, _, _ = v
-    _, _, _, _, ro, _, _, _ = axis_of(m, v)
+    r, _, _, _, ro, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, _, h = c.pose_scalars(m, v11, v22, v33)
     x = v11 + v22 + v33
-    resting = x == 0
-    rown = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, rown)
-    return m.where(resting, x, own), ro * (f + x * h)
+    own, = c.unfolded(m, x, r)
+    return own, ro * (f + x * h)
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
@@ -906,10 +904,21 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     return u1 * rk, u2 * rk, u3 * rk, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
 
-def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+def stay(m: Any, c: Any, v: Components) -> Result:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     v1, v2, v3, v1o, v2o, v3o = v
-    none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    one = 1 + (s - s + (w - w))
+    return one * v1, one * v2, one * v3, one * v1o, one * v2o, one * v3o
+
+
+def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
+    v1, v2, v3, v1o, v2o, v3o = v
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    none = s - s + (w - w) + (v1 - v1) + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
     one = 1 + none
     return (
         one, none, none, 0, 0, 0, none, one, none, 0, 0, 0, none, none, one, 0, 0, 0, none, none, none, one, none, none,
@@ -968,8 +977,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    beyond, cosine, sine = c.beyond(m, x, *table)
-    r = m.sqrt(m.where(beyond, x, 1 + x))
+    beyond, place, cosine, sine = c.beyond(m, x, *table)
+    r = m.sqrt(place)
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -1153,7 +1162,7 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     still = ss == 0
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
@@ -1269,22 +1278,23 @@ def logarithm(m: Any, e: Components, rho: Components) -> Result:
     """
     e0, e1, e2, e3 = e
     rho1, rho2, rho3 = rho
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     negative = e0 < 0
     cos = m.where(negative, -e0, e0)
-    ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
     gain = m.where(negative, -1, 1) * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    d1 = e1 * gain
-    d2 = e2 * gain
-    d3 = e3 * gain
+    factor = gain + (ss - ss)
+    d1 = e1 * factor
+    d2 = e2 * factor
+    d3 = e3 * factor
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
     part = v11 + v22
     x = part + v33
-    fe = gain * e0
+    fe = factor * e0
     near = x < 6
     z = m.where(near, x, x - x) / 4
     C7 = (
@@ -1396,13 +1406,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
@@ -1554,6 +1564,7 @@ KERNELS: Mapping[str, Kernel] = {
     "from_exponential": Kernel(from_exponential, (("w", (6,)),), (6,), real=True),
     "turn": Kernel(turn, (("v", (6,)),), (6,), real=True),
     "shadow": Kernel(shadow, (("v", (6,)),), (6,), real=True),
+    "stay": Kernel(stay, (("v", (6,)),), (6,), real=True),
     "identity_jacobian": Kernel(identity_jacobian, (("v", (6,)),), (6, 6), real=True),
     "shadow_jacobian": Kernel(shadow_jacobian, (("v", (6,)),), (6, 6), real=True),
     "principal": Kernel(principal, (("v", (6,)),), (6,), real=True),

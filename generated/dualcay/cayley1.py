@@ -209,7 +209,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="1fd09a4fc0a63807",
+    programs="81eeae8937afd8fa",
 )
 
 KERNELS = PoseKernels(CHART)

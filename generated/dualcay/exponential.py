@@ -338,20 +338,23 @@ def _reached(m: Any, alpha: Any) -> Result:
 
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
-    alphak = r + sin
+    alphak = r + sin + cos * sin
     return alphak, 1, 0
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
-    rx = m.sqrt(x)
+    beside1 = limit1 + (x - limit1) / 16
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    rx = m.sqrt(place)
     near, _, _, _, _, C1, _, C0, _, alpha = _near_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, near, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
-    back = 2 * m.atan2(side * sine, side * s) - rx
-    return beyond1, cos1, back
+    back = -rx
+    share = 2 * m.atan2(side * sine, side * s) / back
+    return beyond1, place, share, back
 
 
 # r = phi(alpha) and phi'
@@ -370,12 +373,12 @@ CHART = Chart(
     singular_angles=(2 * pi, 4 * pi),
     # pair of numbers for the turn by one branch
     turns=(
-        ("1.0", "6.283185307179586476925286766559005768394"),
+        ("0.0003081086057053097592496344770556447194967", "6.28125"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "9.869604401089358618834490999876151135314",
-        "1.0",
+        "0.0003081086057053097592496344770556447194967",
         "0.0",
     ),
     functions=by_name(
@@ -384,7 +387,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="084cd4b40a2f21df",
+    programs="5b08f164b4cd5dcc",
 )
 
 KERNELS = PoseKernels(CHART)

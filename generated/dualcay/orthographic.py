@@ -194,7 +194,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 2 * m.atan2(r, c)
     return own,
 
@@ -253,7 +253,8 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="b9506811a032bb88",
+    programs="5c274b8dc1d69f79",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

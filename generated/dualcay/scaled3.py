@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="5d99337047efce40"
+    BASE, __name__, 6, 1, constant=('ray',), programs="c32a171b568a75b8"
 )
 
 KERNELS = PoseKernels(CHART)

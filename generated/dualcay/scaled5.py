@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="d48d7e6e2474c17d"
+    BASE, __name__, 10, 1, constant=('ray',), programs="4c486ff58df4f15d"
 )
 
 KERNELS = PoseKernels(CHART)

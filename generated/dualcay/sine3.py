@@ -273,7 +273,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 6 * m.atan2(r, c)
     return own,
 
@@ -294,7 +294,7 @@ def _reached(m: Any, alpha: Any) -> Result:
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
-    c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
+    c = m.sqrt(1 - rr)
     further = c * cos - r * sin
     side = m.where(further < 0, -1, 1)
     sk = side * (r * cos + c * sin)
@@ -305,10 +305,12 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
-    return beyond1, cos1, sin1
+    beside1 = limit1 + (x - limit1) / 16
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cos1, sin1
 
 
 # r = phi(alpha) and phi'
@@ -359,7 +361,8 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="cb4426d0da6e6eb3",
+    programs="be5c96e70b228e39",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

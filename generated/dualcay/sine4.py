@@ -270,7 +270,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 8 * m.atan2(r, c)
     return own,
 
@@ -291,7 +291,7 @@ def _reached(m: Any, alpha: Any) -> Result:
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
-    c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
+    c = m.sqrt(1 - rr)
     further = c * cos - r * sin
     side = m.where(further < 0, -1, 1)
     sk = side * (r * cos + c * sin)
@@ -302,13 +302,15 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 16
+    beside1 = limit1 + (x - limit1) / 16
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    return beyond1, cosine2, sine2
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine2, sine2
 
 
 # r = phi(alpha) and phi'
@@ -363,7 +365,8 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="320db9b5e0ad8fa3",
+    programs="253a5862b139d54d",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

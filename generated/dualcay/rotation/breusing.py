@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f9b005c1e90161a0",
+    programs="25eab4432a58a28b",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="e760a9230069726f",
+    programs="400353443b2d3453",
 )
 
 KERNELS = RotationKernels(CHART)

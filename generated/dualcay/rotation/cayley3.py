@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="55b756d1d688d643",
+    programs="1a811c0ab5d3c3f9",
 )
 
 KERNELS = RotationKernels(CHART)

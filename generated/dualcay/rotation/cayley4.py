@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="f726d26f63ec302c",
+    programs="2d904f5716331d72",
 )
 
 KERNELS = RotationKernels(CHART)

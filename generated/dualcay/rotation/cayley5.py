@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8589f818d776669e",
+    programs="d584e0ed6a9695f8",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bbac13ad65bfd6bb",
+    programs="78c6d4301d47425f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="27837200d167db06",
+    programs="a39b4f14a6a325cc",
 )
 
 KERNELS = RotationKernels(CHART)

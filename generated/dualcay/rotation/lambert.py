@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3c3891f8a52f920a",
+    programs="8fc72ba05ec7c535",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

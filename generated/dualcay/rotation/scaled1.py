@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6e33ea16a7c49549",
+    programs="bf287282cc7c6dfc",
 )
 
 KERNELS = RotationKernels(CHART)

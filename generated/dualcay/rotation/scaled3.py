@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="cf17c8c3b5937c45",
+    programs="8e54e67468a4c498",
 )
 
 KERNELS = RotationKernels(CHART)

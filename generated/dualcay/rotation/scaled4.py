@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="9232977fe313bb01",
+    programs="a0e701c4db29c11c",
 )
 
 KERNELS = RotationKernels(CHART)

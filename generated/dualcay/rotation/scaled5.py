@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="0fd768aee944450c",
+    programs="8f45a1335b6d0a01",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="543f1c714eb67960",
+    programs="70e5eca5752d8288",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

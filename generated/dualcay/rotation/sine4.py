@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d26250626bba26e4",
+    programs="47226182c4c9dfc1",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)
