@@ -25,8 +25,8 @@ from .scalars import QuaternionChart
 TURNS_MAX = 2
 """Number of whole turns that are listed for a chart without an edge."""
 
-PART_OF_TURN = Fraction(201, 32)
-"""Number near 2π with eight bits: floats hold its multiples, and large angles lose no digits to a turn back."""
+PART_OF_TURN = Fraction(3217, 512)
+"""Number of 12 bits, off 2π by 3e-6 of it: floats hold its multiples, so a turn back loses few digits of an angle."""
 
 
 class AngleChart(QuaternionChart):

@@ -856,7 +856,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
@@ -871,7 +871,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)

@@ -379,7 +379,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="7a182fcf5fb7e5ee",
+    programs="c4217615a8007a9d",
 )
 
 KERNELS = PoseKernels(CHART)

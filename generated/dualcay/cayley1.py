@@ -209,7 +209,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="81eeae8937afd8fa",
+    programs="d5a64fe6c0cb4909",
 )
 
 KERNELS = PoseKernels(CHART)

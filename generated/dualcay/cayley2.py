@@ -281,7 +281,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="fb2263b7abcd7b21",
+    programs="ad02dd8f643f07c3",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -324,7 +324,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="7509360ef598e368",
+    programs="6b91a5c9267d0375",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -345,7 +345,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="cd4d63d3a65063ae",
+    programs="d90d64ae289b46d0",
 )
 
 KERNELS = PoseKernels(CHART)

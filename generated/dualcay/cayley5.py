@@ -347,7 +347,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5360319180739f88",
+    programs="4b41adbfa843e753",
 )
 
 KERNELS = PoseKernels(CHART)

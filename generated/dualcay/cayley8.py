@@ -372,7 +372,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5c5e9169ad8ee9db",
+    programs="04504465d876020f",
 )
 
 KERNELS = PoseKernels(CHART)

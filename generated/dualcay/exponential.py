@@ -373,12 +373,12 @@ CHART = Chart(
     singular_angles=(2 * pi, 4 * pi),
     # pair of numbers for the turn by one branch
     turns=(
-        ("0.0003081086057053097592496344770556447194967", "6.28125"),
+        ("-0.000002835786152229970237232055265479198662896", "6.283203125"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "9.869604401089358618834490999876151135314",
-        "0.0003081086057053097592496344770556447194967",
+        "-0.000002835786152229970237232055265479198662896",
         "0.0",
     ),
     functions=by_name(
@@ -387,7 +387,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5b08f164b4cd5dcc",
+    programs="41bcccbc364611f7",
 )
 
 KERNELS = PoseKernels(CHART)

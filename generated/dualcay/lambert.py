@@ -340,7 +340,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="57c08a5b917374ff",
+    programs="22f3b08cd57f1874",
     ends=True,
 )
 

@@ -253,7 +253,7 @@ CHART = Chart(
         _gain_product, _natural, _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5c274b8dc1d69f79",
+    programs="f8cb5a91f706ba9f",
     ends=True,
 )
 

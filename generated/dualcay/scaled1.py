@@ -35,7 +35,7 @@ ORDER = 1
 
 
 CHART = multiple(
-    BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="2b57f16346e5d518"
+    BASE, __name__, 2, 1, constant=('pose_scalars', 'tangent_scalars', 'tangent_dot_scalars', 'inverse_scalars', 'inverse_at', 'tangent_inv_at', 'tangent_inv_scalars', 'tangent_inv_dot_scalars', 'ray'), programs="d91d226a0e4cd3da"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('ray',), programs="c32a171b568a75b8"
+    BASE, __name__, 6, 1, constant=('ray',), programs="2e162408a69d7aa7"
 )
 
 KERNELS = PoseKernels(CHART)

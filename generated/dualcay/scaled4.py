@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=(), programs="070c55b91a2fdd01"
+    BASE, __name__, 8, 1, constant=(), programs="945ecc33e795925a"
 )
 
 KERNELS = PoseKernels(CHART)

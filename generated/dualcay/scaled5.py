@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('ray',), programs="4c486ff58df4f15d"
+    BASE, __name__, 10, 1, constant=('ray',), programs="11cf6eef797cfcdf"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -361,7 +361,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="be5c96e70b228e39",
+    programs="111bfef88755fe48",
     ends=True,
 )
 

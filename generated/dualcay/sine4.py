@@ -365,7 +365,7 @@ CHART = Chart(
         _gain_product, _direction, _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="253a5862b139d54d",
+    programs="0558ab6c15691066",
     ends=True,
 )
 

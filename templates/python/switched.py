@@ -11,7 +11,7 @@ def switched(
     if spread is not None:
         require_symmetric("covariance", spread, (0, 1) if axis == 0 else (-2, -1))
     moved = kernels.principal(array, axis=axis)
-    changed = np.any(moved != array, axis=axis, keepdims=True)
+    changed = np.any((moved != array) | ~np.isfinite(array), axis=axis, keepdims=True)
     if not changed.any():
         moved = array
     else:

@@ -187,10 +187,10 @@ def from_exponential(trace: Geometry) -> Results:
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether |v| = 0, then |v|² and |v|; at |v| = 0 both are 1, to avoid the root of 0."""
+    """Return whether |v| = 0, then |v|² and |v|: both 1 at |v| = 0, to avoid the root of 0, and NaN for infinity."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
-    return resting, square, trace.name("length", trace.sqrt(square))
+    return resting, square, trace.name("length", trace.sqrt(square) + (square - square))
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="25eab4432a58a28b",
+    programs="ec6d73ead13019b1",
 )
 
 KERNELS = RotationKernels(CHART)

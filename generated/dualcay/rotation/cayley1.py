@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="400353443b2d3453",
+    programs="25e2d220a153ca4b",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2fa3193806acfa24",
+    programs="5a0f88446fa7867a",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="1a811c0ab5d3c3f9",
+    programs="88dd693bd3aeec8d",
 )
 
 KERNELS = RotationKernels(CHART)

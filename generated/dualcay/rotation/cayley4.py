@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2d904f5716331d72",
+    programs="1f9b4eced52914d7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="d584e0ed6a9695f8",
+    programs="89f810883ad10d81",
 )
 
 KERNELS = RotationKernels(CHART)

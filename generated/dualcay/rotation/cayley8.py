@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="78c6d4301d47425f",
+    programs="08bb9059368ef2fe",
 )
 
 KERNELS = RotationKernels(CHART)

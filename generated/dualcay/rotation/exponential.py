@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a39b4f14a6a325cc",
+    programs="a51b5ccc8b1643c1",
 )
 
 KERNELS = RotationKernels(CHART)

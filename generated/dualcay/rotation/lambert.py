@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8fc72ba05ec7c535",
+    programs="fc8be0fe14ff7702",
     ends=True,
 )
 

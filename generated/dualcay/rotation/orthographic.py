@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="905156da5d3b2997",
+    programs="6316369ae94e9053",
     ends=True,
 )
 

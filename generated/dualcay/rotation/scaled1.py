@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="bf287282cc7c6dfc",
+    programs="ee7a6aab47e86d66",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="cb56a284314a2ecd",
+    programs="bb493e4700dca224",
 )
 
 KERNELS = RotationKernels(CHART)

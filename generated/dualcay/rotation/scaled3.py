@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8e54e67468a4c498",
+    programs="47ceca4039349e3f",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="a0e701c4db29c11c",
+    programs="53042c74c4d33234",
 )
 
 KERNELS = RotationKernels(CHART)

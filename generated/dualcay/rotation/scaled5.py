@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="8f45a1335b6d0a01",
+    programs="0a86430d9b765fcf",
 )
 
 KERNELS = RotationKernels(CHART)

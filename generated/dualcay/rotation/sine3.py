@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="70e5eca5752d8288",
+    programs="ea86cba0df1eee82",
     ends=True,
 )
 

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="47226182c4c9dfc1",
+    programs="e62a1b98fa290c63",
     ends=True,
 )
 
