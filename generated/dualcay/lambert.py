@@ -19,7 +19,7 @@ r"""Lambert's equal-area projection: dual vectors ``v = sin(α/4) u`` of rigid d
 ``tangent``: v ends, and with it the domain, at Re alpha = 2*pi.
 ``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = 2*pi.
 A pose has 2 vectors.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 

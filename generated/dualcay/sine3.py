@@ -19,7 +19,7 @@ r"""Sine chart of order 3: dual vectors ``v = sin(α/6) u`` of rigid displacemen
 ``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 ``tangent_inv`` is defined for Re|v| < 1 off the poles; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 3*pi.
 A pose has 3 vectors.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
