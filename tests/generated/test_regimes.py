@@ -144,7 +144,7 @@ CONTROLS: dict[str, tuple[str, str, Callable[[Subject, np.ndarray], Any]]] = {
     "not finite at half a turn": ("principal", "half turn", lambda chart, v: v * np.nan),
     "another branch at half a turn": ("principal", "half turn", lambda chart, v: 2 * np.asarray(v)),
     "digits lost far away": ("pose", "far", lambda chart, v: chart.module.pose(v).astype(np.float32).astype(float)),
-    "single differs from batch": ("angle", "few digits", lambda chart, v: chart.module.angle(v) * [1, np.nan][v.ndim - 1]),
+    "single differs from batch": ("angle", "far", lambda chart, v: chart.module.angle(v) * [1, np.nan][v.ndim - 1]),
 }
 
 
