@@ -185,6 +185,7 @@ class Call:
     row: Function
     given: tuple[np.ndarray, ...]
     fate: str
+    violation: float = 0.0  # rounding of entries of a matrix, which is then no exact rotation
 
     def judged(self) -> str:
         """Return why the single result or one in a batch is wrong; an empty string if both are right."""
@@ -224,7 +225,7 @@ class Call:
             sizes = [a + b for a, b in zip(sizes, further[:: 4 // len(sizes)], strict=True)]
         length = 1 + min(max(errors.norm(array) for array in self.given), 1e60)
         lost = ROUNDINGS * float(limits.smallest_subnormal) * length**4
-        return [families.GATE * float(limits.eps) * size + lost for size in sizes]
+        return [families.GATE * max(float(limits.eps), self.violation) * size + lost for size in sizes]
 
     @property
     def _doubles(self) -> list[np.ndarray]:
@@ -249,8 +250,8 @@ class Call:
     def _other_side(self) -> list[list[np.ndarray]]:
         """Return the other right results at half a turn: the opposite axis, and the angle on its other side."""
         name, given, known = self.row.source, self._of_poses(*self._doubles), self.chart.oracle
-        if name == "principal":
-            return [self._parts(known.shadow(known.principal(*given), branch)) for branch in (1, -1)]
+        if name == "principal" or name in POSES_OF:
+            return [self._parts(known.shadow(getattr(known, name)(*given), branch)) for branch in (1, -1)]
         if name == "to_screw":
             angle, axis = known.to_screw(*given)
             return [self._parts((np.array([2 * mpmath.pi - angle[0], -angle[1]]), -axis))]
@@ -299,6 +300,53 @@ def calls(chart: Subject, name: str, regime: str, dtype: Any = np.float64) -> It
                 for v in vectors if fate == OUTSIDE or not undecided else ():
                     may = SINGULAR if lost and fate == RIGHT else fate
                     yield Call(chart, row, (*usual[:place], v, *usual[place + 1 :]), may)
+
+
+# --- inverse maps -------------------------------------------------------------------------------------------------
+
+POSES_OF = {"from_quaternion": "quaternion", "from_tensor": "tensor", "from_pose": "pose"}
+NORMS = (-1.0, 2.0, 1e-3, 1e10)
+
+
+def inverse_calls(chart: Subject, name: str, regime: str, dtype: Any = np.float64) -> Iterator[Call]:
+    """Yield calls of an inverse map with the poses of a regime's vectors, and with others of the same regime."""
+    row = chart.table.public[name]
+    for given, fate in _poses(chart, getattr(chart.module, POSES_OF[name]), regime, dtype):
+        rounded = regime == "few digits" and np.ndim(given) > 1
+        yield Call(chart, row, (np.asarray(given, dtype),), fate, 1e-6 * rounded)
+
+
+def _poses(chart: Subject, forward: Callable[..., Any], regime: str, dtype: Any) -> Iterator[tuple[Any, str]]:
+    """Yield representations of poses, and what an inverse map of them may return."""
+    usual = forward(chart.at([chart.size(1.0)], np.float64)[0])
+    if regime == "not finite":
+        entries = [index for index in np.ndindex(usual.shape) if index[0] != 3 or usual.shape != (4, 4)]
+        for index in entries:
+            for wrong in (np.nan, np.inf, -np.inf):
+                given = usual.copy()
+                given[index] = wrong
+                yield given, OUTSIDE
+        if usual.ndim == 1:
+            yield 0 * usual, OUTSIDE
+    elif regime == "other norms":
+        yield from ((norm * usual, RIGHT) for norm in NORMS if usual.ndim == 1)
+    elif regime == "half turn":
+        for u in () if chart.edge < 3.2 else sampling.unit_vectors(sampling.generator("half turns"), (6,)):
+            if usual.ndim == 1:
+                yield np.concatenate([[0], u, np.zeros(4)])[: usual.size], RIGHT
+                continue
+            given = np.zeros(usual.shape) if usual.shape != (4, 4) else np.eye(4)
+            (given[0] if usual.ndim == 3 else given)[:3, :3] = 2 * np.outer(u, u) - np.eye(3)
+            yield given, RIGHT
+    else:
+        for fate, vectors in REGIMES[regime](chart, np.float64):
+            for v in vectors if fate == RIGHT and np.isfinite(vectors).all() else ():
+                given = forward(v)
+                if np.isfinite(given).all():
+                    yield given.round(6) if regime == "few digits" else given, fate
+
+
+INVERSE_REGIMES = ("identity", "tiny", "ordinary", "half turn", "few digits", "far", "not finite", "other norms")
 
 
 def _usual(chart: Subject, steps: Subject, array: Any, rng: np.random.Generator) -> np.ndarray:
