@@ -13,9 +13,8 @@ import pytest
 
 import dualcay
 from derive import about
-from derive.maps.any_phi.parameterization import parameterization
 from dualcay import exponential
-from tests.support import families, packages, regimes
+from tests.support import families, regimes
 from tests.support.regimes import OUTSIDE, REGIMES, Call, Subject, subject
 
 CHARTS = (*(f"cayley{n}" for n in about.ORDERS), *about.FAMILIES)
@@ -34,13 +33,6 @@ def warnings_are_errors() -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         yield
-
-
-@pytest.fixture(scope="module")
-def own(tmp_path_factory: pytest.TempPathFactory) -> Subject:
-    """Return the chart of a user's φ with a zero of φ′ at an edge of its own."""
-    module = packages.imported(parameterization(regimes.OwnOracle.PHI, "own"), tmp_path_factory.mktemp("own"))
-    return Subject(module, regimes.OwnOracle(1, families.DIGITS))
 
 
 def chosen(chart: Subject, regime: str, place: int, share: int, dtype: Any = np.float64) -> Iterator[Call]:
@@ -76,12 +68,6 @@ def test_every_function_is_right_or_not_finite(name: str, table: str, share: int
 def test_every_function_in_single_precision(name: str) -> None:
     for place, regime in enumerate(REGIMES, CHARTS.index(name)):
         assert wrong(chosen(subject(name), regime, place, 3, np.float32)) == [], regime
-
-
-@pytest.mark.thorough
-def test_every_function_of_a_chart_of_a_user_is_right_or_not_finite(own: Subject) -> None:
-    for place, regime in enumerate(REGIMES):
-        assert wrong(chosen(own, regime, place, 2)) == [], regime
 
 
 @pytest.mark.parametrize("table", ["", "rotation"])

@@ -20,7 +20,6 @@ import numpy as np
 from derive.codegen.rows import Function
 from derive.codegen.signatures import POSES, ROTATIONS
 from tests.support import errors, families, oracle, sampling
-from tests.support.nilpotent import dot
 from tests.support.rotation_arguments import ROUNDINGS
 
 RIGHT, SINGULAR, OUTSIDE = "finite and right", "right or not finite", "not finite"
@@ -40,20 +39,6 @@ DIGITS = {"tiny": 700, "overflow": 700}
 """Digits of the oracle by regime, where squares of squares meet 1; `families.DIGITS` elsewhere."""
 OF_ANY_VECTOR = ("inverse",)
 """Functions that are right for every vector: −v is the inverse wherever v has a pose."""
-
-
-class OwnOracle(families.ExponentialOracle):
-    """Oracle of a user's φ with an edge of its own: v = α/(1 + α²/28) u, up to α = √28."""
-
-    PHI = "alpha/(1 + alpha**2/28)"
-
-    def base(self, v: Any) -> Any:
-        x = dot(v, v)
-        share = 2 / (1 + self.field.sqrt(1 - x / 7))
-        return families.angle_by_tangent(self.field, share * share * x) / share
-
-    def size(self, theta: Any) -> Any:
-        return 2 * theta / (1 + theta * theta / 7)
 
 
 class Subject:
