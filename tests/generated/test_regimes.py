@@ -63,6 +63,18 @@ def test_every_function_is_right_or_not_finite(name: str, table: str, share: int
         assert wrong(chosen(chart, regime, place, share, dtype)) == [], regime
 
 
+@sample
+@pytest.mark.parametrize("name", CHARTS)
+def test_inverse_maps_are_right_or_not_finite(name: str, share: int) -> None:
+    """Half turns and poses of other norms are right, and what is no pose gives no finite vector."""
+    for place, (table, regime) in enumerate(itertools.product(("", "rotation"), regimes.INVERSE_REGIMES)):
+        chart = subject(name, table, regimes.DIGITS.get(regime, families.DIGITS))
+        maps = [function for function in regimes.POSES_OF if function in chart.table.public]
+        for function in maps if share == 1 else [maps[(place + CHARTS.index(name)) % len(maps)]]:
+            found = list(regimes.inverse_calls(chart, function, regime))
+            assert wrong(iter(found[place % max(len(found), 1) :: 1 if share == 1 else 5])) == [], (table, regime)
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_function_in_single_precision(name: str) -> None:
