@@ -212,14 +212,14 @@ class Chart(Typeset, ABC):
 
     @abstractmethod
     def turned(self, r: Coefficient, turn: Sequence[Coefficient], m: Arithmetic) -> Triple:
-        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r.
-
-        For a principal v the caller passes ``r = sqrt(1 + x)`` and ignores the results, which must be numbers.
-        """
+        """Return r_k of the vector one `turn` away from ``v = r u``, and its first and second derivatives by r."""
 
     @abstractmethod
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        """Return whether v lies beyond the principal branch, and the turn back, from the table `returns`."""
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        """Return whether v lies beyond the principal branch, then x or an unused number, and the turn back.
+
+        Limits and turns come from the table `returns`. The unused number is near x at half a turn.
+        """
 
     @abstractmethod
     def turn(self, branch: int) -> tuple[Any, Any]:
@@ -250,6 +250,11 @@ class Chart(Typeset, ABC):
         """Angle φ⁻¹(|v|), as a function of x, up to the edge."""
         found: sympy.Expr = self.unfolded(x, sympy.sqrt(x), PLAIN)
         return found.replace(sympy.atan2, lambda sine, cosine: sympy.atan(sine / cosine))  # the cosine is positive
+
+    @property
+    def ends(self) -> bool:
+        """Tell whether vectors longer than `range` have no pose."""
+        return not self.range.is_infinite
 
     @property
     def limits(self) -> tuple[tuple[sympy.Expr, ...], tuple[sympy.Expr, ...]]:

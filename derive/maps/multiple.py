@@ -35,6 +35,7 @@ POWERS = {
 
 FURTHER_POWERS = {
     "x": -2, "y": -2, "v11": -2, "v22": -2, "v33": -2, "r": -1, "fe": -1, "b": 1, "gain": -1, "rk": -1,
+    "place": -2,
 }  # fmt: skip
 """Powers of K that divide other numbers of the base chart; angles, turns and quaternions have none."""
 
@@ -155,8 +156,9 @@ class Multiple(Chart):
         rk, slope, bend = self.base.turned(self._length(r, m), turn, m)
         return self._times(rk, m, "rk_v"), slope, m.name("bend_v", divided(bend, self.factor, m))
 
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-        return self.base.beyond(self._square(x, m), table, m)
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+        selected, place, turn = self.base.beyond(self._square(x, m), table, m)
+        return selected, m.name("place_v", divided(place, self.factor, m, -2)), turn
 
     def turn(self, branch: int) -> tuple[Any, Any]:
         return self.base.turn(branch)

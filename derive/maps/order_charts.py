@@ -32,17 +32,21 @@ def by_length(before: Derivatives, after: Derivatives, m: Arithmetic) -> Derivat
     return m.name("rk", rk), ratio, m.name("bend", m.div(change, slope))
 
 
-def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
-    """Return whether x lies beyond the first limit of the table, and the turn of the last limit that x exceeds."""
+def beyond(x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
+    """Return whether x lies beyond the first limit of the table, x or a number, and the turn of the last limit passed.
+
+    The number that replaces an x within the limit is near the limit, where φ is regular.
+    """
     first, *others = table[::3]
     # v at half a turn counts as principal despite rounding
-    limits = [m.name("beyond1", m.less(first, first + m.div(x - first, NOISE)))]
+    beside = m.name("beside1", first + m.div(x - first, NOISE))
+    limits = [m.name("beyond1", m.less(first, beside))]
     limits += [m.name(f"beyond{j}", m.less(limit, x)) for j, limit in enumerate(others, 2)]
     cosine, sine = table[1:3]
     for j, (further, *values) in enumerate(zip(limits[1:], table[4::3], table[5::3], strict=True), 2):
         cosine = m.name(f"cosine{j}", m.where(further, values[0], cosine))
         sine = m.name(f"sine{j}", m.where(further, values[1], sine))
-    return limits[0], (cosine, sine)
+    return limits[0], m.name("place", m.where(limits[0], x, beside)), (cosine, sine)
 
 
 def turn(n: int, branch: int) -> tuple[Any, Any]:
@@ -155,7 +159,7 @@ class BranchesOfOrder(Chart):
         """Angles Re α = 2πk > 0 where T loses rank, then the edge nπ, where v or T is infinite."""
         return polynomials.singular_angles(self.order)
 
-    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Pair]:
+    def beyond(self, x: Coefficient, table: Sequence[Coefficient], m: Arithmetic) -> tuple[Any, Coefficient, Pair]:
         return beyond(x, table, m)
 
     def turn(self, branch: int) -> tuple[Any, Any]:

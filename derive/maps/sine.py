@@ -152,8 +152,7 @@ class Sine(OrderChart):
         return sine, cosine, -sine
 
     def cosine(self, x: Coefficient, m: Arithmetic) -> Pair:
-        """Return cos θ and 1; beyond the edge the cosine is an unused number."""
-        return m.name("c", m.sqrt(m.where(m.less(x, 1), 1 - x, x))), 1
+        return m.name("c", m.sqrt(1 - x)), 1
 
     def over_sine(self, cosine: Coefficient, m: Arithmetic) -> Pair:
         return 1, 1

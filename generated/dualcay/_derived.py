@@ -121,7 +121,7 @@ POWERS: Mapping[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "unfolded": ((2, 1), (0,)),
     "reached": ((0,), (0,)),
     "turned": ((1, 0, 0), (-1, 0, 1)),
-    "beyond": ((2,), (0, 0, 0)),
+    "beyond": ((2,), (0, -2, 0, 0)),
     "coefficient": ((0,), (-1, -1)),
     "coefficient_of": ((0, 0, 0), (-1, -1)),
 }

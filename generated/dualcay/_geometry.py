@@ -857,16 +857,14 @@ def angle(m: Any, c: Any, v: Components) -> Result:
     The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     v1, v2, v3, _, _, _ = v
-    _, _, _, _, ro, _, _, _ = axis_of(m, v)
+    r, _, _, _, ro, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     f, _, h = c.pose_scalars(m, v11, v22, v33)
     x = v11 + v22 + v33
-    resting = x == 0
-    rown = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, rown)
-    return m.where(resting, x, own), ro * (f + x * h)
+    own, = c.unfolded(m, x, r)
+    return own, ro * (f + x * h)
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
@@ -875,7 +873,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
@@ -890,7 +888,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)
@@ -941,10 +939,21 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     return made1 * inside, made2 * inside, made3 * inside, u1o * rk + u1 * rko, u2o * rk + u2 * rko, u3o * rk + u3 * rko
 
 
-def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+def stay(m: Any, c: Any, v: Components) -> Result:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     v1, v2, v3, v1o, v2o, v3o = v
-    none = v1 - v1 + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    one = 1 + (s - s + (w - w))
+    return one * v1, one * v2, one * v3, one * v1o, one * v2o, one * v3o
+
+
+def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
+    v1, v2, v3, v1o, v2o, v3o = v
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    none = s - s + (w - w) + (v1 - v1) + (v2 - v2) + (v3 - v3) + (v1o - v1o) + (v2o - v2o) + (v3o - v3o)
     one = 1 + none
     return (
         one, none, none, 0, 0, 0, none, one, none, 0, 0, 0, none, none, one, 0, 0, 0, none, none, none, one, none, none,
@@ -1003,8 +1012,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3, v1o, v2o, v3o = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    beyond, cosine, sine = c.beyond(m, x, *table)
-    r = m.sqrt(m.where(beyond, x, 1 + x))
+    beyond, place, cosine, sine = c.beyond(m, x, *table)
+    r = m.sqrt(place)
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -1191,7 +1200,7 @@ def nearest(m: Any, c: Any, v: Components, e: Components) -> Result:
     still = ss == 0
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
-    length = m.sqrt(m.where(still, 1 + ss, ss))
+    length = m.sqrt(m.where(still, 1 + ss, ss)) + (ss - ss)
     r = m.sqrt(m.where(resting, 1 + x, x))
     own, = c.unfolded(m, x, r)
     along = m.where(resting, 0, own / r) * (v1 * e1 + v2 * e2 + v3 * e3) / length
@@ -1321,22 +1330,23 @@ def logarithm(m: Any, e: Components, size: Any, rho: Components) -> Result:
     """
     e0, e1, e2, e3 = e
     rho1, rho2, rho3 = rho
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     sign = m.where(size + e0 / 16 < size, -1, 1)
     cos = sign * e0
-    ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
     gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    d1 = e1 * gain
-    d2 = e2 * gain
-    d3 = e3 * gain
+    factor = gain + (ss - ss)
+    d1 = e1 * factor
+    d2 = e2 * factor
+    d3 = e3 * factor
     v11 = d1 * d1
     v22 = d2 * d2
     v33 = d3 * d3
     part = v11 + v22
     x = part + v33
-    fe = gain * e0
+    fe = factor * e0
     within = x < 6
     z = m.where(within, x, x - x) / 4
     C7 = (
@@ -1452,13 +1462,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
@@ -1618,6 +1628,7 @@ KERNELS: Mapping[str, Kernel] = {
     "from_exponential": Kernel(from_exponential, (("w", (6,)),), (6,), real=True),
     "turn": Kernel(turn, (("v", (6,)),), (6,), real=True),
     "shadow": Kernel(shadow, (("v", (6,)),), (6,), real=True),
+    "stay": Kernel(stay, (("v", (6,)),), (6,), real=True),
     "identity_jacobian": Kernel(identity_jacobian, (("v", (6,)),), (6, 6), real=True),
     "shadow_jacobian": Kernel(shadow_jacobian, (("v", (6,)),), (6, 6), real=True),
     "principal": Kernel(principal, (("v", (6,)),), (6,), real=True),

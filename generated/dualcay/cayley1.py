@@ -202,7 +202,7 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="40368a83a5bea5e5",
+    programs="f5f53f33f03d0add",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -260,10 +260,12 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
-    return beyond1, cos1, sin1
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cos1, sin1
 
 
 # r = phi(alpha) and phi'
@@ -308,7 +310,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="9ef686c0c7cf3c68",
+    programs="fd31d86f65ed3b47",
 )
 
 KERNELS = PoseKernels(CHART)

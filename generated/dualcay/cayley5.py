@@ -275,13 +275,15 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    return beyond1, cosine2, sine2
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine2, sine2
 
 
 # r = phi(alpha) and phi'
@@ -331,7 +333,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="63122ccaa67b5613",
+    programs="bc467eeb75b375f3",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -283,9 +283,10 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return rk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any, limit3: Any, cos3: Any, sin3: Any, limit4: Any, cos4: Any, sin4: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     beyond3 = limit3 < x
     beyond4 = limit4 < x
@@ -295,7 +296,8 @@ def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2
     sine3 = m.where(beyond3, sin3, sine2)
     cosine4 = m.where(beyond4, cos4, cosine3)
     sine4 = m.where(beyond4, sin4, sine3)
-    return beyond1, cosine4, sine4
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine4, sine4
 
 
 # r = phi(alpha) and phi'
@@ -354,7 +356,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="5e9b46efea0571bc",
+    programs="cbee35a0bc806bf3",
 )
 
 KERNELS = PoseKernels(CHART)

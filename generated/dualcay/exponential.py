@@ -331,20 +331,23 @@ def _reached(m: Any, alpha: Any) -> Result:
 
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
-    alphak = r + sin
+    alphak = r + sin + cos * sin
     return alphak, 1, 0
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
-    rx = m.sqrt(x)
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    rx = m.sqrt(place)
     within, _, _, _, _, C1, _, C0, _, alpha = _within_to_alpha(m, x)
     s, w = _s_and_w(m, alpha, within, C0, C1)
     sine = w * rx
     side = m.where(s < 0, -1, 1)
-    back = 2 * m.atan2(side * sine, side * s) - rx
-    return beyond1, cos1, back
+    back = -rx
+    share = 2 * m.atan2(side * sine, side * s) / back
+    return beyond1, place, share, back
 
 
 # r = phi(alpha) and phi'
@@ -363,12 +366,12 @@ CHART = Chart(
     singular_angles=(2 * pi, 4 * pi),
     # pair of numbers for the turn by one branch
     turns=(
-        ("1.0", "6.283185307179586476925286766559005768394"),
+        ("-0.000002835786152229970237232055265479198662896", "6.283203125"),
     ),
     # limits of v·v halfway between branches, each followed by the pair of numbers for the turn back
     returns=(
         "9.869604401089358618834490999876151135314",
-        "1.0",
+        "-0.000002835786152229970237232055265479198662896",
         "0.0",
     ),
     functions=by_name(
@@ -377,7 +380,7 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="023e3fc2ea3bfb9e",
+    programs="f135f3020481f876",
 )
 
 KERNELS = PoseKernels(CHART)

@@ -19,7 +19,7 @@ r"""Lambert's equal-area projection: dual vectors ``v = sin(α/4) u`` of rigid d
 ``tangent``: v ends, and with it the domain, at Re alpha = 2*pi.
 ``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = 2*pi.
 A pose has 2 vectors.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
@@ -242,7 +242,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 4 * m.atan2(r, c)
     return own,
 
@@ -262,7 +262,7 @@ def _reached(m: Any, alpha: Any) -> Result:
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
-    c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
+    c = m.sqrt(1 - rr)
     further = c * cos - r * sin
     side = m.where(further < 0, -1, 1)
     sk = side * (r * cos + c * sin)
@@ -273,10 +273,12 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
-    return beyond1, cos1, sin1
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cos1, sin1
 
 
 # r = phi(alpha) and phi'
@@ -326,7 +328,8 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="e1d4c3316e978d43",
+    programs="1afc12bcc8f0c086",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

@@ -19,7 +19,7 @@ r"""Orthographic projection: dual vectors ``v = sin(α/2) u`` of rigid displacem
 ``tangent``: v ends, and with it the domain, at Re alpha = pi.
 ``tangent_inv`` is defined for Re|v| < 1; v ends, and with it the domain, at Re alpha = pi.
 A pose has one vector.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
@@ -193,7 +193,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 2 * m.atan2(r, c)
     return own,
 
@@ -252,7 +252,8 @@ CHART = Chart(
         _unfolded, _reached, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="ddb5c13f418c7f6b",
+    programs="d6d2396f5903e1f1",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

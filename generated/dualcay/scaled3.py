@@ -35,7 +35,7 @@ ORDER = 3
 
 
 CHART = multiple(
-    BASE, __name__, 6, 1, constant=('inside',), programs="70e64b5e4e7124bf"
+    BASE, __name__, 6, 1, constant=('inside',), programs="7fddcf0281aef789"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 4
 
 
 CHART = multiple(
-    BASE, __name__, 8, 1, constant=('inside',), programs="cc1cc198e3d85517"
+    BASE, __name__, 8, 1, constant=('inside',), programs="d405e6aa503a341f"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -35,7 +35,7 @@ ORDER = 5
 
 
 CHART = multiple(
-    BASE, __name__, 10, 1, constant=('inside',), programs="29c9142f6e3337a5"
+    BASE, __name__, 10, 1, constant=('inside',), programs="d35f45778e10a4f9"
 )
 
 KERNELS = PoseKernels(CHART)

@@ -19,7 +19,7 @@ r"""Sine chart of order 4: dual vectors ``v = sin(α/8) u`` of rigid displacemen
 ``tangent``: loses rank at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 ``tangent_inv`` is defined for Re|v| < 1 off the poles; pole at Re alpha = 2*pi; v ends, and with it the domain, at Re alpha = 4*pi.
 A pose has 4 vectors.
-Forward maps are NaN where v ends, at Re|v| = 1; other functions, such as ``principal`` and ``angle``, have no meaning there.
+Functions end where v ends, at Re|v| = 1: they are NaN for a longer v, except ``inverse``, which is −v.
 The functions are methods of `PoseKernels`, which explains shapes and conventions.
 """
 
@@ -256,7 +256,7 @@ def _natural(m: Any, x: Any, y: Any, r: Any) -> Result:
 
 # angle of v = r u on its own branch
 def _unfolded(m: Any, x: Any, r: Any) -> Result:
-    c = m.sqrt(m.where(x < 1, 1 - x, x))
+    c = m.sqrt(1 - x)
     own = 8 * m.atan2(r, c)
     return own,
 
@@ -277,7 +277,7 @@ def _reached(m: Any, alpha: Any) -> Result:
 # coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²
 def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     rr = r * r
-    c = m.sqrt(m.where(rr < 1, 1 - rr, rr))
+    c = m.sqrt(1 - rr)
     further = c * cos - r * sin
     side = m.where(further < 0, -1, 1)
     sk = side * (r * cos + c * sin)
@@ -288,13 +288,15 @@ def _turned(m: Any, r: Any, cos: Any, sin: Any) -> Result:
     return sk, slope, bend
 
 
-# truth of x > limit, beyond the principal branch, and the turn back
+# truth of x > limit, beyond the principal branch, x or the limit, and the turn back
 def _beyond(m: Any, x: Any, limit1: Any, cos1: Any, sin1: Any, limit2: Any, cos2: Any, sin2: Any) -> Result:
-    beyond1 = limit1 < limit1 + (x - limit1) / 64
+    beside1 = limit1 + (x - limit1) / 64
+    beyond1 = limit1 < beside1
     beyond2 = limit2 < x
     cosine2 = m.where(beyond2, cos2, cos1)
     sine2 = m.where(beyond2, sin2, sin1)
-    return beyond1, cosine2, sine2
+    place = m.where(beyond1, x, beside1)
+    return beyond1, place, cosine2, sine2
 
 
 # r = phi(alpha) and phi'
@@ -349,7 +351,8 @@ CHART = Chart(
         _natural, _unfolded, _reached, _turned, _beyond, _coefficient, _coefficient_of,
     ),
     kernels=SHARED,
-    programs="e43f5f1220ef6eb3",
+    programs="79cf6e35128031bc",
+    ends=True,
 )
 
 KERNELS = PoseKernels(CHART)

@@ -44,7 +44,8 @@ def nearest(trace: Geometry) -> Results:
     e = Quaternion.from_components(trace.components("e", "e", 4))
     ss = trace.name("ss", e.vector.dot(e.vector))
     still, resting = trace.name("still", trace.equal(ss, 0)), trace.name("resting", trace.equal(point.x, 0))
-    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)))
+    # NaN where the square overflows
+    length = trace.name("length", trace.sqrt(trace.where(still, 1 + ss, ss)) + (ss - ss))
     r = trace.name("r", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, r))
     share = trace.where(resting, 0, own / r)
@@ -74,7 +75,8 @@ def logarithm(trace: Geometry) -> Results:
     e = Quaternion.from_components(trace.components("e", "e", 4))
     (size,) = trace.numbers("size")
     rho = trace.real_vector("rho", dual="°")
-    factor = EXPONENTIAL.gain(e, size, trace)
+    ss = e.vector.dot(e.vector)
+    factor = trace.name("factor", EXPONENTIAL.gain(e, size, trace) + (ss - ss))  # NaN where the square overflows
     re = trace.vector("d", factor * e.vector)
     first, second, third = Point(trace, (*re, 0, 0, 0)).squares
     at = PrincipalScalars(trace.name("x", first + second + third), trace)

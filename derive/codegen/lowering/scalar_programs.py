@@ -50,7 +50,7 @@ FORMULAS: Mapping[str, tuple[str, str, tuple[str, ...]]] = {
     "unfolded": ("angle of `v = r u` on its own branch", "", ()),
     "reached": ("alpha reduced by whole turns to the range of the chart", "", ()),
     "turned": ("coefficient rk of the vector rk u on another branch of r u, drk/dr and d²rk/dr²", "", ()),
-    "beyond": ("truth of x > limit, beyond the principal branch, and the turn back", "", ()),
+    "beyond": ("truth of x > limit, beyond the principal branch, x or the limit, and the turn back", "", ()),
     "coefficient": ("`r = phi(alpha)` and phi'", "", ()),
     "coefficient_of": ("`r = phi(alpha)` and phi', the sine and cosine of alpha/2 known but for their size", "", ()),
 }
@@ -95,8 +95,8 @@ def _gain(chart: Chart, trace: Trace, *e: Number) -> tuple[Number]:
 
 
 def _beyond(chart: Chart, trace: Trace, x: Number, *table: Number) -> tuple[Number, ...]:
-    selected, turn = chart.beyond(x, table, trace)
-    return selected, *turn
+    selected, place, turn = chart.beyond(x, table, trace)
+    return selected, place, *turn
 
 
 def _reached(chart: Chart, trace: Trace, angle: Number) -> tuple[Number]:
@@ -141,7 +141,7 @@ SCALARS: Mapping[str, Scalar] = {
     "unfolded": Scalar(("x", "r"), ("own",), lambda c, m, *at: (m.name("own", c.unfolded(*at, m)),)),
     "reached": Scalar(("alpha",), ("within",), _reached),
     "turned": Scalar(("r", "cos", "sin"), ("rk", "slope", "bend"), lambda c, m, r, *turn: c.turned(r, turn, m)),
-    "beyond": Scalar(("x", "table"), ("beyond", "cosine", "sine"), _beyond, truths=("beyond",)),
+    "beyond": Scalar(("x", "table"), ("beyond", "place", "cosine", "sine"), _beyond, truths=("beyond",)),
     "coefficient": Scalar(("alpha",), ("r", "slope"), lambda c, m, alpha: c.coefficient(alpha, m)),
     "coefficient_of": Scalar(("alpha", "sine", "cosine"), ("r", "slope"), lambda c, m, *at: c.coefficient_of(*at, m)),
 }

@@ -36,8 +36,8 @@ def principal(trace: Geometry) -> Results:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     point = trace.point()
     trace.inputs(TABLE, ())  # only the chart knows its length
-    beyond, cosine, sine = trace.ask("beyond", (point.x,))
-    turned = _turned(trace, point, _axis_where(trace, point, beyond), cosine, sine)
+    beyond, place, cosine, sine = trace.ask("beyond", (point.x,))
+    turned = _turned(trace, point, _axis_at(trace, point, place), cosine, sine)
     return [trace.where(beyond, back, stay) for back, stay in zip(turned, point.components, strict=True)]
 
 
@@ -61,13 +61,27 @@ def shadow_jacobian(trace: Geometry) -> Results:
     return entries6(trace, Tensor.from_entries(entries))
 
 
-def identity_jacobian(trace: Geometry) -> Results:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+def stay(trace: Geometry) -> Results:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     point = trace.point()
-    none = point.name("none", sum(c - c for c in point.components))
+    one = point.name("one", 1 + _none(point))
+    return [one * c for c in point.components]
+
+
+def identity_jacobian(trace: Geometry) -> Results:
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
+    point = trace.point()
+    none = point.name("none", sum((c - c for c in point.components), _none(point)))
     one, zero = Dual(point.name("one", 1 + none), none), Dual(none, none)
     identity = Tensor(((one, zero, zero), (zero, one, zero), (zero, zero, one)))
     return entries6(trace, identity)
+
+
+def _none(point: Point) -> Number:
+    """Return 0; NaN where q̂ is not finite."""
+    s, w, _, _ = point.scalars("quaternion_scalars")
+    none: Number = (s - s) + (w - w)
+    return none
 
 
 def _axis(trace: Geometry, point: Point) -> Axis:
@@ -102,9 +116,9 @@ def axis_of(trace: Geometry) -> Results:
     return dict(zip(("r", "u1", "u2", "u3", "ro", "u1o", "u2o", "u3o"), results, strict=True))
 
 
-def _axis_where(trace: Geometry, point: Point, selected: Number) -> Axis:
-    """Return |v| and v/|v| where ``selected``, with Re v ≠ 0; elsewhere return unused numbers with finite gradients."""
-    size = point.name("r", trace.sqrt(trace.where(selected, point.x, 1 + point.x)))
+def _axis_at(trace: Geometry, point: Point, square: Number) -> Axis:
+    """Return |v| and v/|v| where ``square`` is v·v, with Re v ≠ 0; elsewhere unused numbers with finite gradients."""
+    size = point.name("r", trace.sqrt(square))
     u = trace.vector("u", point.re / size)
     size_du = point.name("ro", u.dot(point.du))
     moment = trace.vector("uo", (point.du - trace.vector("ru", size_du * u)) / size)
@@ -140,12 +154,10 @@ def angle(trace: Geometry) -> Results:
     The dual part is r° (f + x h), since dα/dr = f + x h.
     """
     point = trace.point()
-    _, _, distance, _ = _axis(trace, point)
+    length, _, distance, _ = _axis(trace, point)
     f, _, h = point.scalars("pose_scalars")
-    resting = trace.name("resting", trace.equal(point.x, 0))
-    length = trace.name("rown", trace.sqrt(trace.where(resting, 1 + point.x, point.x)))
     (own,) = trace.ask("unfolded", (point.x, length))
-    return trace.where(resting, point.x, own), distance * (f + point.x * h)
+    return own, distance * (f + point.x * h)
 
 
 def from_screw(trace: Geometry) -> Results:
@@ -180,10 +192,10 @@ def from_exponential(trace: Geometry) -> Results:
 
 
 def _length(trace: Geometry, point: Point) -> tuple[Number, Number, Number]:
-    """Return whether |v| = 0, then |v|² and |v|; at |v| = 0 both are 1, to avoid the root of 0."""
+    """Return whether |v| = 0, then |v|² and |v|: both 1 at |v| = 0, to avoid the root of 0, and NaN for infinity."""
     resting = trace.name("resting", trace.equal(point.x, 0))
     square = trace.name("square", trace.where(resting, 1 + point.x, point.x))
-    return resting, square, trace.name("length", trace.sqrt(square))
+    return resting, square, trace.name("length", trace.sqrt(square) + (square - square))
 
 
 def _rescaled(trace: Geometry, point: Point, square: Number, share: Number, slope: Number) -> tuple[Number, ...]:

@@ -17,6 +17,7 @@ from ..angle_of_length import angle_of, real_value
 from ..families import alpha
 from ..phi_error import PhiError
 from ..real_constants import Polynomial, plus, polynomial, times
+from ..scalars import NOISE
 from .edges import PHI_DIGITS, Edge, closed_inverse
 from .near_zero import chebyshev_points, interpolated
 from .phi_values import PhiValues
@@ -35,11 +36,19 @@ def _share(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
     return m.name("share", times(1 / size, x, m, "ratio"))
 
 
+def from_end(x: Coefficient, size: Any, m: Arithmetic) -> Coefficient:
+    """Return ``√(1 − x/X)``, for X at the end of a chart: 0 there, up to rounding, and NaN beyond."""
+    left = m.name("short", 1 - _share(x, size, m))
+    noise = m.both(m.less(left, 0), m.equal(NOISE + left, NOISE))
+    return m.name("rootshort", m.sqrt(m.where(noise, 0, left)))
+
+
 @dataclass(frozen=True)
 class Guess(ABC):
     """Angle near φ⁻¹(r)."""
 
     edge: Any  # of the chart, as a number
+    size: Any  # x at the edge, or infinity
     steps: int  # of Newton's method from this angle to the root
 
     def at(self, x: Any) -> Any:
@@ -53,10 +62,9 @@ class Guess(ABC):
 
 @dataclass(frozen=True)
 class Closed(Guess):
-    """Guess by φ⁻¹ in closed form. One Newton step corrects rounding. ``size`` is x at the edge, or infinity."""
+    """Guess by φ⁻¹ in closed form. One Newton step corrects rounding."""
 
     inverse: sympy.Expr
-    size: Any
 
     def at(self, x: Any) -> Any:
         try:
@@ -65,9 +73,6 @@ class Closed(Guess):
             raise PhiError(f"{self.inverse} divides by zero at alpha = {mpmath.nstr(mpmath.sqrt(x), 5)}") from None
 
     def lowered(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return the guess; a length beyond the edge is replaced by 0, since the inverse may be undefined there."""
-        if mpmath.isfinite(self.size):
-            r = m.name("shorter", m.where(m.less(_share(x, self.size, m), 1), r, r - r))
         return PhiValues(r, m).at(self.inverse)
 
 
@@ -94,12 +99,7 @@ LOGARITHM = Variable("Logarithm", lambda x, r, m: m.log1p(r), lambda z: mpmath.e
 
 def fold(size: Any) -> Variable:
     """Return the variable ``z = √(1 − x/X)``, for which the angle is analytic at a fold."""
-
-    def of(x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        share = _share(x, size, m)
-        return m.sqrt(m.where(m.less(share, 1), 1 - share, share))
-
-    return Variable("Fold", of, lambda z: size * (1 - z * z), True)
+    return Variable("Fold", lambda x, r, m: from_end(x, size, m), lambda z: size * (1 - z * z), True)
 
 
 def pole(size: Any) -> Variable:
@@ -164,13 +164,13 @@ def _guesses(phi: sympy.Expr, edge: Edge, first: Any, end: Any) -> Iterator[Gues
     size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
     # near a fold √(1 − x/X) determines the angle more accurately than the length does
     if edge.kind != "fold" and (inverse := closed_inverse(phi)) is not None:
-        yield Closed(end, 1, inverse.replace(sympy.asinh, ASINH).replace(sympy.atanh, ATANH), size)
+        yield Closed(end, size, 1, inverse.replace(sympy.asinh, ASINH).replace(sympy.atanh, ATANH))
     variables = [LENGTH, LOGARITHM]
     if edge.kind != "cut":
         variables = [fold(size) if edge.kind == "fold" else pole(_square(phi, end / 2))]
     fitted = [_fitted(phi, edge, variable, first, end) for variable in variables]
     yield from fitted
-    yield from (Guarded(end, 1, phi, fitted[0], count) for count in GUARDED_STEPS)
+    yield from (Guarded(end, size, 1, phi, fitted[0], count) for count in GUARDED_STEPS)
 
 
 def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: Any) -> Fitted:
@@ -187,7 +187,8 @@ def _fitted(phi: sympy.Expr, edge: Edge, variable: Variable, first: Any, end: An
     middle = Fraction(int(mpmath.nint(centre * 2 ** (4 - scale))), 1) * Fraction(2) ** (scale - 4)
     centre = mpmath.mpf(middle.numerator) / middle.denominator
     coefficients = interpolated([(z - centre) / mpmath.mpf(2) ** scale for z in nodes], values)
-    return Fitted(end, 1, variable, polynomial(coefficients, scale, 1, middle))
+    size = mpmath.inf if edge.kind == "pole" else _square(phi, end)
+    return Fitted(end, size, 1, variable, polynomial(coefficients, scale, 1, middle))
 
 
 def _square(phi: sympy.Expr, angle: Any) -> Any:

@@ -26,7 +26,7 @@ from ..order_charts import Derivatives, half_angle
 from ..real_constants import plus
 from ..scalars import NOISE, DependentScalars, scalar
 from .edges import PHI_DIGITS, Edge, edge_of
-from .first_guess import Guess, guess
+from .first_guess import Guess, from_end, guess
 from .near_zero import Ratio, ratio
 from .phi_values import PhiValues, require_known
 
@@ -81,9 +81,9 @@ class GeneralScalars(DependentScalars):
 
     @cached_property
     def _square(self) -> Coefficient:
-        """Value of x beyond the limit; elsewhere, an unused number beyond it."""
+        """Value of x beyond the limit; elsewhere the limit, an unused number."""
         limit = self.chart.near.limit
-        beside = self.m.div(limit.denominator * self.x + limit.numerator, limit.denominator)
+        beside = self.m.div(self.x - self.x + limit.numerator, limit.denominator)
         return self.m.name("xx", self.m.where(self.is_near, beside, self.x))
 
     _length = scalar(lambda at: at.m.sqrt(at._square), "length_x")
@@ -204,11 +204,17 @@ class General(AngleChart):
         return at.angle_of(r)
 
     def far_angle(self, x: Coefficient, r: Coefficient, m: Arithmetic) -> Coefficient:
-        """Return α by Newton's method from the first guess."""
+        """Return α by Newton's method from the first guess; NaN beyond the end of the chart."""
+        if self._edge.kind != "pole":
+            left = from_end(x, self.far.size, m)
+            r = m.name("length_in", r + (left - left))
         angle = m.name("guess", self.far.lowered(x, r, m))
         for step in range(self.far.steps):
             at = PhiValues(m.corrected(angle), m)
-            angle = m.name(f"alpha{step}", angle - m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1)))
+            change = m.div(at.derivative(self.phi, 0) - r, at.derivative(self.phi, 1))
+            if self._edge.kind == "fold":  # φ′ = 0 at the edge, which the guess meets
+                change = m.where(m.less(plus(angle, -self.far.edge, m, f"before{step}"), 0), change, 0)
+            angle = m.name(f"alpha{step}", angle - change)
         return angle
 
     def phi_derivatives(self, angle: Coefficient, m: Arithmetic, mark: str = "") -> Derivatives:

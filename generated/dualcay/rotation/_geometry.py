@@ -481,14 +481,13 @@ def to_angle_axis(m: Any, c: Any, v: Components) -> Result:
 def angle(m: Any, c: Any, v: Components) -> Result:
     """Angle α of v on its own branch."""
     v1, v2, v3 = v
+    r, _, _, _ = axis_of(m, v)
     v11 = v1 * v1
     v22 = v2 * v2
     v33 = v3 * v3
     x = v11 + v22 + v33
-    resting = x == 0
-    rown = m.sqrt(m.where(resting, 1 + x, x))
-    own, = c.unfolded(m, x, rown)
-    return m.where(resting, x, own),
+    own, = c.unfolded(m, x, r)
+    return own,
 
 
 def to_exponential(m: Any, c: Any, v: Components) -> Result:
@@ -497,7 +496,7 @@ def to_exponential(m: Any, c: Any, v: Components) -> Result:
     x = v1 * v1 + v2 * v2 + v3 * v3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     own, = c.unfolded(m, x, length)
     rate, = c.rate_scalars(m, x)
     share = m.where(resting, rate, own / length)
@@ -510,7 +509,7 @@ def from_exponential(m: Any, c: Any, w: Components) -> Result:
     x = w1 * w1 + w2 * w2 + w3 * w3
     resting = x == 0
     square = m.where(resting, 1 + x, x)
-    length = m.sqrt(square)
+    length = m.sqrt(square) + (square - square)
     alpha = m.where(resting, x, length)
     within, = c.reached(m, alpha)
     rn, slopen = c.coefficient(m, within)
@@ -553,10 +552,21 @@ def shadow(m: Any, c: Any, v: Components, table: Components) -> Result:
     return made1 * inside, made2 * inside, made3 * inside
 
 
-def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
-    """Identity I, the derivative of a shadow by no turn; NaN where v is not finite."""
+def stay(m: Any, c: Any, v: Components) -> Result:
+    """Vector v itself, the shadow by no turn; NaN where q̂ is not finite."""
     v1, v2, v3 = v
-    none = v1 - v1 + (v2 - v2) + (v3 - v3)
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    one = 1 + (s - s + (w - w))
+    return one * v1, one * v2, one * v3
+
+
+def identity_jacobian(m: Any, c: Any, v: Components) -> Result:
+    """Identity I, the derivative of a shadow by no turn; NaN where v or q̂ is not finite."""
+    v1, v2, v3 = v
+    x = v1 * v1 + v2 * v2 + v3 * v3
+    s, w, _, _ = c.quaternion_scalars(m, x)
+    none = s - s + (w - w) + (v1 - v1) + (v2 - v2) + (v3 - v3)
     one = 1 + none
     return one, none, none, none, one, none, none, none, one
 
@@ -596,8 +606,8 @@ def principal(m: Any, c: Any, v: Components, table: Components) -> Result:
     """Principal vector of v, turned back as the table of returns says for x; a principal v is returned unchanged."""
     v1, v2, v3 = v
     x = v1 * v1 + v2 * v2 + v3 * v3
-    beyond, cosine, sine = c.beyond(m, x, *table)
-    r = m.sqrt(m.where(beyond, x, 1 + x))
+    beyond, place, cosine, sine = c.beyond(m, x, *table)
+    r = m.sqrt(place)
     u1 = v1 / r
     u2 = v2 / r
     u3 = v3 / r
@@ -717,16 +727,17 @@ def body_retract_jacobians(m: Any, c: Any, v: Components, delta: Components) -> 
 def logarithm(m: Any, e: Components, size: Any) -> Result:
     """Logarithm δ of a displacement, from a positive multiple e, of a given size, of the quaternion of exp(δ)."""
     e0, e1, e2, e3 = e
+    ss = e1 * e1 + e2 * e2 + e3 * e3
     sign = m.where(size + e0 / 16 < size, -1, 1)
     cos = sign * e0
-    ss = e1 * e1 + e2 * e2 + e3 * e3
     still = ss == 0
     sin = m.sqrt(m.where(still, cos, ss))
     angle = 2 * m.atan2(sin, cos)
     gain = sign * (m.where(still, 2 * cos, angle) / m.where(still, cos * cos, sin))
-    d1 = e1 * gain
-    d2 = e2 * gain
-    d3 = e3 * gain
+    factor = gain + (ss - ss)
+    d1 = e1 * factor
+    d2 = e2 * factor
+    d3 = e3 * factor
     return d1, d2, d3
 
 
@@ -782,13 +793,13 @@ def interpolate(m: Any, c: Any, v1: Components, v2: Components, time: Components
     side = m.where(e1_1 * a1 + e2_1 * a2 + e3_1 * a3 < 0, -1, 1)
     ss1 = e1_1 * e1_1 + e2_1 * e2_1 + e3_1 * e3_1
     still1 = ss1 == 0
-    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1))
+    root1 = m.sqrt(m.where(still1, 1 + ss1, ss1)) + (ss1 - ss1)
     sine1 = m.where(apart, m.where(still1, ss1, side * root1), e1_1 * axis1 + e2_1 * axis2 + e3_1 * axis3)
     sign1 = m.where(apart, side, 1)
     half1 = m.atan2(sign1 * sine1, sign1 * e0_1)
     sst = e1 * e1 + e2 * e2 + e3 * e3
     stillt = sst == 0
-    roott = m.sqrt(m.where(stillt, 1 + sst, sst))
+    roott = m.sqrt(m.where(stillt, 1 + sst, sst)) + (sst - sst)
     sinet = m.where(apart, m.where(stillt, sst, side * roott), e1 * axis1 + e2 * axis2 + e3 * axis3)
     halft = m.atan2(sign1 * sinet, sign1 * e0)
     halft_by_2 = 2 * halft
@@ -884,6 +895,7 @@ KERNELS: Mapping[str, Kernel] = {
     "from_exponential": Kernel(from_exponential, (("w", (3,)),), (3,), real=True),
     "turn": Kernel(turn, (("v", (3,)),), (3,), real=True),
     "shadow": Kernel(shadow, (("v", (3,)),), (3,), real=True),
+    "stay": Kernel(stay, (("v", (3,)),), (3,), real=True),
     "identity_jacobian": Kernel(identity_jacobian, (("v", (3,)),), (3, 3), real=True),
     "shadow_jacobian": Kernel(shadow_jacobian, (("v", (3,)),), (3, 3), real=True),
     "principal": Kernel(principal, (("v", (3,)),), (3,), real=True),

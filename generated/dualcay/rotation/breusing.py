@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3f15a0175518d5df",
+    programs="a2b7ea00f9a9e546",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="84ba836422d2bcf1",
+    programs="59ed6eafcb0912d6",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6cf676670e7f7f84",
+    programs="60ed668546b3f5d1",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="84b2624c5bc6fd59",
+    programs="1158186a952df67c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="5f017297a05a53b6",
+    programs="55c0ea8d5e1c4212",
 )
 
 KERNELS = RotationKernels(CHART)

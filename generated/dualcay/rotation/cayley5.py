@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="3209f18b38428992",
+    programs="b8931963d22154c7",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="430270b9386d3452",
+    programs="843e9d54e206c725",
 )
 
 KERNELS = RotationKernels(CHART)

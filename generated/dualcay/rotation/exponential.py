@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="c3656a02a870ec03",
+    programs="8c356ddb5b860cac",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="33f18314a87d78ce",
+    programs="07cf9f2d456b8e0b",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="2b361fb0b629b6c5",
+    programs="bae35bfb56b26a4b",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="12b2e363c8fcb9ff",
+    programs="46c8df6d444a942d",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="6b165d8e8ef1d1a6",
+    programs="e4d3efa646ada63c",
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="42a340b5a8b75a4b",
+    programs="904328a9c46517c8",
 )
 
 KERNELS = RotationKernels(CHART)

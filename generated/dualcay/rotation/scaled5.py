@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="59d056af53f6524a",
+    programs="5dd29a69594b53cd",
 )
 
 KERNELS = RotationKernels(CHART)

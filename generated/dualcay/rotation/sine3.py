@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="c415e78fcef9d2d6",
+    programs="a47fe5d0ea8b9555",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,8 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="257eedad208950c1",
+    programs="fb641877a00ecec7",
+    ends=True,
 )
 
 KERNELS = RotationKernels(CHART)

@@ -31,7 +31,7 @@ CHART = Chart(
     POSES.returns,
     POSES.functions,
     _geometry.KERNELS,
-    programs="cac234a9e6d00479",
+    programs="0460aff6c3381302",
 )
 
 KERNELS = RotationKernels(CHART)

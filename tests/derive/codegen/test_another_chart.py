@@ -89,7 +89,7 @@ def texts() -> dict[str, str]:
         ("_direction", "y < 0", "0 < y"),
         ("_natural", "6 / c", "3 / c"),
         ("_turned", "further < 0", "1 < 0"),
-        ("_beyond", "limit1 < limit1 +", "limit1 < limit1 -"),
+        ("_beyond", "limit1 + (x", "limit1 - (x"),
         ("_coefficient", "1 - tt", "1 + tt"),
     ],
 )
