@@ -111,7 +111,7 @@ def norm(field: Field, a: Any) -> Any:
     """Return the magnitude of a vector, quaternion or number."""
     if isinstance(a, Vector):
         return field.magnitude(a)
-    return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else abs(a)
+    return field.sqrt(a.norm2()) if isinstance(a, Quaternion) else field.absolute(a)
 
 
 def re(a: Any) -> Any:
