@@ -170,9 +170,9 @@ binomial = define("binomial", r"\binom{{{0}}}{{{1}}}", "{0} {1}", ATOM, (LIST, L
 # ---- dual parts -----------------------------------------------------------------------------------------------
 
 epsilon = Symbol("epsilon", "dual unit", r"\varepsilon", "ε")
-Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: values.re(a),
+Re = define("Re", r"\operatorname{{Re}} {0}", "Re {0}", PRODUCT, (ATOM,), lambda env, a: env.number(values.re(a)),
             traits=Trait.APART)
-Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: values.du(a),
+Du = define("Du", r"\operatorname{{Du}} {0}", "Du {0}", PRODUCT, (ATOM,), lambda env, a: env.number(values.du(a)),
             traits=Trait.APART)
 
 

@@ -120,7 +120,7 @@ def norm(field: Field, a: Any) -> Any:
     """Return the magnitude of a column, quaternion or number."""
     if isinstance(a, Vector):
         return field.magnitude(a)
-    return field.sqrt(square(a)) if isinstance(a, Structure) else abs(a)
+    return field.sqrt(square(a)) if isinstance(a, Structure) else field.absolute(a)
 
 
 def square(a: Any) -> Any:

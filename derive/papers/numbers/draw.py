@@ -74,6 +74,11 @@ def sphere(s: Any, t: Any) -> Vector:
     return Vector(2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square))
 
 
+def jet(value: Any, rates: Sequence[Any]) -> Any:
+    """Return a number with its rates: of first order as one dual number, of second order as nested dual numbers."""
+    return Dual(jet(value, rates[:-1]), jet(rates[0], rates[1:])) if rates else value
+
+
 @dataclass(frozen=True)
 class Smooth:
     """Differentiable function of plain or dual numbers, with its derivative at plain numbers."""

@@ -1,0 +1,192 @@
+"""Balls of Arb: numbers with a rigorous bound on their error, in which claims are evaluated.
+
+Two balls that do not overlap are certainly unequal, so a refutation is a proof. Balls that overlap count as equal; an
+overlap that is too wide to tell raises `BlurredError`, and the caller repeats the evaluation with more digits.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import cache
+from numbers import Number
+from typing import Any
+
+from .fields import Field, UndefinedError
+
+PRECISIONS = (256, 2048)
+"""Bits of the first evaluation, and of its repetition if balls are too wide."""
+BLURRED = -64
+"""Exponent of 2 of the largest error with which two numbers count as equal."""
+
+
+class BlurredError(Exception):
+    """Error for balls too wide to tell whether two numbers are equal."""
+
+
+@cache
+def flint() -> Any:
+    """Return python-flint."""
+    return importlib.import_module("flint")
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Compute with balls of this many bits."""
+    context, before = flint().ctx, flint().ctx.prec
+    context.prec = bits
+    try:
+        yield
+    finally:
+        context.prec = before
+
+
+def _binary(name: str, turned: bool = False) -> Callable[[Ball, Any], Any]:
+    def operation(self: Ball, other: Any) -> Any:
+        b = arb(other)
+        if b is None:
+            return NotImplemented
+        return Ball(getattr(b, name)(self.arb) if turned else getattr(self.arb, name)(b))
+
+    return operation
+
+
+class Ball:
+    """Real number with a bound on its error; it behaves like a number."""
+
+    __slots__ = ("arb",)
+    __hash__ = None  # type: ignore[assignment]  # overlapping balls are equal
+
+    def __init__(self, value: Any) -> None:
+        self.arb = value
+
+    __add__ = __radd__ = _binary("__add__")
+    __mul__ = __rmul__ = _binary("__mul__")
+    __sub__, __rsub__ = _binary("__sub__"), _binary("__sub__", True)
+
+    def __truediv__(self, other: Any) -> Any:
+        b = arb(other)
+        return NotImplemented if b is None else Ball(self.arb / _nonzero(b))
+
+    def __rtruediv__(self, other: Any) -> Any:
+        a = arb(other)
+        return NotImplemented if a is None else Ball(a / _nonzero(self.arb))
+
+    def __pow__(self, exponent: int) -> Ball:
+        return Ball(self.arb**exponent) if exponent >= 0 else Ball(_nonzero(self.arb) ** exponent)
+
+    def __neg__(self) -> Ball:
+        return Ball(-self.arb)
+
+    def __abs__(self) -> Ball:
+        return Ball(abs(self.arb))
+
+    def __eq__(self, other: object) -> bool:
+        b = arb(other)
+        return NotImplemented if b is None else bool(self.arb.overlaps(b))
+
+    def __lt__(self, other: Any) -> bool:
+        return bool(self.arb < arb(other))
+
+    def __gt__(self, other: Any) -> bool:
+        return bool(self.arb > arb(other))
+
+    def __le__(self, other: Any) -> bool:
+        return not self > other
+
+    def __ge__(self, other: Any) -> bool:
+        return not self < other
+
+    def __bool__(self) -> bool:
+        return not self.arb.contains(0)
+
+    def __float__(self) -> float:
+        return float(self.arb.mid())
+
+    def __repr__(self) -> str:
+        return str(self.arb.str(30, radius=False))
+
+
+Number.register(Ball)
+
+
+def arb(value: Any) -> Any:
+    """Return a number as Arb's ball, or None for a value of another type."""
+    if isinstance(value, Ball):
+        return value.arb
+    if isinstance(value, int):
+        return flint().arb(int(value))
+    if isinstance(value, Fraction):
+        return flint().arb(flint().fmpq(value.numerator, value.denominator))
+    return None
+
+
+def _nonzero(a: Any) -> Any:
+    if a.contains(0):
+        raise ZeroDivisionError("division by zero")
+    return a
+
+
+class Balls(Field):
+    """Real numbers as balls."""
+
+    ordered = True
+
+    def same(self, a: Any, b: Any) -> bool:
+        gap, size = arb(a) - arb(b), abs(arb(a)).mid() + 1
+        if not gap.is_finite():
+            raise BlurredError
+        return self._contains_zero(gap, size)
+
+    def vanishes(self, a: Any) -> bool:
+        return self._contains_zero(arb(a), 1)
+
+    @staticmethod
+    def _contains_zero(gap: Any, size: Any) -> bool:
+        if not gap.contains(0):
+            return False
+        if not gap.rad() < size * flint().arb(2) ** BLURRED:
+            raise BlurredError
+        return True
+
+    def real(self, name: str, *values: Any) -> Callable[..., Any]:
+        if hasattr(self, f"_{name}"):
+            return super().real(name, *values)
+        return lambda a: Ball(getattr(arb(a), name)())  # functions without a singularity, such as the sine
+
+    def _log(self, a: Any) -> Ball:
+        if not arb(a) > 0:
+            raise UndefinedError("logarithm of a number that is not positive")
+        return Ball(arb(a).log())
+
+    def _sqrt(self, a: Any) -> Ball:
+        if arb(a) < 0:
+            raise UndefinedError("square root of a negative number")
+        return Ball(arb(a).nonnegative_part().sqrt())
+
+    def _asin(self, a: Any) -> Ball:
+        if abs(arb(a)) > 1:
+            raise UndefinedError("inverse sine of a number beyond 1")
+        low, high = (arb(end).max(-1).min(1).asin() for end in (Ball(arb(a).lower()), Ball(arb(a).upper())))
+        return Ball(low.union(high))
+
+    def _acos(self, a: Any) -> Ball:
+        quarter: Ball = self.pi / 2
+        return quarter - self._asin(a)
+
+    def _atan2(self, y: Any, x: Any) -> Ball:
+        y, x = arb(y), arb(x)
+        if y.contains(0) and x.contains(0):
+            raise UndefinedError("the angle of 0")
+        return Ball(flint().arb.atan2(y * 0 if y.contains(0) else y, x))
+
+    def floor(self, a: Any) -> int:
+        """Return the greatest integer that is not greater; a ball around an integer counts as this integer."""
+        number = arb(a)
+        return int(number.unique_fmpz() if number.contains_integer() else number.floor().unique_fmpz())
+
+    @property
+    def pi(self) -> Ball:
+        return Ball(flint().arb.pi())
