@@ -106,7 +106,7 @@ def plain(claim: Claim, requirement: Exclusion) -> str:
     lines = [line for seed in "ab" for line in Probe(claim).lines(letters[0])][: 4]
     chosen = [line for line in lines if line.radial or kind(letters[0]).size == 1]
     part = Singular(requirement.subject, size)
-    roots = [[float(t) for t in line.roots(part)] for line in chosen]
+    roots = [line.roots(part) for line in chosen]
     if not roots or not roots[0] or any(len(r) != len(roots[0]) for r in roots):
         return str(requirement)
     if any(abs(a - b) > 1e-9 for one in roots for a, b in zip(one, roots[0], strict=True)):
@@ -119,14 +119,14 @@ def values_excluded(name: str, roots: Sequence[float]) -> str:
     shown = [named(t) for t in sorted(roots, key=lambda t: (abs(t), -t))]
     if any("." in t for t in shown):
         return ""
-    if len(shown) <= 2:
+    if len(shown) == 1 or (len(shown) == 2 and "pi" not in shown[1]):
         return " and ".join(f"{name} != {t}" for t in shown)
     steps = sorted({abs(t) for t in roots})
     gap = steps[1] - steps[0] if steps[0] else steps[1]
     if all(abs(t / gap - round(t / gap)) < 1e-9 for t in steps):
         first = f"k = {round(steps[0] / gap)}, {round(steps[0] / gap) + 1}, …" if min(roots) >= 0 else "any integer k"
-        unit = named(gap)
-        return f"{name} != {'k*' + unit if unit != '1' else 'k'} for {first}"
+        unit = named(gap).replace("pi", "k*pi") if "pi" in named(gap) else f"{named(gap)}*k"
+        return f"{name} != {unit} for {first}"
     return ""
 
 

@@ -195,14 +195,12 @@ def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
     """Yield the changes in one step that make a false claim true."""
     sample = [place for place in Probe(claim).quick() if claim.inside(place)][:SAMPLE]
     first = [finding.failing] if finding.failing else []
-    shown = 0
-    for _, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
+    shown: set[str] = set()  # one change of each sort, since changes of one sort are often equivalent
+    for _, sort, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
         other = _expanded(claim, changed)
-        if _true_at(other, [*first, *sample]) and decided(other).holds:
+        if sort not in shown and len(shown) < CHANGES_MAX and _true_at(other, [*first, *sample]) and decided(other).holds:
+            shown.add(sort)
             yield f"{words}: {written(changed)}"
-            shown += 1
-            if shown == CHANGES_MAX:
-                return
 
 
 def _vacuous(claim: Claim, finding: Finding) -> Iterator[str]:
@@ -232,7 +230,8 @@ def _outside(claim: Claim, finding: Finding) -> str:
     assert place is not None
     where = place.on or place.label
     admits = ", which the stated domain admits" if claim.entry.claimed is not None else ""
-    return f"{'false' if finding.cuts else 'undefined'} at {where}{admits}"
+    undefined = claim.truth(place) is None
+    return f"{'undefined' if undefined else 'false'} at {where}{admits}"
 
 
 def _counterexample(claim: Claim, place: Place, words: str = "") -> Counterexample:

@@ -33,7 +33,7 @@ ROOTS_MAX = 4
 """Number of zeros of one singular part along one line that are tried."""
 NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
-FINE, WIDTH = 512, 80
+FINE, WIDTH = 512, 160
 """Bits of the search for zeros, and bits of a zero's position."""
 
 
@@ -216,14 +216,14 @@ class Line:
         except (ArithmeticError, BlurredError, TypeError, AttributeError):
             return None
 
-    def roots(self, part: Singular) -> list[Any]:
-        """Return the zeros of a singular part along the line, as balls, those near 0 first."""
-        low = 0 if self.radial else -16
-        grid = [Fraction(k, 2) for k in range(2 * low, 34)]
+    def roots(self, part: Singular) -> list[float]:
+        """Return the zeros of a singular part along the line, those near 0 first."""
         with precision(FINE):
-            return self._roots(part, grid)
+            return [float(t) for t in self._roots(part)]
 
-    def _roots(self, part: Singular, grid: list[Fraction]) -> list[Any]:
+    def _roots(self, part: Singular) -> list[Any]:
+        grid = [Fraction(k, 2) for k in range(0 if self.radial else -32, 40)]
+
         def value(t: Any) -> Any:
             return self.value(part, t)
 
@@ -244,23 +244,20 @@ class Line:
                 zeros.append(t)
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 
-    def places(self, part: Singular) -> Iterator[Place]:
-        """Yield the points on and beside the zeros of a singular part, and between them."""
-        roots = self.roots(part)[:ROOTS_MAX]
-        for t in roots:
-            place = f"{self.shown} = {named(float(t))}"
-            on = Ball(flint().arb(t, flint().arb(2) ** -WIDTH)) if t.mid() != 0 and not _short(t) else Ball(t)
-            yield Place(place, self.point(on), on=place)
-            for side in (1, -1):
-                beside = Ball(t) + side * NEAR * (1 + abs(Fraction(float(t)).limit_denominator(1000)))
-                if not (self.radial and beside < 0):
-                    yield Place(f"beside {place}", self.point(beside))
-        for t, u in pairwise(sorted(roots, key=float)):
-            yield Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2))
-
-
-def _short(t: Any) -> bool:
-    return bool((t * 4).is_integer())
+    def places(self, part: Singular) -> list[Place]:
+        """Return the points on and beside the zeros of a singular part, and between them."""
+        with precision(FINE):
+            roots, found = self._roots(part)[:ROOTS_MAX], []
+            for t in roots:
+                place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
+                exact = (t * 4).is_integer()
+                on = Ball(t if exact else flint().arb(t, flint().arb(2) ** -WIDTH))
+                found.append(Place(place, self.point(on), on=place))
+                beside = [b for b in (Ball(t) - near, Ball(t) + near) if not (self.radial and b < 0)]
+                found += [Place(f"beside {place}", self.point(b)) for b in beside]
+            for t, u in pairwise(sorted(roots, key=float)):
+                found.append(Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2)))
+        return found
 
 
 def _zero(f: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> Any:
