@@ -150,7 +150,7 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     try:
         for n in orders if order is not None else (0,):
             for k, plus_minus in product(range((entry.branches or n) if branch else 1), (1, -1) if sign else (1,)):
-                steps = 4 * n or _steps(statement)
+                steps = 4 * n or steps_of(statement)
                 point = Generic(generic, dual, entry.moving, steps, framed=not entry.components)
                 if branch is not None:
                     point.fix_branch(branch, k)
@@ -163,7 +163,7 @@ def prove(entry: Entry, statement: Term, orders: Sequence[int], found: list[Pair
     return "exact" if order is None else f"exact, n = {', '.join(map(str, orders))}"
 
 
-def _steps(statement: Term) -> int:
+def steps_of(statement: Term) -> int:
     """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
     divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
     return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -18,8 +18,10 @@ class Status(StrEnum):
 
     HOLDS = "holds"
     HOLDS_IF = "holds-if"
+    FALSE = "false"
     ERRATUM = "erratum"
     AMBIGUOUS = "ambiguous"
+    UNDECIDED = "undecided"
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,7 @@ class Counterexample:
     point: str
     letters: Mapping[str, list[str]]  # numbers of each free symbol by its LaTeX
     sides: tuple[list[str], ...]  # numbers of both sides of the equation that fails; empty for a claim in words
+    proof: str = field(default="", metadata={"only": "claims"})  # "exact rationals" or "disjoint intervals"
 
 
 @dataclass(frozen=True)
@@ -63,6 +66,15 @@ class Result(Typeset):
     method: str  # method of decision in words
     verdicts: tuple[Verdict, ...]  # one for each listed reading, true ones first
     exact: bool = False  # whether the denominators show that the condition is sharp, not only sufficient
+    # further fields of claims whose condition is found
+    certainty: str = ""  # "exact" or "evidence"
+    points: int = 0  # points evaluated inside the domain
+    found: str = ""  # condition in the form of claims
+    outside: Counterexample | None = None  # point outside the condition
+    changes: tuple[str, ...] = ()  # changes in one step that make a false claim true, simplest first
+    vacuous: tuple[str, ...] = ()  # terms whose sign or coefficient does not matter
+    needs: tuple[str, ...] = ()  # constraints of letters without which the claim is false
+    cuts: str = ""  # how many points fail on other branches, and where they lie
 
     @property
     def printed(self) -> str:
@@ -86,8 +98,9 @@ class Result(Typeset):
 
     @property
     def counterexample(self) -> Counterexample | None:
-        """Counterexample of an erratum."""
-        return self.verdicts[0].counterexample if self.status is Status.ERRATUM else None
+        """Counterexample of an erratum or a false claim."""
+        wrong = self.status in (Status.ERRATUM, Status.FALSE)
+        return self.verdicts[0].counterexample if wrong else None
 
     @property
     def section(self) -> str:

@@ -1,0 +1,157 @@
+"""A claim with its letters, evaluated over balls at points given by coordinates."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from ..algebra.element import NotExactError
+from .equation import Entry
+from .language.environment import Env
+from .language.operator_table import epsilon
+from .language.printed import Symbol, Term, Trait, symbols, walk, with_trait
+from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
+from .numbers.draw import jet
+from .numbers.fields import Field
+from .numbers.kinds import KINDS, Kind, Numbers
+from .numbers.quantities import ORDER, SIGN
+
+RATES_MAX = 2
+"""Highest order of a time derivative for which letters have rates."""
+Coordinates = Mapping[Symbol, Numbers]
+
+
+class RefusedError(Exception):
+    """Error for a claim that the engine cannot decide, with the reason."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Point at which a claim is evaluated.
+
+    `generic` points are drawn without relation between letters and near 1, where a region of truth shows; `on` tells
+    what is special about a point that lies on a zero set.
+    """
+
+    label: str
+    at: Coordinates
+    generic: bool = False
+    on: str = ""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """Statement with its stated domain and the entry that contains both."""
+
+    entry: Entry
+    statement: Term
+
+    @cached_property
+    def parts(self) -> tuple[Term, ...]:
+        """Statement and domain."""
+        return self.statement, *((self.entry.claimed,) if self.entry.claimed is not None else ())
+
+    @cached_property
+    def letters(self) -> tuple[Symbol, ...]:
+        """Free letters; raise if one has no kind."""
+        found = self.entry.free(self.statement)
+        for letter in found:
+            if letter.quantity.name not in KINDS and letter.quantity not in (ORDER, SIGN):
+                raise RefusedError(f"the letter {letter.name} is a {letter.quantity.name}, which cannot be drawn")
+        return found
+
+    @cached_property
+    def coordinates(self) -> tuple[Symbol, ...]:
+        """Letters with coordinates: all but orders and signs."""
+        return tuple(letter for letter in self.letters if letter.quantity.name in KINDS)
+
+    @cached_property
+    def dual(self) -> bool:
+        """Whether dual numbers occur."""
+        apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
+        return apart or any(kind(letter).dual for letter in self.coordinates)
+
+    @cached_property
+    def depth(self) -> int:
+        """Highest order of a time derivative."""
+        depth = max(map(_depth, self.parts))
+        if depth > RATES_MAX:
+            raise RefusedError(f"rates are nested more than {RATES_MAX} deep")
+        return depth
+
+    def env(self, place: Place, field: Field | None = None) -> Env:
+        """Return the environment at a point: the letters' values, with dual parts and rates by a fixed seed."""
+        values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
+        for letter in self.coordinates:
+            values[letter] = self._value(letter, place.at[letter], field)
+        return Env(field or Balls(), values, self.entry.definitions, self.dual, self.depth)
+
+    def _value(self, letter: Symbol, coordinates: Numbers, field: Field | None) -> Any:
+        row, source = kind(letter), random.Random(f"{letter.name} {len(coordinates)}")
+        number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
+
+        def coefficient(value: Any) -> Any:
+            still = row.constant or row.spread == "integer"
+            rates = [number(0 if still else source.choice((-2, -1, 1, 2, 3))) for _ in range(self.depth)]
+            return jet(value, rates)
+
+        def part(c: Any) -> Any:
+            value = coefficient(number(c))
+            du = coefficient(number(source.choice((-3, -1, 1, 2)))) if row.dual else 0 * value
+            return type(self).pair(value, du) if row.dual or (self.dual and self.depth) else value
+
+        whole = row.spread == "integer" and not self.dual and not self.depth
+        return int(coordinates[0]) if whole else row.build([part(c) for c in coordinates])
+
+    @staticmethod
+    def pair(value: Any, du: Any) -> Any:
+        """Return a dual number."""
+        from ..algebra import Dual
+
+        return Dual(value, du)
+
+    def truth(self, place: Place, statement: Term | None = None) -> bool | None:
+        """Return whether the claim, or another statement, is true at a point; None where it has no value.
+
+        Raise `BlurredError` if even the second precision does not tell.
+        """
+        return self.evaluated(place, statement if statement is not None else self.statement, bool)
+
+    def evaluated(self, place: Place, part: Term, form: Any = lambda a: a) -> Any:
+        """Return the value of a term at a point, or None where it has no value."""
+        for bits in PRECISIONS:
+            with precision(bits):
+                try:
+                    return form(self.env(place).value(part))
+                except NotExactError:
+                    raise
+                except ArithmeticError:
+                    return None
+                except BlurredError:
+                    continue
+        raise BlurredError
+
+    def inside(self, place: Place) -> bool:
+        """Return whether a point lies in the stated domain."""
+        return self.entry.claimed is None or bool(self.truth(place, self.entry.claimed))
+
+    def with_statement(self, statement: Term) -> Claim:
+        """Return another claim about the same letters."""
+        return replace(self, statement=statement)
+
+
+def kind(letter: Symbol) -> Kind:
+    """Return the kind of a letter."""
+    return KINDS[letter.quantity.name]
+
+
+def _depth(node: Term) -> int:
+    return max(map(_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+
+
+def operators(*statements: Term) -> set[str]:
+    """Return the names of the operators of statements."""
+    return {node.operator.name for statement in statements for node in walk(statement)}

@@ -1,0 +1,242 @@
+"""Conditions of a claim, found from the points where it fails: parts without a value, and regions of a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+from ..algebra import Structure
+from .claim import Claim, Place, kind
+from .language.environment import Env
+from .language.operator_table import cos, det, norm, sin
+from .language.printed import Number, Symbol, Term, Trait, symbols, walk
+from .language.printed import text as written
+from .numbers.balls import Ball, Balls, BlurredError, arb, precision
+from .numbers.fields import innermost
+from .probe import Line, Probe, Singular, named, size
+
+BRANCHED = frozenset(("root", "acos", "asin", "atan", "arctan", "atan2", "log", "norm", "floor", "K10 length", "K10 power 1/2"))
+"""Operators that choose a branch or a sign."""
+REGION_MIN = 5
+"""A claim is true in a region if it is at one in this many of the generic points."""
+
+
+@dataclass(frozen=True)
+class Exclusion:
+    """Requirement ``subject relation`` of a claim for a value, such as ``norm(v) != 0``."""
+
+    subject: Term
+    relation: str
+
+    def __str__(self) -> str:
+        if self.relation == "has a value":
+            return f"{written(self.subject)} has a value"
+        return f"{written(self.subject)} {self.relation}"
+
+
+def fault(env: Env, node: Term) -> Exclusion | None:
+    """Return the requirement that a term without a value violates: that of its deepest part without a value."""
+    for argument in node.arguments:
+        if not any(a.quantity.name == "index" for a in symbols(argument)) and _undefined(env, argument):
+            return fault(env, argument)
+    name, arguments = node.operator.name, node.arguments
+    if name == "over":
+        return Exclusion(_factor(env, arguments[1]), "!= 0")
+    if name in ("power", "inverse"):
+        return Exclusion(_factor(env, arguments[0]), "!= 0")
+    if name == "norm":
+        return Exclusion(node, "!= 0")
+    if name == "root" or name == "K10 power 1/2":
+        return Exclusion(arguments[0], ">= 0")
+    if name == "log" and not isinstance(env.value(arguments[0]), Structure):
+        return Exclusion(arguments[0], "> 0")
+    if name in ("acos", "asin"):
+        return Exclusion(norm(arguments[0]), "<= 1")
+    if name in ("tan", "cot"):
+        return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
+    if name == "atan2":
+        return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
+    return Exclusion(node, "has a value")
+
+
+def _undefined(env: Env, node: Term) -> bool:
+    try:
+        env.value(node)
+    except ArithmeticError:
+        return True
+    return False
+
+
+def _factor(env: Env, below: Term) -> Term:
+    """Return the factor of a divisor that vanishes, or its determinant."""
+    name, arguments = below.operator.name, below.arguments
+    if name in ("negative", "bracket", "root") or (name == "power" and isinstance(arguments[1], Number)):
+        return _factor(env, arguments[0])
+    if name == "over":
+        return _factor(env, arguments[0])
+    if name == "times":
+        for argument in arguments:
+            if innermost(size(env.value(argument))) == 0:
+                return _factor(env, argument)
+    value = env.value(below)
+    return det(below) if isinstance(value, Structure) and len(tuple(value)) in (9, 16, 36) else below
+
+
+def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
+    """Return the requirements that the points without a value violate, each with the first such point."""
+    found: dict[Exclusion, Place] = {}
+    for place in places:
+        with precision(256):
+            try:
+                requirement = fault(claim.env(place), claim.statement)
+            except (ArithmeticError, BlurredError):
+                continue
+        if requirement is not None:
+            found.setdefault(requirement, place)
+    return found
+
+
+def plain(claim: Claim, requirement: Exclusion) -> str:
+    """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
+    letters = [a for a in symbols(requirement.subject) if a in claim.coordinates]
+    if requirement.relation != "!= 0" or len(letters) != 1 or requirement.subject in (letters[0], norm(letters[0])):
+        return str(requirement)
+    lines = [line for seed in "ab" for line in Probe(claim).lines(letters[0])][: 4]
+    chosen = [line for line in lines if line.radial or kind(letters[0]).size == 1]
+    part = Singular(requirement.subject, size)
+    roots = [line.roots(part) for line in chosen]
+    if not roots or not roots[0] or any(len(r) != len(roots[0]) for r in roots):
+        return str(requirement)
+    if any(abs(a - b) > 1e-9 for one in roots for a, b in zip(one, roots[0], strict=True)):
+        return str(requirement)
+    return values_excluded(chosen[0].shown, roots[0]) or str(requirement)
+
+
+def values_excluded(name: str, roots: Sequence[float]) -> str:
+    """Return the condition that a number has none of some values; empty if they show no pattern."""
+    shown = [named(t) for t in sorted(roots, key=lambda t: (abs(t), -t))]
+    if any("." in t for t in shown):
+        return ""
+    if len(shown) == 1 or (len(shown) == 2 and "pi" not in shown[1]):
+        return " and ".join(f"{name} != {t}" for t in shown)
+    steps = sorted({abs(t) for t in roots})
+    gap = steps[1] - steps[0] if steps[0] else steps[1]
+    if all(abs(t / gap - round(t / gap)) < 1e-9 for t in steps):
+        first = f"k = {round(steps[0] / gap)}, {round(steps[0] / gap) + 1}, …" if min(roots) >= 0 else "any integer k"
+        unit = named(gap).replace("pi", "k*pi") if "pi" in named(gap) else f"{named(gap)}*k"
+        return f"{name} != {unit} for {first}"
+    return ""
+
+
+# ---- regions of a branch ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Region:
+    """Condition on a region: its words, and its truth at a point; None on its border or where it has no value."""
+
+    words: str
+    test: Callable[[Place], bool | None]
+
+
+def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple[str, bool]:
+    """Return the simplest condition that separates the points of truth from the others, and whether it is sharp.
+
+    Without a sharp one, return a condition that is sufficient at all points; without either, return no words.
+    """
+    found = []
+    for candidate in _candidates(claim):
+        at_true, at_false = ([candidate.test(place) for place in places] for places in (true, false))
+        if not any(at_false) and (inside := at_true.count(True)):
+            found.append((candidate.words, False not in at_true, inside))
+    if sharp := [words for words, is_sharp, _ in found if is_sharp]:
+        return min(sharp, key=len), True
+    many = [(inside, -len(words), words) for words, _, inside in found if inside * 2 > len(true)]
+    return (max(many)[2], False) if many else ("", False)
+
+
+def _candidates(claim: Claim) -> Iterator[Region]:
+    """Yield conditions: signs of numbers in the claim, bounds of letters, and pairs of signs."""
+    parts = [part for part in dict.fromkeys(walk(claim.statement)) if _is_number(claim, part)]
+    signs = [found for part in parts for found in (_sign(claim, part, ">= 0"), _sign(claim, part, "<= 0"))]
+    yield from signs
+    sizes = [letter if kind(letter).size == 1 else norm(letter) for letter in claim.coordinates if kind(letter).size in (1, 3)]
+    inner = [p.arguments[0] for p in parts if p.operator.name in ("sin", "cos", "tan", "acos", "asin") or Trait.TRANSCENDENTAL in p.operator.traits]
+    for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))]):
+        for low, high, words in _BOUNDS:
+            yield _between(claim, part, low, high, words)
+    for one, two in combinations(signs[:12], 2):
+        yield Region(f"{one.words} and {two.words}", lambda at, one=one, two=two: _both(one.test(at), two.test(at)))
+
+
+_BOUNDS: tuple[tuple[float | None, float | None, str], ...] = (
+    (-0.5, 0.5, "norm({0}) <= pi/2"), (-1, 1, "norm({0}) <= pi"), (-2, 2, "norm({0}) <= 2*pi"), (0, 1, "0 <= {0} and {0} <= pi"),
+    (0, 0.5, "0 <= {0} and {0} <= pi/2"), (0, 2, "0 <= {0} and {0} <= 2*pi"), (None, 0.5, "{0} <= pi/2"),
+    (None, 1, "{0} <= pi"), (None, 2, "{0} <= 2*pi"), (-0.25, 0.25, "norm({0}) <= pi/4"),
+)  # fmt: skip
+
+
+def _is_number(claim: Claim, part: Term) -> bool:
+    if isinstance(part, Number) or any(a.quantity.name == "index" for a in symbols(part)) or not symbols(part):
+        return False
+    for place in Probe(claim).quick():
+        try:
+            value = claim.evaluated(place, part)
+        except (TypeError, AttributeError, BlurredError):
+            return False
+        if value is not None:
+            return isinstance(innermost(value), Ball | int) and not isinstance(value, bool)
+    return False
+
+
+def _number(claim: Claim, part: Term, place: Place) -> Any:
+    try:
+        return claim.evaluated(place, part, lambda a: arb(innermost(a)))
+    except BlurredError:
+        return None
+
+
+def _sign(claim: Claim, part: Term, relation: str) -> Region:
+    def test(place: Place) -> bool | None:
+        value = _number(claim, part, place)
+        if value is None or value.contains(0):
+            return None
+        return bool(value > 0) == (relation == ">= 0")
+
+    return Region(f"{written(part)} {relation}", test)
+
+
+def _between(claim: Claim, part: Term, low: float | None, high: float, words: str) -> Region:
+    def test(place: Place) -> bool | None:
+        value = _number(claim, part, place)
+        if value is None:
+            return None
+        turns = value / arb(Balls().pi)
+        for bound in (low, high):
+            if bound is not None and abs(turns - bound) < 1e-15:
+                return None
+        return bool((low is None or turns > low) and turns < high)
+
+    shown = written(part)
+    if shown.startswith(("norm(", "|")):
+        words = words.replace("norm({0})", "{0}").replace("0 <= {0} and ", "")
+    return Region(words.format(shown), test)
+
+
+def _both(a: bool | None, b: bool | None) -> bool | None:
+    if a is False or b is False:
+        return False
+    return None if a is None or b is None else True
+
+
+def branched(*statements: Term) -> bool:
+    """Return whether statements choose a branch or a sign."""
+    return any(_chooses(node) for statement in statements for node in walk(statement))
+
+
+def _chooses(node: Term) -> bool:
+    name, arguments = node.operator.name, node.arguments
+    fraction = name == "power" and not isinstance(arguments[1], Number | Symbol) and arguments[1].operator.name in ("over", "negative")
+    return name in BRANCHED or fraction

@@ -1,0 +1,263 @@
+"""Decision of a claim whose condition is found: refuted at points, proved at generic values, or true on a region."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+from ..algebra.element import Element, NotExactError
+from ..algebra.mixed import MeaninglessError
+from .changes import changes, signs_and_coefficients
+from .claim import Claim, Place, RefusedError, kind, operators
+from .conditions import REGION_MIN, branched, exclusions, plain, region
+from .decide import ORDERS, steps_of
+from .equation import Entry
+from .explore import sides
+from .language.environment import Env
+from .language.printed import Symbol, Term, Trait, with_trait
+from .language.printed import text as written
+from .language.values import coefficients
+from .numbers.balls import Ball, BlurredError, precision
+from .numbers.fields import Exact
+from .numbers.generic import Generic
+from .numbers.quantities import ORDER, SIGN
+from .probe import Probe
+from .result import Counterexample, Result, Status, Verdict
+
+WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
+"""Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
+COMPONENTWISE = ("matrix", "block", "entry", "vector", "kron", "vec", "zeros", "K10 entry", "K10 component")
+"""First words of operators that depend on the frame."""
+CHANGES_MAX, CANDIDATES_MAX, SAMPLE = 3, 400, 6
+"""Changes shown, changes tried, and points at which a changed claim is tried first."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Decision of one claim."""
+
+    status: Status
+    method: str
+    points: int = 0
+    certainty: str = ""
+    found: str = ""
+    cuts: str = ""
+    failing: Place | None = None  # where the claim is false
+    outside: Place | None = None  # where it has no value, or is on another branch
+    true: tuple[Place, ...] = ()
+
+    @property
+    def holds(self) -> bool:
+        return self.status in (Status.HOLDS, Status.HOLDS_IF)
+
+
+def judge_claim(paper: str, entry: Entry) -> Result:
+    """Return the result of an entry with one reading and no stated condition; ``paper`` is the paper's slug."""
+    statement = entry.readings[0].statement
+    claim = Claim(entry, statement)
+    finding = decided(claim)
+    status, method = finding.status, finding.method
+    if status is Status.FALSE and entry.corrected is not None:
+        correction = decided(claim.with_statement(entry.corrected))
+        if correction.holds:
+            status, method = Status.ERRATUM, f"{method}; correction {correction.method}"
+        else:
+            method += f"; the correction does not hold: {correction.method}"
+    example = finding.failing and _counterexample(claim, finding.failing)
+    verdict = Verdict(statement, "", finding.holds, finding.method, example or None)
+    outside = finding.outside and finding.holds and _counterexample(claim, finding.outside, _outside(claim, finding))
+    return Result(
+        paper, entry, status, method, (verdict,), certainty=finding.certainty, points=finding.points,
+        found=finding.found, outside=outside or None, cuts=finding.cuts,
+        changes=tuple(_mended(claim, finding)) if status is Status.FALSE else (),
+        vacuous=tuple(dict.fromkeys(_vacuous(claim, finding))) if finding.holds else (),
+        needs=tuple(_needed(claim)) if finding.holds else (),
+    )  # fmt: skip
+
+
+def decided(claim: Claim) -> Finding:
+    """Return the decision of a claim, without what makes it true or vacuous."""
+    try:
+        return _decided(claim)
+    except RefusedError as error:
+        return Finding(Status.UNDECIDED, str(error))
+    except (MeaninglessError, NotExactError, RecursionError, OverflowError) as error:
+        return Finding(Status.UNDECIDED, f"it cannot be evaluated: {error}")
+
+
+def _decided(claim: Claim) -> Finding:
+    choosing = branched(*claim.parts)
+    outcome: dict[bool | None, list[Place]] = {True: [], False: [], None: []}
+    blurred = 0
+    for place in Probe(claim).all():
+        try:
+            if claim.inside(place):
+                outcome[claim.truth(place)].append(place)
+        except BlurredError:
+            blurred += 1
+        if not choosing and outcome[False]:
+            break
+    true, false, undefined = outcome[True], outcome[False], outcome[None]
+    points = len(true) + len(false) + len(undefined)
+    if not points:
+        what = "no point satisfies the stated domain" if claim.entry.claimed is not None else "it has no value"
+        return Finding(Status.UNDECIDED, f"{what} at any point tried")
+    if not true and not false:
+        return Finding(Status.UNDECIDED, f"it has no value at any of {points} points", points)
+    words, cuts = "", ""
+    if false:
+        cuts = f"{len(false)} of {len(true) + len(false)} points fail"
+        if choosing and sum(place.generic for place in true) >= REGION_MIN:
+            words, sharp = region(claim, true, false)
+            cuts += f", all outside {words}" if words and sharp else ""
+        if not words:
+            return Finding(Status.FALSE, f"refuted at {false[0].label}", points, "exact", cuts=cuts * choosing, failing=false[0])
+    found = exclusions(claim, undefined)
+    parts = [words, *(plain(claim, requirement) for requirement in found)]
+    condition = " and ".join(dict.fromkeys(part for part in parts if part))
+    exact = not false and proved(claim)
+    method = "exact" if exact else f"evidence: {points} points" + f", {blurred} more too close to tell" * bool(blurred)
+    outside = next(iter(found.values()), false[0] if false else None)
+    status = Status.HOLDS_IF if condition else Status.HOLDS
+    return Finding(status, method, points, "exact" if exact else "evidence", condition, cuts, None, outside, tuple(true))
+
+
+# ---- proof ------------------------------------------------------------------------------------------------------
+
+
+def proved(claim: Claim) -> bool:
+    """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere."""
+    order = next((a for a in claim.letters if a.quantity is ORDER), None)
+    sign = next((a for a in claim.letters if a.quantity is SIGN), None)
+    framed = not any(name.startswith(COMPONENTWISE) for name in operators(*claim.parts))
+    for way in WAYS if framed else WAYS[2:]:
+        for every in (True, False) if order is not None else (False,):
+            choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
+            try:
+                if all(_exact(claim, way, {order: n, sign: plus_minus}, order if every else None) for n, plus_minus in choices):
+                    return True
+            except NotExactError:
+                continue
+    return False
+
+
+def _exact(claim: Claim, way: Mapping[str, bool], discrete: dict[Any, Any], order: Symbol | None) -> bool:
+    lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
+    letters = sorted(claim.coordinates, key=lambda a: a not in lengths)
+    steps = 4 * (discrete.get(next((a for a in discrete if a and a.quantity is ORDER), None)) or 0) or steps_of(claim.statement)
+    generic = Generic(letters, claim.dual, claim.depth, max(steps, 4), order=order, **way)
+    values = generic.values | {a: n for a, n in discrete.items() if a is not None and n is not None}
+    env = Env(generic.field, values, claim.entry.definitions, claim.dual, claim.depth)
+    try:
+        if claim.entry.claimed is not None and not env.value(claim.entry.claimed):
+            return False
+    except NotExactError:
+        pass
+    try:
+        if not env.value(claim.statement):
+            raise NotExactError("other roots")
+    except (ZeroDivisionError, TypeError) as error:
+        raise NotExactError("no generic value") from error
+    return not generic.field.branched
+
+
+# ---- what makes a claim true, or vacuous ------------------------------------------------------------------------
+
+
+def _source(claim: Claim) -> Term:
+    """Return the claim before abbreviations are expanded."""
+    return getattr(claim.entry, "written", None) or claim.statement
+
+
+def _expanded(claim: Claim, statement: Term) -> Claim:
+    expand = getattr(claim.entry, "expanded", None)
+    return claim.with_statement(expand(statement) if expand else statement)
+
+
+def _true_at(claim: Claim, places: Sequence[Place]) -> bool:
+    """Return whether a claim is true at all points where it has a value, and has one somewhere."""
+    somewhere = False
+    for place in places:
+        try:
+            truth = claim.truth(place)
+        except (TypeError, AttributeError, ValueError, IndexError, ArithmeticError, BlurredError):
+            return False
+        if truth is False:
+            return False
+        somewhere |= truth is True
+    return somewhere
+
+
+def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
+    """Yield the changes in one step that make a false claim true."""
+    sample = [place for place in Probe(claim).quick() if claim.inside(place)][:SAMPLE]
+    first = [finding.failing] if finding.failing else []
+    shown: set[str] = set()  # one change of each sort, since changes of one sort are often equivalent
+    for _, sort, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
+        other = _expanded(claim, changed)
+        if sort not in shown and len(shown) < CHANGES_MAX and _true_at(other, [*first, *sample]) and decided(other).holds:
+            shown.add(sort)
+            yield f"{words}: {written(changed)}"
+
+
+def _vacuous(claim: Claim, finding: Finding) -> Iterator[str]:
+    """Yield the terms of a true claim whose sign or coefficient does not matter."""
+    for words, changed in signs_and_coefficients(_source(claim), written):
+        if _true_at(_expanded(claim, changed), finding.true):
+            yield words
+
+
+def _needed(claim: Claim) -> Iterator[str]:
+    """Yield the constraints of letters without which a true claim is false."""
+    for letter in claim.coordinates:
+        row = kind(letter)
+        if row.free:
+            name = f"constant {row.free}" if row.constant else row.free
+            free = Symbol(letter.name, name, *map(str, letter.args[2:]))
+            other = Claim(claim.entry, claim.statement.xreplace({letter: free}))
+            if row.needs and not _true_at(other, list(Probe(other).quick())):
+                yield row.needs.format(letter.name)
+
+
+# ---- counterexamples --------------------------------------------------------------------------------------------
+
+
+def _outside(claim: Claim, finding: Finding) -> str:
+    place = finding.outside
+    assert place is not None
+    where = place.on or place.label
+    admits = ", which the stated domain admits" if claim.entry.claimed is not None else ""
+    undefined = claim.truth(place) is None
+    return f"{'undefined' if undefined else 'false'} at {where}{admits}"
+
+
+def _counterexample(claim: Claim, place: Place, words: str = "") -> Counterexample:
+    """Return the letters and both sides at a point, by exact rationals if the sides are rational."""
+    try:
+        exact = claim.env(place, Exact())
+        letters = {a.name: _numbers(exact.value(a)) for a in claim.letters}
+        found = sides(exact, claim.statement, _numbers)
+        return Counterexample(words or place.label, letters, found, "exact rationals" if found else "")
+    except (ArithmeticError, TypeError, AttributeError, ValueError):
+        pass
+    with precision(256):
+        env = claim.env(place)
+        letters = {a.name: _numbers(env.value(a)) for a in claim.letters}
+        found = sides(env, claim.statement, _numbers)
+        return Counterexample(words or place.label, letters, found, "disjoint intervals" if found else "")
+
+
+def _numbers(value: Any) -> list[str]:
+    return [_shown(a) for a in coefficients(value)]
+
+
+def _shown(a: Any) -> str:
+    if isinstance(a, Element):
+        a = a.ring.value(a.numerator) / a.ring.value(a.denominator)
+    if isinstance(a, int | Fraction | Ball):
+        return str(a)
+    raise NotExactError("no number")
+
