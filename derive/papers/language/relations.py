@@ -71,7 +71,9 @@ atan2 = define("atan2 of two", r"\operatorname{{atan2}}\left({0}, {1}\right)", "
 def _floor(env: Env, a: Any) -> Any:
     if isinstance(a, int | Fraction):
         return int(a // 1)
-    return env.field.floor(a)  # type: ignore[attr-defined]
+    if not hasattr(env.field, "floor"):
+        raise NotExactError("the floor of a symbol")
+    return env.field.floor(a)
 
 
 floor = define("floor of number", r"\left\lfloor {0} \right\rfloor", "floor({0})", ATOM, (LIST,), _floor)
