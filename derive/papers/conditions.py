@@ -7,17 +7,21 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from ..algebra import Structure
+from ..algebra import Structure, Tensor
+from ..algebra.matrix import Matrix
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.operator_table import cos, det, norm, sin
+from .language.operator_table import cos, norm, sin
+from .language.matrices import det
 from .language.printed import Number, Symbol, Term, Trait, symbols, walk
 from .language.printed import text as written
 from .numbers.balls import Ball, Balls, BlurredError, arb, precision
 from .numbers.fields import innermost
 from .probe import Line, Probe, Singular, named, size
 
-BRANCHED = frozenset(("root", "acos", "asin", "atan", "arctan", "atan2", "log", "norm", "floor", "K10 length", "K10 power 1/2"))
+BRANCHED = frozenset((
+    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number", "K10 length", "K10 power 1/2",
+))  # fmt: skip
 """Operators that choose a branch or a sign."""
 REGION_MIN = 5
 """A claim is true in a region if it is at one in this many of the generic points."""
@@ -56,7 +60,7 @@ def fault(env: Env, node: Term) -> Exclusion | None:
         return Exclusion(norm(arguments[0]), "<= 1")
     if name in ("tan", "cot"):
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
-    if name == "atan2":
+    if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
     return Exclusion(node, "has a value")
 
@@ -81,7 +85,7 @@ def _factor(env: Env, below: Term) -> Term:
             if innermost(size(env.value(argument))) == 0:
                 return _factor(env, argument)
     value = env.value(below)
-    return det(below) if isinstance(value, Structure) and len(tuple(value)) in (9, 16, 36) else below
+    return det(below) if isinstance(value, Tensor | Matrix) else below
 
 
 def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:

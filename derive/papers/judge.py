@@ -29,7 +29,7 @@ from .result import Counterexample, Result, Status, Verdict
 
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
 """Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
-COMPONENTWISE = ("matrix", "block", "entry", "vector", "kron", "vec", "zeros", "K10 entry", "K10 component")
+COMPONENTWISE = frozenset(("matrix", "block", "entry", "kron", "vec", "zeros", "K10"))
 """First words of operators that depend on the frame."""
 CHANGES_MAX, CANDIDATES_MAX, SAMPLE = 3, 400, 6
 """Changes shown, changes tried, and points at which a changed claim is tried first."""
@@ -132,7 +132,7 @@ def proved(claim: Claim) -> bool:
     """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere."""
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     sign = next((a for a in claim.letters if a.quantity is SIGN), None)
-    framed = not any(name.startswith(COMPONENTWISE) for name in operators(*claim.parts))
+    framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
     for way in WAYS if framed else WAYS[2:]:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))

@@ -66,14 +66,14 @@ def singular(*statements: Term) -> Iterator[Singular]:
             if name == "over" or not (isinstance(exponent, Number) and exponent.value >= 0):
                 part = arguments[1 if name == "over" else 0]
                 found[part] = Singular(part, size)
-        elif name in ("inverse", "root", "log", "norm", "atan2", "K10 length"):
+        elif name in ("inverse", "root", "log", "norm", "atan2 of two", "K10 length"):
             found[arguments[0]] = Singular(arguments[0], _half_turn if name == "log" else size)
         elif name in ("acos", "asin"):
             found[node] = Singular(arguments[0], lambda a: 1 - innermost(a) * innermost(a))
         elif name in ("tan", "cot"):
             part = (cos if name == "tan" else sin)(*arguments)
             found[part] = Singular(part, size)
-        elif name in ("less", "at most", "more", "at least", "unequal sides") and len(arguments) == 2:
+        elif name in ("less", "at most", "greater", "at least", "unlike"):
             part = arguments[0] - arguments[1]
             found[part] = Singular(part, size)
     bound = "index"
