@@ -14,7 +14,8 @@ from functools import cache
 from numbers import Number
 from typing import Any
 
-from .fields import Field, UndefinedError
+from ...algebra import Dual
+from .fields import Field, UndefinedError, innermost
 
 PRECISIONS = (256, 2048)
 """Bits of the first evaluation, and of its repetition if balls are too wide."""
@@ -150,6 +151,12 @@ class Balls(Field):
         if not gap.rad() < size * flint().arb(2) ** BLURRED:
             raise BlurredError
         return True
+
+    def magnitude(self, v: Any) -> Any:
+        square = v.dot(v)
+        if isinstance(square, Dual) and self.vanishes(innermost(square)):
+            raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")
+        return self.sqrt(square)
 
     def real(self, name: str, *values: Any) -> Callable[..., Any]:
         if hasattr(self, f"_{name}"):
