@@ -23,6 +23,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
+from .language.claims import Abbreviation, expanded
 from .language.environment import Definition
 from .language.printed import Symbol, Term, latex, symbols, text
 from .numbers.draw import Draw
@@ -72,7 +73,11 @@ class Entry(Typeset):
     fixed_by: str = ""  # legible passage that decides between the readings
     said: str = ""  # words of the paper, for a claim without a display
     remark: str = ""  # one sentence for the report
-    source: str = ""  # path of the module that defines the entry; filled in by `Paper.entries`
+    source: str = ""  # path of the module or file that defines the entry; filled in by `Paper.entries`
+    written: Term | None = None  # claim of a file before its definitions are filled in
+    abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
+    at: str = ""  # place where a claim of a file is printed
+    printed: str = ""  # LaTeX of a claim of a file, as printed
 
     @property
     def definitions(self) -> dict[Symbol, Definition]:
@@ -87,6 +92,10 @@ class Entry(Typeset):
             if symbol in self.definitions:
                 found += [argument for argument in self.definitions[symbol].arguments if argument not in found]
         return tuple(symbol for symbol in found if symbol not in self.definitions and symbol.quantity.varies)
+
+    def expanded(self, statement: Term) -> Term:
+        """Return a statement with the definitions of its file filled in."""
+        return expanded(statement, self.abbreviations)
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"

@@ -49,7 +49,7 @@ class ClaimError(ValueError):
 
 def _parts(node: ast.expr) -> Sequence[ast.expr] | None:
     match node:
-        case ast.Name():
+        case ast.Name() if not node.id.startswith("_"):
             return ()
         case ast.UnaryOp(op=ast.USub() | ast.UAdd() | ast.Not()):
             return (node.operand,)
@@ -59,7 +59,7 @@ def _parts(node: ast.expr) -> Sequence[ast.expr] | None:
             return node.values
         case ast.Compare() if all(type(op) in RELATIONS for op in node.ops):
             return node.left, *node.comparators
-        case ast.Call(func=ast.Name(), keywords=[]):
+        case ast.Call(func=ast.Name(id=name), keywords=[]) if not name.startswith("_"):
             return node.args
         case ast.List():
             return node.elts
