@@ -11,8 +11,8 @@ from ..algebra import Structure, Tensor
 from ..algebra.matrix import Matrix
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.operator_table import cos, norm, sin
-from .language.matrices import det
+from .language.operator_table import Re, conjugate, cos, norm, sin
+from .language.matrices import det, entry, stacked, trace
 from .language.printed import Number, Symbol, Term, Trait, symbols, walk
 from .language.printed import text as written
 from .numbers.balls import Ball, Balls, BlurredError, arb, precision
@@ -51,18 +51,27 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name in ("power", "inverse"):
         return Exclusion(_factor(env, arguments[0]), "!= 0")
     if name == "norm":
-        return Exclusion(node, "!= 0")
+        return Exclusion(Re(*arguments) if env.dual else node, "!= 0")
     if name == "root" or name == "K10 power 1/2":
         return Exclusion(arguments[0], ">= 0")
-    if name == "log" and not isinstance(env.value(arguments[0]), Structure):
-        return Exclusion(arguments[0], "> 0")
+    if name == "log":
+        matrix = isinstance(env.value(arguments[0]), Tensor)
+        return Exclusion(trace(*arguments), "!= -1") if matrix else Exclusion(arguments[0], "> 0")
     if name in ("acos", "asin"):
         return Exclusion(norm(arguments[0]), "<= 1")
     if name in ("tan", "cot"):
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
     if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
-    return Exclusion(node, "has a value")
+    zero = next((a for a in arguments if _vanishes(env, a)), None)
+    return Exclusion(node, "has a value") if zero is None else Exclusion(zero, "!= 0")
+
+
+def _vanishes(env: Env, node: Term) -> bool:
+    try:
+        return bool(size(env.value(node)) == 0)
+    except (ArithmeticError, TypeError, AttributeError, KeyError):
+        return False
 
 
 def _undefined(env: Env, node: Term) -> bool:
@@ -137,6 +146,10 @@ def values_excluded(name: str, roots: Sequence[float]) -> str:
 # ---- regions of a branch ----------------------------------------------------------------------------------------
 
 
+Number_ = Callable[[Term, Place], Any]
+"""Function that returns the number of a part at a point, or None."""
+
+
 @dataclass(frozen=True)
 class Region:
     """Condition on a region: its words, and its truth at a point; None on its border or where it has no value."""
@@ -144,35 +157,60 @@ class Region:
     words: str
     test: Callable[[Place], bool | None]
 
+    @property
+    def strict(self) -> str:
+        """Words without the border."""
+        return self.words.replace("<=", "<").replace(">=", ">")
 
-def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple[str, bool]:
+
+def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple[Region | None, bool]:
     """Return the simplest condition that separates the points of truth from the others, and whether it is sharp.
 
-    Without a sharp one, return a condition that is sufficient at all points; without either, return no words.
+    Without a sharp one, return a condition that is sufficient at all points, or None.
     """
+    known: dict[tuple[Term, int], Any] = {}
+
+    def number(part: Term, place: Place) -> Any:
+        key = part, id(place)
+        if key not in known:
+            try:
+                known[key] = claim.evaluated(place, part, lambda a: arb(innermost(getattr(a, "scalar", a))))
+            except BlurredError:
+                known[key] = None
+        return known[key]
+
     found = []
-    for candidate in _candidates(claim):
-        at_true, at_false = ([candidate.test(place) for place in places] for places in (true, false))
-        if not any(at_false) and (inside := at_true.count(True)):
-            found.append((candidate.words, False not in at_true, inside))
-    if sharp := [words for words, is_sharp, _ in found if is_sharp]:
-        return min(sharp, key=len), True
-    many = [(inside, -len(words), words) for words, _, inside in found if inside * 2 > len(true)]
-    return (max(many)[2], False) if many else ("", False)
+    for candidate in _candidates(claim, number):
+        if not any(candidate.test(place) for place in false):
+            at_true = [candidate.test(place) for place in true]
+            found.append((candidate, False not in at_true, at_true.count(True)))
+            if found[-1][1]:
+                return candidate, True
+    many = [(inside, -len(candidate.words), candidate) for candidate, _, inside in found if inside * 2 > len(true)]
+    return (max(many, key=lambda row: row[:2])[2], False) if many else (None, False)
 
 
-def _candidates(claim: Claim) -> Iterator[Region]:
-    """Yield conditions: signs of numbers in the claim, bounds of letters, and pairs of signs."""
+def _candidates(claim: Claim, number: Number_) -> Iterator[Region]:
+    """Yield conditions, simple ones first: bounds of letters, signs of numbers in the claim, and pairs of signs."""
     parts = [part for part in dict.fromkeys(walk(claim.statement)) if _is_number(claim, part)]
-    signs = [found for part in parts for found in (_sign(claim, part, ">= 0"), _sign(claim, part, "<= 0"))]
-    yield from signs
     sizes = [letter if kind(letter).size == 1 else norm(letter) for letter in claim.coordinates if kind(letter).size in (1, 3)]
-    inner = [p.arguments[0] for p in parts if p.operator.name in ("sin", "cos", "tan", "acos", "asin") or Trait.TRANSCENDENTAL in p.operator.traits]
-    for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))]):
-        for low, high, words in _BOUNDS:
-            yield _between(claim, part, low, high, words)
-    for one, two in combinations(signs[:12], 2):
+    sizes += [norm(stacked(*(entry(a, Number(i)) for i in (1, 2, 3)))) for a in claim.coordinates if kind(a).size == 6]
+    tests = [t for a in claim.coordinates for t in _turns(a)]
+    inner = [p.arguments[0] for p in parts if Trait.TRANSCENDENTAL in p.operator.traits]
+    signs = [_sign(part, relation, number) for part in dict.fromkeys([*sizes, *tests, *parts]) for relation in (">= 0", "<= 0")]
+    bounds = [_between(part, *bound, number) for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))])
+              for bound in _BOUNDS]  # fmt: skip
+    yield from sorted([*signs, *bounds], key=lambda candidate: len(candidate.words))
+    for one, two in combinations(signs[:16], 2):
         yield Region(f"{one.words} and {two.words}", lambda at, one=one, two=two: _both(one.test(at), two.test(at)))
+
+
+def _turns(letter: Symbol) -> list[Term]:
+    """Return the numbers of a letter whose sign tells its turn from a quarter or half turn."""
+    name = letter.quantity.name
+    if "quaternion" in name:
+        return [letter + conjugate(letter)]
+    return [trace(letter) - 1] if "rotation" in name or "orthogonal" in name else [trace(letter) - 2] if "pose" in name else []
 
 
 _BOUNDS: tuple[tuple[float | None, float | None, str], ...] = (
@@ -195,16 +233,9 @@ def _is_number(claim: Claim, part: Term) -> bool:
     return False
 
 
-def _number(claim: Claim, part: Term, place: Place) -> Any:
-    try:
-        return claim.evaluated(place, part, lambda a: arb(innermost(a)))
-    except BlurredError:
-        return None
-
-
-def _sign(claim: Claim, part: Term, relation: str) -> Region:
+def _sign(part: Term, relation: str, number: Number_) -> Region:
     def test(place: Place) -> bool | None:
-        value = _number(claim, part, place)
+        value = number(part, place)
         if value is None or value.contains(0):
             return None
         return bool(value > 0) == (relation == ">= 0")
@@ -212,9 +243,9 @@ def _sign(claim: Claim, part: Term, relation: str) -> Region:
     return Region(f"{written(part)} {relation}", test)
 
 
-def _between(claim: Claim, part: Term, low: float | None, high: float, words: str) -> Region:
+def _between(part: Term, low: float | None, high: float, words: str, number: Number_) -> Region:
     def test(place: Place) -> bool | None:
-        value = _number(claim, part, place)
+        value = number(part, place)
         if value is None:
             return None
         turns = value / arb(Balls().pi)
@@ -224,7 +255,7 @@ def _between(claim: Claim, part: Term, low: float | None, high: float, words: st
         return bool((low is None or turns > low) and turns < high)
 
     shown = written(part)
-    if shown.startswith(("norm(", "|")):
+    if part.operator is norm:
         words = words.replace("norm({0})", "{0}").replace("0 <= {0} and ", "")
     return Region(words.format(shown), test)
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
 from .claim import Claim, Place, kind
+from .constrained import onto
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
 from .language.printed import text as written
@@ -121,7 +122,32 @@ class Probe:
     # ---- points ---------------------------------------------------------------------------------------------------
 
     def quick(self) -> Iterator[Place]:
-        """Yield points of short numbers, then generic ones."""
+        """Yield the first points in the stated domain: short numbers, then generic ones."""
+        return self._moved(self._quick())
+
+    def all(self) -> Iterator[Place]:
+        """Yield all points in the stated domain; quick refutations come first."""
+        return self._moved(self._all())
+
+    def _moved(self, places: Iterator[Place]) -> Iterator[Place]:
+        """Yield the points that lie in the stated domain, moved onto its equations."""
+        for place in places:
+            try:
+                if self.claim.inside(place):
+                    yield place
+                elif self.claim.constraints:
+                    yield from islice(filter(self.claim.inside, self._projected(place)), 1)
+            except BlurredError:
+                continue
+
+    def _projected(self, place: Place) -> Iterator[Place]:
+        """Yield the points on the equations of the domain near a point and near the opposite one."""
+        opposite = {a: kind(a).antipode(c) if a in self.claim.coordinates else c for a, c in place.at.items()}
+        for start in (place, replace(place, at=opposite)):
+            if moved := onto(self.claim, start):
+                yield moved
+
+    def _quick(self) -> Iterator[Place]:
         for i in range(3):
             numbers = iter(SHORT[i:] + SHORT[:i])
             at: dict[Symbol, Any] = self._discrete()
@@ -135,9 +161,8 @@ class Probe:
             for i in range(count):
                 yield Place(f"generic point {i + 1}, {low} to {high}", self.drawn(low, high), generic=True)
 
-    def all(self) -> Iterator[Place]:
-        """Yield all points; quick refutations come first."""
-        yield from self.quick()
+    def _all(self) -> Iterator[Place]:
+        yield from self._quick()
         for count, low, high in REGIMES[3:]:
             for i in range(count):
                 yield Place(f"wide point {i + 1}, {low} to {high}", self.drawn(low, high))
@@ -160,7 +185,8 @@ class Probe:
             at = self.drawn()
             if kind(a).build is kind(b).build:
                 yield Place(f"{b.name} = {a.name}", {**at, b: at[a]})
-                yield Place(f"{b.name} opposite to {a.name}", {**at, b: kind(b).antipode(at[a])})
+                if kind(b).spread != "positive":
+                    yield Place(f"{b.name} opposite to {a.name}", {**at, b: kind(b).antipode(at[a])})
             for one, other in ((a, b), (b, a)):
                 if kind(one).size == kind(other).size == 3 and not kind(one).projective:
                     along = kind(other).build(at[other])
@@ -178,6 +204,8 @@ class Probe:
     def lines(self, letter: Symbol) -> Iterator[Line]:
         """Yield lines of points: multiples of a vector, and a line through another point."""
         row, at = kind(letter), self.drawn(0.5, 1.5)
+        if row.spread == "integer":
+            return
         start = [Fraction(self.random.choice((-1, 1)) * self.random.randint(2, 9), 5) for _ in range(row.size)]
         head, tail = ([0] * row.size, start) if row.size == 1 else (start, [*start[1:], start[0]])
         if row.size in (3, 6) and not row.projective:
@@ -195,6 +223,11 @@ class Line:
     start: Numbers
     direction: Numbers
     radial: bool = False
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether t is not negative."""
+        return self.radial or kind(self.letter).spread == "positive"
 
     @property
     def shown(self) -> str:
@@ -223,6 +256,7 @@ class Line:
 
     def _roots(self, part: Singular) -> list[Any]:
         grid = [Fraction(k, 2) for k in range(0 if self.radial else -32, 40)]
+        grid = [NEAR, *grid[33:]] if kind(self.letter).spread == "positive" else grid
 
         def value(t: Any) -> Any:
             return self.value(part, t)
@@ -253,7 +287,8 @@ class Line:
                 exact = (t * 4).is_integer()
                 on = Ball(t if exact else flint().arb(t, flint().arb(2) ** -WIDTH))
                 found.append(Place(place, self.point(on), on=place))
-                beside = [b for b in (Ball(t) - near, Ball(t) + near) if not (self.radial and b < 0)]
+                narrow = [near, near * NEAR] if self.claim.entry.claimed is not None else [near]
+                beside = [b for d in narrow for b in (Ball(t) - d, Ball(t) + d) if not (self.one_sided and b < 0)]
                 found += [Place(f"beside {place}", self.point(b)) for b in beside]
             for t, u in pairwise(sorted(roots, key=float)):
                 found.append(Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2)))

@@ -107,7 +107,8 @@ class Ball:
         return float(self.arb.mid())
 
     def __repr__(self) -> str:
-        return str(self.arb.str(30, radius=False))
+        shown = str(self.arb.str(30, radius=False))
+        return shown.rstrip("0").rstrip(".") if "." in shown and "e" not in shown else shown
 
 
 Number.register(Ball)
