@@ -24,7 +24,8 @@ def changes(claim: Term, named: Name) -> list[Change]:
     for node, rebuilt, depth in _places(claim):
         for rank, sort, words, new in _steps(node, named, depth):
             changed = rebuilt(new)
-            if changed != claim and (quaternions or sort != "conjugate"):
+            trivial = len(set(changed.arguments)) < 2 or changed == claim
+            if not trivial and (quaternions or sort != "conjugate"):
                 found.setdefault(changed, (rank, sort, words, changed))
     return sorted(found.values(), key=lambda change: change[0])
 
@@ -74,7 +75,9 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
         yield 4, "bracket", f"bracket moved in {shown}", pair
     if isinstance(node, Number):
         n = node.value
-        for value in dict.fromkeys((2 * n, *([n // 2] if n % 2 == 0 else []), n + 1, n - 1)) if n else ():
+        for value in dict.fromkeys((2 * n, *([n // 2] if n % 2 == 0 else []), n + 1, n - 1)) if n > 0 else ():
+            if not value:
+                continue
             yield 1, "factor", f"{value} for {n}", Number(value)
     elif name not in RELATIONS:
         rank = 1 if depth == 0 or isinstance(node, Symbol) or name in ("call", "at") else 2

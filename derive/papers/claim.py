@@ -104,7 +104,7 @@ class Claim:
         row = kind(letter)
         if letter in place.parts:
             return place.parts[letter]
-        source = random.Random(letter.name)
+        source = random.Random(f"{letter.name} {place.label}")
         count = row.size * ((1 + self.depth) * (1 + row.dual) - 1)
         return [source.choice(FURTHER) for _ in range(count)]
 

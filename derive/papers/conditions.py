@@ -17,13 +17,13 @@ from .language.printed import Number, Symbol, Term, Trait, symbols, walk
 from .language.printed import text as written
 from .numbers.balls import Ball, Balls, BlurredError, arb, precision
 from .numbers.fields import innermost
-from .probe import Line, Probe, Singular, named, size
+from .probe import Probe, named, size
 
 BRANCHED = frozenset((
     "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number", "K10 length", "K10 power 1/2",
 ))  # fmt: skip
 """Operators that choose a branch or a sign."""
-REGION_MIN = 5
+REGION_MIN = 3
 """A claim is true in a region if it is at one in this many of the generic points."""
 
 
@@ -55,8 +55,11 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name == "root" or name == "K10 power 1/2":
         return Exclusion(arguments[0], ">= 0")
     if name == "log":
-        matrix = isinstance(env.value(arguments[0]), Tensor)
-        return Exclusion(trace(*arguments), "!= -1") if matrix else Exclusion(arguments[0], "> 0")
+        value = env.value(arguments[0])
+        if isinstance(value, Tensor | Matrix):
+            return Exclusion(trace(*arguments), "!= -1" if isinstance(value, Tensor) else "!= 0")
+        if not isinstance(value, Structure):
+            return Exclusion(arguments[0], "> 0")
     if name in ("acos", "asin"):
         return Exclusion(norm(arguments[0]), "<= 1")
     if name in ("tan", "cot"):
@@ -111,20 +114,14 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
     return found
 
 
-def plain(claim: Claim, requirement: Exclusion) -> str:
+def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
-    letters = [a for a in symbols(requirement.subject) if a in claim.coordinates]
-    if requirement.relation != "!= 0" or len(letters) != 1 or requirement.subject in (letters[0], norm(letters[0])):
-        return str(requirement)
-    lines = [line for seed in "ab" for line in Probe(claim).lines(letters[0])][: 4]
-    chosen = [line for line in lines if line.radial or kind(letters[0]).size == 1]
-    part = Singular(requirement.subject, size)
-    roots = [line.roots(part) for line in chosen]
-    if not roots or not roots[0] or any(len(r) != len(roots[0]) for r in roots):
-        return str(requirement)
-    if any(abs(a - b) > 1e-9 for one in roots for a, b in zip(one, roots[0], strict=True)):
-        return str(requirement)
-    return values_excluded(chosen[0].shown, roots[0]) or str(requirement)
+    letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
+    simple = requirement.subject in (*letters, *map(norm, letters))
+    if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
+        name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
+        return (roots and values_excluded(name, roots)) or str(requirement)
+    return str(requirement)
 
 
 def values_excluded(name: str, roots: Sequence[float]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from .claim import Claim, Place
@@ -16,6 +17,8 @@ BITS, STEPS_MAX = 512, 40
 """Bits of Newton's method, and its largest number of steps."""
 STEP, DAMPING = 200, 100
 """Exponents of 2 of the step of differences, and of the term that makes dependent equations solvable."""
+KEPT = 20
+"""Exponent of 2 of the differences below which the slopes are kept."""
 REACHED, WIDTH = 300, 200
 """Exponents of 2 of the largest difference of both sides in the end, and of the width of the coordinates."""
 
@@ -46,27 +49,33 @@ def onto(claim: Claim, place: Place) -> Place | None:
 def _gaps(claim: Claim, place: Place) -> list[Any]:
     """Return the differences of both sides of the equations, with their dual parts and rates."""
     env = claim.env(place)
-    sides = [(env.value(a), env.value(b)) for part in claim.constraints for a, b in zip(part.arguments, part.arguments[1:], strict=False)]
+    sides = [(env.value(a), env.value(b)) for part in claim.constraints for a, b in pairwise(part.arguments)]
     gaps = [a if isinstance(b, int) and not b else add(a, negative(b)) for a, b in sides]
     return [arb(c).mid() for gap in gaps for c in coefficients(gap)]
 
 
 def _solved(gaps: Any, x: list[Any]) -> list[Any] | None:
     """Return a zero of the differences near x, by steps of least length."""
-    matrix, step = flint().arb_mat, flint().arb(2) ** -STEP
+    matrix, two = flint().arb_mat, flint().arb(2)
+    transposed = inverse = None
     for _ in range(STEPS_MAX):
         now = gaps([Ball(c) for c in x])
-        if all(abs(g) < flint().arb(2) ** -REACHED for g in now):
+        if all(abs(g) < two**-REACHED for g in now):
             return x
-        columns = []
-        for i in range(len(x)):
-            beside = gaps([Ball(c + step if i == k else c) for k, c in enumerate(x)])
-            columns.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])
-        transposed = matrix(columns)
-        slopes = transposed.transpose()
-        damping = matrix([[flint().arb(2) ** -DAMPING if i == k else 0 for k in range(len(now))] for i in range(len(now))])
-        lengths = (slopes * transposed + damping).solve(matrix([[g] for g in now]))
-        change = transposed * lengths
+        if inverse is None or any(abs(g) > two**-KEPT for g in now):  # nearer, the slopes serve further steps
+            transposed = matrix(_slopes(gaps, x, now))
+            damping = matrix([[two**-DAMPING if i == k else 0 for k in range(len(now))] for i in range(len(now))])
+            inverse = (transposed.transpose() * transposed + damping).inv()
+        change = transposed * (inverse * matrix([[g] for g in now]))
         x = [(c - change[i, 0]).mid() for i, c in enumerate(x)]
     return None
+
+
+def _slopes(gaps: Any, x: list[Any], now: list[Any]) -> list[list[Any]]:
+    """Return the derivatives of all differences by each coordinate."""
+    step, rows = flint().arb(2) ** -STEP, []
+    for i in range(len(x)):
+        beside = gaps([Ball(c + step if i == k else c) for k, c in enumerate(x)])
+        rows.append([((b - a) / step).mid() for a, b in zip(now, beside, strict=True)])
+    return rows
 

@@ -117,7 +117,8 @@ def _decided(claim: Claim) -> Finding:
     choosing = branched(*claim.parts)
     outcome: dict[bool | None, list[Place]] = {True: [], False: [], None: []}
     blurred = 0
-    for place in Probe(claim).all():
+    probe = Probe(claim)
+    for place in probe.all():
         try:
             outcome[claim.truth(place)].append(place)
         except BlurredError:
@@ -140,16 +141,17 @@ def _decided(claim: Claim) -> Finding:
             cuts += f", all outside {within.words}" if within and sharp else ""
         if within is None:
             return Finding(Status.FALSE, f"refuted at {false[0].label}", points, "exact", cuts=cuts * choosing, failing=false[0])
-    return _true(claim, Outcome(true, false, undefined, blurred), within, cuts)
+    return _true(probe, Outcome(true, false, undefined, blurred), within, cuts)
 
 
-def _true(claim: Claim, at: Outcome, within: Region | None, cuts: str) -> Finding:
+def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Finding:
     """Return the finding for a claim that is true on a region, or wherever it has a value."""
+    claim = probe.claim
     inside = [place for place in at.undefined if within is None or within.test(place)]
     border = within is not None and any(within.test(place) is None for place in at.undefined)
     found = exclusions(claim, inside)
     parts = [within.strict if border else within.words] if within else []
-    condition = " and ".join(dict.fromkeys([*parts, *(plain(claim, requirement) for requirement in found)]))
+    condition = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))
     exact = not at.false and proved(claim)
     points = len(at.true) + len(at.false) + len(at.undefined)
     evidence = f"evidence: {points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
