@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Self
 
-from .dual import Coefficient, Structure, real_part
+from .dual import Coefficient, Dual, Structure, real_part
 from .structures import Tensor, Vector
 
 Rows = Sequence[Sequence[Coefficient]]
@@ -92,6 +92,8 @@ def part(a: Any, rows: range, columns: range) -> Any:
 
 def exactly(a: Any) -> Any:
     """Return a number or structure with its integers as fractions, whose quotients are exact."""
+    if isinstance(a, Dual):
+        return Dual(exactly(a.re), exactly(a.du))
     return a.map(exactly) if isinstance(a, Structure) else Fraction(a) if isinstance(a, int) else a
 
 

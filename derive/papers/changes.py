@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from .language.printed import OPERATORS, Apply, Number, Symbol, Term, symbols
+from .language.matrices import inverse, transpose
+from .language.operator_table import conjugate
+from .language.printed import Apply, Number, Symbol, Term, symbols
 
 Change = tuple[int, str, str, Term]
 """Rank (simplest first), sort, words, and the changed claim or part."""
 Name = Callable[[Term], str]
 """Function that prints a term."""
-SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient", "atan2": "arguments"}
+SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient", "atan2 of two": "arguments"}
 SIGNED = ("plus", "minus")
-RELATIONS = ("equal", "both", "implies", "less", "at most", "unequal sides", "negated")
+RELATIONS = ("equal", "both", "implies", "less", "at most", "greater", "at least", "unlike", "negated", "or")
 
 
 def changes(claim: Term, named: Name) -> list[Change]:
@@ -22,7 +24,8 @@ def changes(claim: Term, named: Name) -> list[Change]:
     for node, rebuilt, depth in _places(claim):
         for rank, sort, words, new in _steps(node, named, depth):
             changed = rebuilt(new)
-            if changed != claim and (quaternions or sort != "conjugate"):
+            trivial = len(set(changed.arguments)) < 2 or changed == claim
+            if not trivial and (quaternions or sort != "conjugate"):
                 found.setdefault(changed, (rank, sort, words, changed))
     return sorted(found.values(), key=lambda change: change[0])
 
@@ -66,13 +69,15 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
         yield 0, "sign", f"sign of {named(arguments[0])}", arguments[0]
     if name in SWAPPED:
         yield 2, "swapped", f"{SWAPPED[name]} swapped in {shown}", Apply(name, *reversed(arguments))
-    if name in ("transpose", "inverse", "conjugate"):
-        yield 1, name, f"no {name} of {named(arguments[0])}", arguments[0]
+    if name in (transpose.name, inverse.name, "conjugate"):
+        yield 1, name.split()[0], f"no {name.split()[0]} of {named(arguments[0])}", arguments[0]
     for pair in _moved(node):
         yield 4, "bracket", f"bracket moved in {shown}", pair
     if isinstance(node, Number):
         n = node.value
-        for value in dict.fromkeys((2 * n, *([n // 2] if n % 2 == 0 else []), n + 1, n - 1)) if n else ():
+        for value in dict.fromkeys((2 * n, *([n // 2] if n % 2 == 0 else []), n + 1, n - 1)) if n > 0 else ():
+            if not value:
+                continue
             yield 1, "factor", f"{value} for {n}", Number(value)
     elif name not in RELATIONS:
         rank = 1 if depth == 0 or isinstance(node, Symbol) or name in ("call", "at") else 2
@@ -80,14 +85,9 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
             yield rank + later, sort, f"{words} {shown}", form(node)
 
 
-def inverse(a: Term) -> Term:
-    """Return the term of an inverse."""
-    return Apply("inverse", a) if "inverse" in OPERATORS else a ** (-1)
-
-
 _WRAPPED: tuple[tuple[int, str, str, Callable[[Term], Term]], ...] = (
-    (0, "sign", "sign of", lambda a: -a), (1, "transpose", "transpose of", lambda a: Apply("transpose", a)),
-    (1, "inverse", "inverse of", inverse), (1, "conjugate", "conjugate of", lambda a: Apply("conjugate", a)),
+    (0, "sign", "sign of", lambda a: -a), (1, "transpose", "transpose of", transpose),
+    (1, "inverse", "inverse of", inverse), (1, "conjugate", "conjugate of", conjugate),
     (1, "factor", "factor 1/2 at", lambda a: a / 2), (1, "factor", "factor 2 at", lambda a: 2 * a),
     (2, "square", "square of", lambda a: a**2),
 )  # fmt: skip

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from ..algebra import Dual
 from ..algebra.element import NotExactError
 from .equation import Entry
 from .language.environment import Env
-from .language.operator_table import epsilon
+from .language.operator_table import both, epsilon, equal
 from .language.printed import Symbol, Term, Trait, symbols, walk, with_trait
 from .numbers.balls import PRECISIONS, Ball, Balls, BlurredError, arb, precision
 from .numbers.draw import jet
@@ -21,6 +23,8 @@ from .numbers.quantities import ORDER, SIGN
 
 RATES_MAX = 2
 """Highest order of a time derivative for which letters have rates."""
+FURTHER = tuple(map(Fraction, (-3, -2, -1, 1, 2, 3)))
+"""Dual parts and rates of coordinates."""
 Coordinates = Mapping[Symbol, Numbers]
 
 
@@ -40,6 +44,7 @@ class Place:
     at: Coordinates
     generic: bool = False
     on: str = ""
+    parts: Mapping[Symbol, Numbers] = field(default_factory=dict)  # dual parts and rates, if not by a fixed seed
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,11 @@ class Claim:
         return tuple(letter for letter in self.letters if letter.quantity.name in KINDS)
 
     @cached_property
+    def constraints(self) -> tuple[Term, ...]:
+        """Equations in the stated domain, which points must be moved to satisfy."""
+        return tuple(_equations(self.entry.claimed)) if self.entry.claimed is not None else ()
+
+    @cached_property
     def dual(self) -> bool:
         """Whether dual numbers occur."""
         apart = bool(with_trait(Trait.APART, *self.parts)) or epsilon in (a for p in self.parts for a in symbols(p))
@@ -83,35 +93,41 @@ class Claim:
         return depth
 
     def env(self, place: Place, field: Field | None = None) -> Env:
-        """Return the environment at a point: the letters' values, with dual parts and rates by a fixed seed."""
+        """Return the environment at a point, over balls by default."""
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
-            values[letter] = self._value(letter, place.at[letter], field)
+            values[letter] = self._value(letter, place, field)
         return Env(field or Balls(), values, self.entry.definitions, self.dual, self.depth)
 
-    def _value(self, letter: Symbol, coordinates: Numbers, field: Field | None) -> Any:
-        row, source = kind(letter), random.Random(f"{letter.name} {len(coordinates)}")
+    def further(self, letter: Symbol, place: Place) -> Numbers:
+        """Return the dual parts and rates of a letter's coordinates, by a fixed seed if the point gives none."""
+        row = kind(letter)
+        if letter in place.parts:
+            return place.parts[letter]
+        source = random.Random(f"{letter.name} {place.label}")
+        count = row.size * ((1 + self.depth) * (1 + row.dual) - 1)
+        return [source.choice(FURTHER) for _ in range(count)]
+
+    def _value(self, letter: Symbol, place: Place, field: Field | None) -> Any:
+        """Return the value of a letter: each coordinate with its rates, its dual part and the rates of this."""
+        row, coordinates = kind(letter), place.at[letter]
+        if row.spread == "integer" and not self.dual and not self.depth:
+            return int(coordinates[0])
         number = (lambda c: c) if field else (lambda c: Ball(arb(c)))
+        further = iter(self.further(letter, place))
+        still = row.constant or row.spread == "integer"
 
         def coefficient(value: Any) -> Any:
-            still = row.constant or row.spread == "integer"
-            rates = [number(0 if still else source.choice((-2, -1, 1, 2, 3))) for _ in range(self.depth)]
-            return jet(value, rates)
+            rates = [number(next(further)) for _ in range(self.depth)]
+            return jet(value, [0 * rate for rate in rates] if still else rates)
 
         def part(c: Any) -> Any:
             value = coefficient(number(c))
-            du = coefficient(number(source.choice((-3, -1, 1, 2)))) if row.dual else 0 * value
-            return type(self).pair(value, du) if row.dual or (self.dual and self.depth) else value
+            if row.dual:
+                return Dual(value, coefficient(number(next(further))))
+            return Dual(value, 0 * value) if self.dual and self.depth else value
 
-        whole = row.spread == "integer" and not self.dual and not self.depth
-        return int(coordinates[0]) if whole else row.build([part(c) for c in coordinates])
-
-    @staticmethod
-    def pair(value: Any, du: Any) -> Any:
-        """Return a dual number."""
-        from ..algebra import Dual
-
-        return Dual(value, du)
+        return row.build([part(c) for c in coordinates])
 
     def truth(self, place: Place, statement: Term | None = None) -> bool | None:
         """Return whether the claim, or another statement, is true at a point; None where it has no value.
@@ -150,6 +166,14 @@ def kind(letter: Symbol) -> Kind:
 
 def _depth(node: Term) -> int:
     return max(map(_depth, node.arguments), default=0) + (Trait.RATE in node.operator.traits)
+
+
+def _equations(domain: Term) -> Iterator[Term]:
+    if domain.operator is both:
+        for part in domain.arguments:
+            yield from _equations(part)
+    elif domain.operator is equal:
+        yield domain
 
 
 def operators(*statements: Term) -> set[str]:

@@ -7,19 +7,23 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from ..algebra import Structure
+from ..algebra import Structure, Tensor
+from ..algebra.matrix import Matrix
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.operator_table import cos, det, norm, sin
+from .language.operator_table import Re, conjugate, cos, norm, sin
+from .language.matrices import det, entry, stacked, trace
 from .language.printed import Number, Symbol, Term, Trait, symbols, walk
 from .language.printed import text as written
 from .numbers.balls import Ball, Balls, BlurredError, arb, precision
 from .numbers.fields import innermost
-from .probe import Line, Probe, Singular, named, size
+from .probe import Probe, named, size
 
-BRANCHED = frozenset(("root", "acos", "asin", "atan", "arctan", "atan2", "log", "norm", "floor", "K10 length", "K10 power 1/2"))
+BRANCHED = frozenset((
+    "root", "acos", "asin", "arctan", "atan2 of two", "log", "norm", "floor of number", "K10 length", "K10 power 1/2",
+))  # fmt: skip
 """Operators that choose a branch or a sign."""
-REGION_MIN = 5
+REGION_MIN = 3
 """A claim is true in a region if it is at one in this many of the generic points."""
 
 
@@ -47,18 +51,30 @@ def fault(env: Env, node: Term) -> Exclusion | None:
     if name in ("power", "inverse"):
         return Exclusion(_factor(env, arguments[0]), "!= 0")
     if name == "norm":
-        return Exclusion(node, "!= 0")
+        return Exclusion(Re(*arguments) if env.dual else node, "!= 0")
     if name == "root" or name == "K10 power 1/2":
         return Exclusion(arguments[0], ">= 0")
-    if name == "log" and not isinstance(env.value(arguments[0]), Structure):
-        return Exclusion(arguments[0], "> 0")
+    if name == "log":
+        value = env.value(arguments[0])
+        if isinstance(value, Tensor | Matrix):
+            return Exclusion(trace(*arguments), "!= -1" if isinstance(value, Tensor) else "!= 0")
+        if not isinstance(value, Structure):
+            return Exclusion(arguments[0], "> 0")
     if name in ("acos", "asin"):
         return Exclusion(norm(arguments[0]), "<= 1")
     if name in ("tan", "cot"):
         return Exclusion((cos if name == "tan" else sin)(*arguments), "!= 0")
-    if name == "atan2":
+    if name == "atan2 of two":
         return Exclusion(norm(arguments[0]) + norm(arguments[1]), "!= 0")
-    return Exclusion(node, "has a value")
+    zero = next((a for a in arguments if _vanishes(env, a)), None)
+    return Exclusion(node, "has a value") if zero is None else Exclusion(zero, "!= 0")
+
+
+def _vanishes(env: Env, node: Term) -> bool:
+    try:
+        return bool(size(env.value(node)) == 0)
+    except (ArithmeticError, TypeError, AttributeError, KeyError):
+        return False
 
 
 def _undefined(env: Env, node: Term) -> bool:
@@ -81,7 +97,7 @@ def _factor(env: Env, below: Term) -> Term:
             if innermost(size(env.value(argument))) == 0:
                 return _factor(env, argument)
     value = env.value(below)
-    return det(below) if isinstance(value, Structure) and len(tuple(value)) in (9, 16, 36) else below
+    return det(below) if isinstance(value, Tensor | Matrix) else below
 
 
 def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
@@ -98,20 +114,14 @@ def exclusions(claim: Claim, places: Sequence[Place]) -> dict[Exclusion, Place]:
     return found
 
 
-def plain(claim: Claim, requirement: Exclusion) -> str:
+def plain(probe: Probe, requirement: Exclusion) -> str:
     """Return a requirement in plain form: by values of the letter if it has only one, else as it stands."""
-    letters = [a for a in symbols(requirement.subject) if a in claim.coordinates]
-    if requirement.relation != "!= 0" or len(letters) != 1 or requirement.subject in (letters[0], norm(letters[0])):
-        return str(requirement)
-    lines = [line for seed in "ab" for line in Probe(claim).lines(letters[0])][: 4]
-    chosen = [line for line in lines if line.radial or kind(letters[0]).size == 1]
-    part = Singular(requirement.subject, size)
-    roots = [line.roots(part) for line in chosen]
-    if not roots or not roots[0] or any(len(r) != len(roots[0]) for r in roots):
-        return str(requirement)
-    if any(abs(a - b) > 1e-9 for one in roots for a, b in zip(one, roots[0], strict=True)):
-        return str(requirement)
-    return values_excluded(chosen[0].shown, roots[0]) or str(requirement)
+    letters = [a for a in symbols(requirement.subject) if a in probe.claim.coordinates]
+    simple = requirement.subject in (*letters, *map(norm, letters))
+    if requirement.relation == "!= 0" and len(letters) == 1 and not simple:
+        name, roots = probe.roots_along(requirement.subject, letters[0]) or ("", [])
+        return (roots and values_excluded(name, roots)) or str(requirement)
+    return str(requirement)
 
 
 def values_excluded(name: str, roots: Sequence[float]) -> str:
@@ -133,6 +143,10 @@ def values_excluded(name: str, roots: Sequence[float]) -> str:
 # ---- regions of a branch ----------------------------------------------------------------------------------------
 
 
+Number_ = Callable[[Term, Place], Any]
+"""Function that returns the number of a part at a point, or None."""
+
+
 @dataclass(frozen=True)
 class Region:
     """Condition on a region: its words, and its truth at a point; None on its border or where it has no value."""
@@ -140,35 +154,60 @@ class Region:
     words: str
     test: Callable[[Place], bool | None]
 
+    @property
+    def strict(self) -> str:
+        """Words without the border."""
+        return self.words.replace("<=", "<").replace(">=", ">")
 
-def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple[str, bool]:
+
+def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple[Region | None, bool]:
     """Return the simplest condition that separates the points of truth from the others, and whether it is sharp.
 
-    Without a sharp one, return a condition that is sufficient at all points; without either, return no words.
+    Without a sharp one, return a condition that is sufficient at all points, or None.
     """
+    known: dict[tuple[Term, int], Any] = {}
+
+    def number(part: Term, place: Place) -> Any:
+        key = part, id(place)
+        if key not in known:
+            try:
+                known[key] = claim.evaluated(place, part, lambda a: arb(innermost(getattr(a, "scalar", a))))
+            except BlurredError:
+                known[key] = None
+        return known[key]
+
     found = []
-    for candidate in _candidates(claim):
-        at_true, at_false = ([candidate.test(place) for place in places] for places in (true, false))
-        if not any(at_false) and (inside := at_true.count(True)):
-            found.append((candidate.words, False not in at_true, inside))
-    if sharp := [words for words, is_sharp, _ in found if is_sharp]:
-        return min(sharp, key=len), True
-    many = [(inside, -len(words), words) for words, _, inside in found if inside * 2 > len(true)]
-    return (max(many)[2], False) if many else ("", False)
+    for candidate in _candidates(claim, number):
+        if not any(candidate.test(place) for place in false):
+            at_true = [candidate.test(place) for place in true]
+            found.append((candidate, False not in at_true, at_true.count(True)))
+            if found[-1][1]:
+                return candidate, True
+    many = [(inside, -len(candidate.words), candidate) for candidate, _, inside in found if inside * 2 > len(true)]
+    return (max(many, key=lambda row: row[:2])[2], False) if many else (None, False)
 
 
-def _candidates(claim: Claim) -> Iterator[Region]:
-    """Yield conditions: signs of numbers in the claim, bounds of letters, and pairs of signs."""
+def _candidates(claim: Claim, number: Number_) -> Iterator[Region]:
+    """Yield conditions, simple ones first: bounds of letters, signs of numbers in the claim, and pairs of signs."""
     parts = [part for part in dict.fromkeys(walk(claim.statement)) if _is_number(claim, part)]
-    signs = [found for part in parts for found in (_sign(claim, part, ">= 0"), _sign(claim, part, "<= 0"))]
-    yield from signs
     sizes = [letter if kind(letter).size == 1 else norm(letter) for letter in claim.coordinates if kind(letter).size in (1, 3)]
-    inner = [p.arguments[0] for p in parts if p.operator.name in ("sin", "cos", "tan", "acos", "asin") or Trait.TRANSCENDENTAL in p.operator.traits]
-    for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))]):
-        for low, high, words in _BOUNDS:
-            yield _between(claim, part, low, high, words)
-    for one, two in combinations(signs[:12], 2):
+    sizes += [norm(stacked(*(entry(a, Number(i)) for i in (1, 2, 3)))) for a in claim.coordinates if kind(a).size == 6]
+    tests = [t for a in claim.coordinates for t in _turns(a)]
+    inner = [p.arguments[0] for p in parts if Trait.TRANSCENDENTAL in p.operator.traits]
+    signs = [_sign(part, relation, number) for part in dict.fromkeys([*sizes, *tests, *parts]) for relation in (">= 0", "<= 0")]
+    bounds = [_between(part, *bound, number) for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))])
+              for bound in _BOUNDS]  # fmt: skip
+    yield from sorted([*signs, *bounds], key=lambda candidate: len(candidate.words))
+    for one, two in combinations(signs[:16], 2):
         yield Region(f"{one.words} and {two.words}", lambda at, one=one, two=two: _both(one.test(at), two.test(at)))
+
+
+def _turns(letter: Symbol) -> list[Term]:
+    """Return the numbers of a letter whose sign tells its turn from a quarter or half turn."""
+    name = letter.quantity.name
+    if "quaternion" in name:
+        return [letter + conjugate(letter)]
+    return [trace(letter) - 1] if "rotation" in name or "orthogonal" in name else [trace(letter) - 2] if "pose" in name else []
 
 
 _BOUNDS: tuple[tuple[float | None, float | None, str], ...] = (
@@ -191,16 +230,9 @@ def _is_number(claim: Claim, part: Term) -> bool:
     return False
 
 
-def _number(claim: Claim, part: Term, place: Place) -> Any:
-    try:
-        return claim.evaluated(place, part, lambda a: arb(innermost(a)))
-    except BlurredError:
-        return None
-
-
-def _sign(claim: Claim, part: Term, relation: str) -> Region:
+def _sign(part: Term, relation: str, number: Number_) -> Region:
     def test(place: Place) -> bool | None:
-        value = _number(claim, part, place)
+        value = number(part, place)
         if value is None or value.contains(0):
             return None
         return bool(value > 0) == (relation == ">= 0")
@@ -208,9 +240,9 @@ def _sign(claim: Claim, part: Term, relation: str) -> Region:
     return Region(f"{written(part)} {relation}", test)
 
 
-def _between(claim: Claim, part: Term, low: float | None, high: float, words: str) -> Region:
+def _between(part: Term, low: float | None, high: float, words: str, number: Number_) -> Region:
     def test(place: Place) -> bool | None:
-        value = _number(claim, part, place)
+        value = number(part, place)
         if value is None:
             return None
         turns = value / arb(Balls().pi)
@@ -220,7 +252,7 @@ def _between(claim: Claim, part: Term, low: float | None, high: float, words: st
         return bool((low is None or turns > low) and turns < high)
 
     shown = written(part)
-    if shown.startswith(("norm(", "|")):
+    if part.operator is norm:
         words = words.replace("norm({0})", "{0}").replace("0 <= {0} and ", "")
     return Region(words.format(shown), test)
 

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product
 from typing import Any
 
 from ..algebra.element import Element, NotExactError
 from ..algebra.mixed import MeaninglessError
 from .changes import changes, signs_and_coefficients
 from .claim import Claim, Place, RefusedError, kind, operators
-from .conditions import REGION_MIN, branched, exclusions, plain, region
+from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
 from .decide import ORDERS, steps_of
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
+from .language.operator_table import both, implies
 from .language.printed import Symbol, Term, Trait, with_trait
 from .language.printed import text as written
 from .language.values import coefficients
@@ -29,10 +31,24 @@ from .result import Counterexample, Result, Status, Verdict
 
 WAYS: tuple[Mapping[str, bool], ...] = ({}, {"turning": True}, {"framed": False})
 """Generic values: a vector's magnitude as the tangent of an angle, as an angle, and free components."""
-COMPONENTWISE = ("matrix", "block", "entry", "vector", "kron", "vec", "zeros", "K10 entry", "K10 component")
+COMPONENTWISE = frozenset(("matrix", "block", "entry", "kron", "vec", "zeros", "K10"))
 """First words of operators that depend on the frame."""
 CHANGES_MAX, CANDIDATES_MAX, SAMPLE = 3, 400, 6
 """Changes shown, changes tried, and points at which a changed claim is tried first."""
+
+
+POINTS_MIN = 6
+"""Least number of points at which a claim is called true."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Points at which a claim is true, is false, or has no value, and the number of those that did not tell."""
+
+    true: list[Place]
+    false: list[Place]
+    undefined: list[Place]
+    blurred: int
 
 
 @dataclass(frozen=True)
@@ -57,7 +73,7 @@ class Finding:
 def judge_claim(paper: str, entry: Entry) -> Result:
     """Return the result of an entry with one reading and no stated condition; ``paper`` is the paper's slug."""
     statement = entry.readings[0].statement
-    claim = Claim(entry, statement)
+    claim = _premised(Claim(entry, statement))
     finding = decided(claim)
     status, method = finding.status, finding.method
     if status is Status.FALSE and entry.corrected is not None:
@@ -78,6 +94,15 @@ def judge_claim(paper: str, entry: Entry) -> Result:
     )  # fmt: skip
 
 
+def _premised(claim: Claim) -> Claim:
+    """Return the claim with the premise of an implication as part of the stated domain."""
+    while claim.statement.operator is implies:
+        premise, statement = claim.statement.arguments
+        claimed = premise if claim.entry.claimed is None else both(claim.entry.claimed, premise)
+        claim = Claim(replace(claim.entry, claimed=claimed), statement)
+    return claim
+
+
 def decided(claim: Claim) -> Finding:
     """Return the decision of a claim, without what makes it true or vacuous."""
     try:
@@ -92,37 +117,48 @@ def _decided(claim: Claim) -> Finding:
     choosing = branched(*claim.parts)
     outcome: dict[bool | None, list[Place]] = {True: [], False: [], None: []}
     blurred = 0
-    for place in Probe(claim).all():
+    probe = Probe(claim)
+    for place in probe.all():
         try:
-            if claim.inside(place):
-                outcome[claim.truth(place)].append(place)
+            outcome[claim.truth(place)].append(place)
         except BlurredError:
             blurred += 1
         if not choosing and outcome[False]:
             break
     true, false, undefined = outcome[True], outcome[False], outcome[None]
     points = len(true) + len(false) + len(undefined)
-    if not points:
-        what = "no point satisfies the stated domain" if claim.entry.claimed is not None else "it has no value"
-        return Finding(Status.UNDECIDED, f"{what} at any point tried")
+    if points < POINTS_MIN and not false:
+        stated = claim.entry.claimed is not None
+        few = f"only {points} of the points tried" if points else "no point tried"
+        return Finding(Status.UNDECIDED, f"{few} {'in' if stated else 'outside'} the stated domain", points)
     if not true and not false:
         return Finding(Status.UNDECIDED, f"it has no value at any of {points} points", points)
-    words, cuts = "", ""
+    within, cuts = None, ""
     if false:
         cuts = f"{len(false)} of {len(true) + len(false)} points fail"
         if choosing and sum(place.generic for place in true) >= REGION_MIN:
-            words, sharp = region(claim, true, false)
-            cuts += f", all outside {words}" if words and sharp else ""
-        if not words:
+            within, sharp = region(claim, true, false)
+            cuts += f", all outside {within.words}" if within and sharp else ""
+        if within is None:
             return Finding(Status.FALSE, f"refuted at {false[0].label}", points, "exact", cuts=cuts * choosing, failing=false[0])
-    found = exclusions(claim, undefined)
-    parts = [words, *(plain(claim, requirement) for requirement in found)]
-    condition = " and ".join(dict.fromkeys(part for part in parts if part))
-    exact = not false and proved(claim)
-    method = "exact" if exact else f"evidence: {points} points" + f", {blurred} more too close to tell" * bool(blurred)
-    outside = next(iter(found.values()), false[0] if false else None)
+    return _true(probe, Outcome(true, false, undefined, blurred), within, cuts)
+
+
+def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Finding:
+    """Return the finding for a claim that is true on a region, or wherever it has a value."""
+    claim = probe.claim
+    inside = [place for place in at.undefined if within is None or within.test(place)]
+    border = within is not None and any(within.test(place) is None for place in at.undefined)
+    found = exclusions(claim, inside)
+    parts = [within.strict if border else within.words] if within else []
+    condition = " and ".join(dict.fromkeys([*parts, *(plain(probe, requirement) for requirement in found)]))
+    exact = not at.false and proved(claim)
+    points = len(at.true) + len(at.false) + len(at.undefined)
+    evidence = f"evidence: {points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
+    outside = next(iter((*found.values(), *at.undefined, *at.false)), None)
     status = Status.HOLDS_IF if condition else Status.HOLDS
-    return Finding(status, method, points, "exact" if exact else "evidence", condition, cuts, None, outside, tuple(true))
+    certainty = "exact" if exact else "evidence"
+    return Finding(status, "exact" if exact else evidence, points, certainty, condition, cuts, None, outside, tuple(at.true))
 
 
 # ---- proof ------------------------------------------------------------------------------------------------------
@@ -132,7 +168,7 @@ def proved(claim: Claim) -> bool:
     """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere."""
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     sign = next((a for a in claim.letters if a.quantity is SIGN), None)
-    framed = not any(name.startswith(COMPONENTWISE) for name in operators(*claim.parts))
+    framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
     for way in WAYS if framed else WAYS[2:]:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
@@ -193,7 +229,7 @@ def _true_at(claim: Claim, places: Sequence[Place]) -> bool:
 
 def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
     """Yield the changes in one step that make a false claim true."""
-    sample = [place for place in Probe(claim).quick() if claim.inside(place)][:SAMPLE]
+    sample = list(islice(Probe(claim).quick(), SAMPLE))
     first = [finding.failing] if finding.failing else []
     shown: set[str] = set()  # one change of each sort, since changes of one sort are often equivalent
     for _, sort, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
@@ -214,12 +250,22 @@ def _needed(claim: Claim) -> Iterator[str]:
     """Yield the constraints of letters without which a true claim is false."""
     for letter in claim.coordinates:
         row = kind(letter)
-        if row.free:
+        if row.free and row.needs:
             name = f"constant {row.free}" if row.constant else row.free
             free = Symbol(letter.name, name, *map(str, letter.args[2:]))
-            other = Claim(claim.entry, claim.statement.xreplace({letter: free}))
-            if row.needs and not _true_at(other, list(Probe(other).quick())):
+            other = Claim(_relaxed(claim.entry, {letter: free}), claim.statement.xreplace({letter: free}))
+            if not _true_at(other, list(Probe(other).quick())):
                 yield row.needs.format(letter.name)
+
+
+    for constraint in claim.constraints:
+        other = Claim(replace(claim.entry, claimed=None), claim.statement)
+        if not _true_at(other, list(Probe(other).quick())):
+            yield written(constraint)
+
+
+def _relaxed(entry: Entry, free: Mapping[Symbol, Symbol]) -> Entry:
+    return replace(entry, claimed=None if entry.claimed is None else entry.claimed.xreplace(free))
 
 
 # ---- counterexamples --------------------------------------------------------------------------------------------
@@ -236,28 +282,18 @@ def _outside(claim: Claim, finding: Finding) -> str:
 
 def _counterexample(claim: Claim, place: Place, words: str = "") -> Counterexample:
     """Return the letters and both sides at a point, by exact rationals if the sides are rational."""
-    try:
-        exact = claim.env(place, Exact())
-        letters = {a.name: _numbers(exact.value(a)) for a in claim.letters}
-        found = sides(exact, claim.statement, _numbers)
-        return Counterexample(words or place.label, letters, found, "exact rationals" if found else "")
-    except (ArithmeticError, TypeError, AttributeError, ValueError):
-        pass
     with precision(256):
-        env = claim.env(place)
-        letters = {a.name: _numbers(env.value(a)) for a in claim.letters}
-        found = sides(env, claim.statement, _numbers)
-        return Counterexample(words or place.label, letters, found, "disjoint intervals" if found else "")
+        env, exact = claim.env(place), claim.env(place, Exact())
+        letters = {a.name: _numbers(exact.value(a)) or _numbers(env.value(a)) for a in claim.letters}
+        for proof, field in (("exact rationals", exact), ("disjoint intervals", env)):
+            with suppress(ArithmeticError, TypeError, AttributeError):
+                if found := sides(field, claim.statement, _numbers):
+                    return Counterexample(words or place.label, letters, found, proof)
+    return Counterexample(words or place.label, letters, ())
 
 
 def _numbers(value: Any) -> list[str]:
-    return [_shown(a) for a in coefficients(value)]
-
-
-def _shown(a: Any) -> str:
-    if isinstance(a, Element):
-        a = a.ring.value(a.numerator) / a.ring.value(a.denominator)
-    if isinstance(a, int | Fraction | Ball):
-        return str(a)
-    raise NotExactError("no number")
+    """Return the numbers of a value; none if it contains other things, or balls beside fractions."""
+    found = [a.ring.value(a.numerator) / a.ring.value(a.denominator) if isinstance(a, Element) else a for a in coefficients(value)]
+    return [str(a) for a in found] if all(isinstance(a, int | Fraction | Ball) for a in found) else []
 

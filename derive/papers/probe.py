@@ -7,14 +7,15 @@ the difference of both sides of an inequality. Its zeros are found along each le
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
 from .claim import Claim, Place, kind
+from .constrained import onto
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
 from .language.printed import text as written
@@ -31,6 +32,10 @@ PAIRS_MAX = 24
 """Number of points with two special letters."""
 ROOTS_MAX = 4
 """Number of zeros of one singular part along one line that are tried."""
+PROJECTIONS_MAX = 40
+"""Number of points that are moved onto the equations of the stated domain."""
+FEW = 24
+"""Number of points in the stated domain below which more are drawn near them."""
 NEAR = Fraction(1, 1000)
 """Distance of a point beside a zero, relative to the zero."""
 FINE, WIDTH = 512, 160
@@ -66,14 +71,14 @@ def singular(*statements: Term) -> Iterator[Singular]:
             if name == "over" or not (isinstance(exponent, Number) and exponent.value >= 0):
                 part = arguments[1 if name == "over" else 0]
                 found[part] = Singular(part, size)
-        elif name in ("inverse", "root", "log", "norm", "atan2", "K10 length"):
+        elif name in ("inverse", "root", "log", "norm", "atan2 of two", "K10 length"):
             found[arguments[0]] = Singular(arguments[0], _half_turn if name == "log" else size)
         elif name in ("acos", "asin"):
             found[node] = Singular(arguments[0], lambda a: 1 - innermost(a) * innermost(a))
         elif name in ("tan", "cot"):
             part = (cos if name == "tan" else sin)(*arguments)
             found[part] = Singular(part, size)
-        elif name in ("less", "at most", "more", "at least", "unequal sides") and len(arguments) == 2:
+        elif name in ("less", "at most", "greater", "at least", "unlike"):
             part = arguments[0] - arguments[1]
             found[part] = Singular(part, size)
     bound = "index"
@@ -95,6 +100,8 @@ class Probe:
 
     def __init__(self, claim: Claim) -> None:
         self.claim, self.random = claim, random.Random(f"probe {claim.entry.number}")
+        self.roots: dict[tuple[Term, Symbol], list[float]] = {}  # zeros of singular parts along the first line
+        self._projections = 0
 
     # ---- coordinates ----------------------------------------------------------------------------------------------
 
@@ -121,7 +128,47 @@ class Probe:
     # ---- points ---------------------------------------------------------------------------------------------------
 
     def quick(self) -> Iterator[Place]:
-        """Yield points of short numbers, then generic ones."""
+        """Yield the first points in the stated domain: short numbers, then generic ones."""
+        return self._moved(self._quick())
+
+    def all(self) -> Iterator[Place]:
+        """Yield all points in the stated domain; quick refutations come first."""
+        return self._moved(self._all())
+
+    def _moved(self, places: Iterator[Place]) -> Iterator[Place]:
+        """Yield the points that lie in the stated domain, moved onto its equations; more near them if they are few."""
+        found = []
+        for place in self._inside(places):
+            found.append(place)
+            yield place
+        if self.claim.entry.claimed is not None and len(found) < FEW:
+            yield from self._inside(map(self._near, found * (FEW // max(len(found), 1))))
+
+    def _near(self, place: Place) -> Place:
+        """Return a point whose coordinates differ by up to a half."""
+        at = {a: [x * Fraction(self.random.randint(50, 150), 100) for x in c] if a in self.claim.coordinates and kind(a).spread != "integer" else c
+              for a, c in place.at.items()}  # fmt: skip
+        return replace(place, label=f"near {place.label}", at=at, generic=True, on="")
+
+    def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
+        for place in places:
+            try:
+                if self.claim.inside(place) and not (self.claim.constraints and self.claim.depth):
+                    yield place
+                elif self.claim.constraints:
+                    yield from islice(filter(self.claim.inside, self._projected(place)), 1)
+            except BlurredError:
+                continue
+
+    def _projected(self, place: Place) -> Iterator[Place]:
+        """Yield the points on the equations of the domain near a point and near the opposite one."""
+        opposite = {a: kind(a).antipode(c) if a in self.claim.coordinates else c for a, c in place.at.items()}
+        for start in (place, replace(place, at=opposite)):
+            if self._projections < PROJECTIONS_MAX and (moved := onto(self.claim, start)):
+                self._projections += 1
+                yield moved
+
+    def _quick(self) -> Iterator[Place]:
         for i in range(3):
             numbers = iter(SHORT[i:] + SHORT[:i])
             at: dict[Symbol, Any] = self._discrete()
@@ -135,9 +182,8 @@ class Probe:
             for i in range(count):
                 yield Place(f"generic point {i + 1}, {low} to {high}", self.drawn(low, high), generic=True)
 
-    def all(self) -> Iterator[Place]:
-        """Yield all points; quick refutations come first."""
-        yield from self.quick()
+    def _all(self) -> Iterator[Place]:
+        yield from self._quick()
         for count, low, high in REGIMES[3:]:
             for i in range(count):
                 yield Place(f"wide point {i + 1}, {low} to {high}", self.drawn(low, high))
@@ -160,7 +206,8 @@ class Probe:
             at = self.drawn()
             if kind(a).build is kind(b).build:
                 yield Place(f"{b.name} = {a.name}", {**at, b: at[a]})
-                yield Place(f"{b.name} opposite to {a.name}", {**at, b: kind(b).antipode(at[a])})
+                if kind(b).spread != "positive":
+                    yield Place(f"{b.name} opposite to {a.name}", {**at, b: kind(b).antipode(at[a])})
             for one, other in ((a, b), (b, a)):
                 if kind(one).size == kind(other).size == 3 and not kind(one).projective:
                     along = kind(other).build(at[other])
@@ -173,11 +220,25 @@ class Probe:
             for letter in symbols(part.part):
                 if letter in self.claim.coordinates:
                     for line in self.lines(letter):
-                        yield from line.places(part)
+                        roots, places = line.places(part)
+                        self.roots.setdefault((part.part, letter), roots)
+                        yield from places
+
+    def roots_along(self, part: Term, letter: Symbol) -> tuple[str, list[float]] | None:
+        """Return the name of a letter's value and the values at which a part vanishes, if they are those of a line."""
+        line = next(self.lines(letter), None)
+        known = self.roots.get((part, letter))
+        if line is None or not (line.radial or kind(letter).size == 1):
+            return None
+        found = line.roots(Singular(part, size))
+        same = known is None or len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True))
+        return (line.shown, found) if same else None
 
     def lines(self, letter: Symbol) -> Iterator[Line]:
         """Yield lines of points: multiples of a vector, and a line through another point."""
         row, at = kind(letter), self.drawn(0.5, 1.5)
+        if row.spread == "integer":
+            return
         start = [Fraction(self.random.choice((-1, 1)) * self.random.randint(2, 9), 5) for _ in range(row.size)]
         head, tail = ([0] * row.size, start) if row.size == 1 else (start, [*start[1:], start[0]])
         if row.size in (3, 6) and not row.projective:
@@ -197,6 +258,11 @@ class Line:
     radial: bool = False
 
     @property
+    def one_sided(self) -> bool:
+        """Whether t is not negative."""
+        return self.radial or kind(self.letter).spread == "positive"
+
+    @property
     def shown(self) -> str:
         """Name of t, for labels."""
         scalar = kind(self.letter).size == 1
@@ -209,55 +275,56 @@ class Line:
             scale = t / Ball(arb(sum(d * d for d in self.direction)).sqrt())
         return {**self.at, self.letter: [s + scale * d for s, d in zip(self.start, self.direction, strict=True)]}
 
-    def value(self, part: Singular, t: Any) -> Any:
-        """Return the middle of the number that vanishes on the singular set, or None."""
-        try:
-            return arb(part.size(self.claim.env(Place("", self.point(t))).value(part.part))).mid()
-        except (ArithmeticError, BlurredError, TypeError, AttributeError):
-            return None
-
     def roots(self, part: Singular) -> list[float]:
         """Return the zeros of a singular part along the line, those near 0 first."""
         with precision(FINE):
             return [float(t) for t in self._roots(part)]
 
     def _roots(self, part: Singular) -> list[Any]:
+        claim = Claim(replace(self.claim.entry, claimed=None), part.part)  # other letters need no values
         grid = [Fraction(k, 2) for k in range(0 if self.radial else -32, 40)]
+        grid = [NEAR, *grid[33:]] if kind(self.letter).spread == "positive" else grid
 
         def value(t: Any) -> Any:
-            return self.value(part, t)
+            """Return the middle of the number that vanishes on the singular set, or None."""
+            try:
+                return arb(part.size(claim.env(Place("", self.point(t))).value(part.part))).mid()
+            except (ArithmeticError, BlurredError, TypeError, AttributeError):
+                return None
 
         seen = [(t, value(t)) for t in grid]
-        found = [arb(t) for t, f in seen if f is not None and f.contains(0)]
+        found: list[tuple[Any, Callable[[], Any]]] = [(t, lambda t=t: arb(t)) for t, f in seen if f is not None and f.contains(0)]
         for (t, f), (u, g) in pairwise(seen):
-            if f is not None and g is not None and (f < 0) != (g < 0) and not (f.contains(0) or g.contains(0)):
-                found.append(_zero(value, arb(t), arb(u), f, g))
+            if f is not None and g is not None and f * g < 0:
+                found.append((t, lambda t=t, u=u, f=f, g=g: _zero(value, arb(t), arb(u), f, g)))
         for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
-            if None not in (f, g, h) and abs(g) <= abs(f) and abs(g) <= abs(h) and f * h > 0 and f * g > 0:
-                found.append(_least(value, arb(t), arb(u)))
-        zeros = []
-        for t in found:
-            if t is None:
-                continue
-            f = value(Ball(t))
+            if None not in (f, g, h) and f * h > 0 and f * g > 0 and 2 * abs(g) < abs(f) + abs(h) and g * g <= f * h:
+                found.append((t, lambda t=t, u=u: _least(value, arb(t), arb(u))))
+        zeros: list[Any] = []
+        for _, refined in sorted(found, key=lambda row: abs(row[0])):
+            t = refined()
+            f = None if t is None else value(Ball(t))
             if f is not None and abs(f) < flint().arb(2) ** -WIDTH:
                 zeros.append(t)
+                if len(zeros) == ROOTS_MAX:
+                    break
         return sorted(zeros, key=lambda t: (abs(float(t)), float(t)))
 
-    def places(self, part: Singular) -> list[Place]:
-        """Return the points on and beside the zeros of a singular part, and between them."""
+    def places(self, part: Singular) -> tuple[list[float], list[Place]]:
+        """Return the zeros of a singular part, and the points on them, beside them and between them."""
         with precision(FINE):
-            roots, found = self._roots(part)[:ROOTS_MAX], []
+            roots, found = self._roots(part), []
             for t in roots:
                 place, near = f"{self.shown} = {named(float(t))}", NEAR * (1 + abs(Ball(t)))
                 exact = (t * 4).is_integer()
                 on = Ball(t if exact else flint().arb(t, flint().arb(2) ** -WIDTH))
                 found.append(Place(place, self.point(on), on=place))
-                beside = [b for b in (Ball(t) - near, Ball(t) + near) if not (self.radial and b < 0)]
+                narrow = [near, near * NEAR] if self.claim.entry.claimed is not None else [near]
+                beside = [b for d in narrow for b in (Ball(t) - d, Ball(t) + d) if not (self.one_sided and b < 0)]
                 found += [Place(f"beside {place}", self.point(b)) for b in beside]
             for t, u in pairwise(sorted(roots, key=float)):
                 found.append(Place(f"{self.shown} between zeros", self.point((Ball(t) + Ball(u)) / 2)))
-        return found
+        return list(map(float, roots)), found
 
 
 def _zero(f: Callable[[Any], Any], a: Any, b: Any, fa: Any, fb: Any) -> Any:

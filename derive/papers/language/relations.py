@@ -10,6 +10,7 @@ from typing import Any
 
 from ...algebra import Quaternion, Tensor, Vector
 from ...algebra.element import NotExactError
+from ...algebra.matrix import exactly
 from ...maps import first_principles
 from ..numbers.fields import innermost
 from .environment import Env
@@ -71,8 +72,6 @@ atan2 = define("atan2 of two", r"\operatorname{{atan2}}\left({0}, {1}\right)", "
 def _floor(env: Env, a: Any) -> Any:
     if isinstance(a, int | Fraction):
         return int(a // 1)
-    if not hasattr(env.field, "floor"):
-        raise NotExactError("the floor of a symbol")
     return env.field.floor(a)
 
 
@@ -92,7 +91,7 @@ def _polynomial(which: int) -> Callable[[Env, Any, Any], Any]:
 
 
 def _tangent(rotation: Callable[[Vector], Tensor], v: Vector) -> Tensor:
-    return first_principles.tangent(rotation, v)
+    return first_principles.tangent(lambda w: rotation(exactly(w)), v)
 
 
 p = define("p", r"p_{{{0}}}\left({1}\right)", "p({0}, {1})", ATOM, (LIST, LIST), _polynomial(0))

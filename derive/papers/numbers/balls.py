@@ -14,7 +14,8 @@ from functools import cache
 from numbers import Number
 from typing import Any
 
-from .fields import Field, UndefinedError
+from ...algebra import Dual
+from .fields import Field, UndefinedError, innermost
 
 PRECISIONS = (256, 2048)
 """Bits of the first evaluation, and of its repetition if balls are too wide."""
@@ -106,7 +107,8 @@ class Ball:
         return float(self.arb.mid())
 
     def __repr__(self) -> str:
-        return str(self.arb.str(30, radius=False))
+        shown = str(self.arb.str(30, radius=False))
+        return shown.rstrip("0").rstrip(".") if "." in shown and "e" not in shown else shown
 
 
 Number.register(Ball)
@@ -178,6 +180,12 @@ class Balls(Field):
         finally:
             context.cap = before
         return Balls.convolved(a, [Ball(inverse[k]) for k in range(len(b))])
+
+    def magnitude(self, v: Any) -> Any:
+        square = v.dot(v)
+        if isinstance(square, Dual) and self.vanishes(innermost(square)):
+            raise UndefinedError("the magnitude of a vector whose real part is 0 has no dual part and no rate")
+        return self.sqrt(square)
 
     def real(self, name: str, *values: Any) -> Callable[..., Any]:
         if hasattr(self, f"_{name}"):

@@ -55,6 +55,10 @@ class Field(Elementary):
         """Return the magnitude of a number."""
         return abs(a)
 
+    def floor(self, a: Any) -> int:
+        """Return the greatest integer that is not greater."""
+        raise NotExactError("the floor of a number")
+
     def magnitude(self, v: Vector) -> Any:
         """Return the magnitude of a vector; ``ε |a°|`` for a dual vector ``ε a°``."""
         square = v.dot(v)
