@@ -96,7 +96,7 @@ class Result(Typeset):
     @property
     def corrected(self) -> str | None:
         """LaTeX of the correction of an erratum."""
-        return _latex(self.equation.corrected) if self.status is Status.ERRATUM else None
+        return _latex(self.equation.mended or self.equation.corrected) if self.status is Status.ERRATUM else None
 
     @property
     def condition(self) -> str | None:
@@ -136,8 +136,8 @@ class Result(Typeset):
             "printed": self.printed,
             "corrected": self.corrected,
             "claimed": self.claimed,
-            "stated": entry.stated and entry.stated[1],
-            "condition": self.condition,
+            "stated": entry.stated[1] if entry.stated else self.domain or None,
+            "condition": self.condition or self.found or None,
             "exact": self.exact if entry.condition is not None else None,
             "readings": [
                 {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
@@ -150,7 +150,6 @@ class Result(Typeset):
             "section": self.section,
             "claim": self.claim or None,
             "domain": self.domain or None,
-            "found": self.found or None,
             "outside": self.outside and asdict(self.outside),
             **{name: getattr(self, name) for name in ("certainty", "points", "changes", "vacuous", "needs", "cuts")},
             **{name: getattr(entry, name) for name in ("at", "line", "source", "said", "remark")},

@@ -203,10 +203,11 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
             raise error if key == "claim" else ClaimError(f"{key}: {error.message}", error.column) from None
 
     written, claim = read("claim")
-    domain, correction = (read(key)[1] if key in row else None for key in ("domain", "corrected"))
+    domain = read("domain")[1] if "domain" in row else None
+    mended, correction = read("corrected") if "corrected" in row else (None, None)
     parts = [part for part in (claim, domain, correction) if part is not None]
     return Entry(
         row["number"], row.get("title", ""), 0, "", (Reading(claim),), claimed=domain, corrected=correction,
-        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written,
+        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written, mended=mended,
         abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
     )  # fmt: skip

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...proof import Proof
-from ..equation import Paper
+from ..equation import Entry, Paper
+from ..numbers.kinds import KINDS
 from ..result import Counterexample, Result, Status
 from ..sheet import Problem
 from .plain import plain
@@ -70,6 +71,11 @@ class Report:
         """Statuses of the results with their meanings."""
         found = {result.status for result in self.results}
         return {status: meaning for status, meaning in MEANING.items() if status in found}
+
+    @property
+    def of_files(self) -> bool:
+        """Whether all results are claims of files."""
+        return all(chapter.of_file for chapter in self.chapters)
 
     @property
     def results(self) -> tuple[Result, ...]:
@@ -152,9 +158,9 @@ def command(result: Result) -> str:
 SHOWN_DIGITS = 10
 
 
-def example(found: Counterexample) -> tuple[str, ...]:
+def example(found: Counterexample, entry: Entry | None = None) -> tuple[str, ...]:
     """Return a counterexample as lines: values of the symbols, then the first number that differs between the sides."""
-    lines = tuple(f"{plain(name)} = {_numbers(parts)}" for name, parts in found.letters.items())
+    lines = tuple(f"{plain(name)} = {_numbers(parts, _second(entry, parts))}" for name, parts in found.letters.items())
     if len(found.sides) != 2 or not all(found.sides):
         return *lines, f"{found.point}: the statement is false"
     left, right = found.sides
@@ -163,11 +169,21 @@ def example(found: Counterexample) -> tuple[str, ...]:
     return *lines, f"{which}left {left[i][: SHOWN_DIGITS + 2]}, right {right[i][: SHOWN_DIGITS + 2]}"
 
 
-def _numbers(parts: list[str]) -> str:
-    """Return the real parts, then the dual parts after ε, as one string."""
+def _second(entry: Entry | None, parts: list[str]) -> str:
+    """Return what the second half of a symbol's numbers is: the dual part, the rate, or nothing."""
+    if entry is None or entry.written is None:
+        return " + ε " if len(parts) in (2, 6, 8, 18) else ""
+    quantities = {symbol.quantity.name for symbol in entry.free(entry.readings[0].statement)}
+    if any(KINDS[name].dual for name in quantities & KINDS.keys()):
+        return " + ε "
+    return ", rate " if entry.moving else ""
+
+
+def _numbers(parts: list[str], second: str) -> str:
+    """Return the numbers of a value as one string, its second half after a word."""
     short = [part[: SHOWN_DIGITS + 2] for part in parts]
     half = len(short) // 2
-    return f"{_tuple(short[:half])} + ε {_tuple(short[half:])}" if len(short) in (2, 6, 8, 18) else _tuple(short)
+    return f"{_tuple(short[:half])}{second}{_tuple(short[half:])}" if second and half else _tuple(short)
 
 
 def _tuple(parts: list[str]) -> str:

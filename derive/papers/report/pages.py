@@ -9,7 +9,7 @@ from ...output.templates import holes, render
 from ..language.operator_table import define
 from ..language.printed import ATOM, LIST, POWER, PRODUCT, RELATION, SUM, Term, latex
 from ..result import Result, Status
-from .content import Report, command, example, extent, label, place, readings, why
+from .content import Report, command, details, example, extent, label, place, readings, why
 from .plain import escape
 
 SCHEMA = 3
@@ -50,13 +50,14 @@ def notes(result: Result) -> tuple[str, ...]:
     entry = result.equation
     said = f"In the paper: “{entry.said}”" if entry.said else ""
     fixed = f"The reading follows from {entry.fixed_by}." if entry.fixed_by else ""
-    return tuple(note for note in (said, entry.remark, fixed) if note)
+    return *(note for note in (said, entry.remark, fixed) if note), *details(result)
 
 
 def differing_sides(result: Result) -> tuple[str, str]:
     """Return the printed and the corrected formula as LaTeX, with their smallest differing parts in colour."""
     assert result.equation.corrected is not None
-    printed, corrected = _marked(result.verdicts[0].statement, result.equation.corrected)
+    entry = result.equation
+    printed, corrected = _marked(entry.written or result.verdicts[0].statement, entry.mended or entry.corrected)
     return latex(printed), latex(corrected)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from ...output.tables import WIDTH, Column, Grid
+from ..language.written import written
 from ..result import Result, Status
 from .content import MEANING, Chapter, Report, command, details, domain, example, label, readings, shown
 from .plain import plain
@@ -58,10 +59,10 @@ def _full(result: Result) -> Rows:
     yield "claim", shown(result)
     if result.equation.at:
         yield "printed at", result.equation.at
-    if result.corrected:
-        yield "corrected", plain(result.corrected)
+    if result.equation.mended is not None and result.corrected:
+        yield "corrected", written(result.equation.mended)
     if result.counterexample is not None:
-        yield DIFFERENT, _lines(*example(result.counterexample))
+        yield DIFFERENT, _lines(*example(result.counterexample, result.equation))
     for line in details(result):
         yield "", line
     yield KNOWN, result.method
