@@ -231,7 +231,7 @@ class Probe:
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
-        same = known is None or len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True))
+        same = known is None or (len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True)))
         return (line.shown, found) if same else None
 
     def lines(self, letter: Symbol) -> Iterator[Line]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from math import comb
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, matrix
@@ -19,7 +18,7 @@ from . import values
 from .environment import Env
 from .matrices import rotation, translation, twist_of
 from .operator_table import define, infinity
-from .printed import ATOM, LIST, OPERATORS, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, Trait, symbols
+from .printed import ATOM, LIST, PRODUCT, SUM, Apply, OperatorRow, Symbol, Term, symbols
 
 BINDERS: dict[str, int] = {"sum": 0}
 """Place of the bound letter among the arguments, by operator."""

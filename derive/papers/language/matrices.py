@@ -11,7 +11,6 @@ from ...algebra.matrix import Matrix, part
 from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ...maps.first_principles import tensor_by_sandwich
 from ..numbers.fields import UndefinedError, innermost
-from . import values
 from .environment import Env
 from .operator_table import define
 from .printed import ATOM, LIST, OPERATORS, POWER, PRODUCT, Apply, Term, Trait
