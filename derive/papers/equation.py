@@ -75,6 +75,7 @@ class Entry(Typeset):
     remark: str = ""  # one sentence for the report
     source: str = ""  # path of the module or file that defines the entry; filled in by `Paper.entries`
     written: Term | None = None  # claim of a file before its definitions are filled in
+    mended: Term | None = None  # correction of a file before its definitions are filled in
     abbreviations: Mapping[str, Abbreviation] = field(default_factory=dict, compare=False)  # definitions of its file
     at: str = ""  # place where a claim of a file is printed
     printed: str = ""  # LaTeX of a claim of a file, as printed

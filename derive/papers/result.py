@@ -11,6 +11,7 @@ from typing import Any
 from ..output.typeset import Typeset
 from .equation import Entry
 from .language.printed import Term, latex
+from .language.written import written
 
 
 class Status(StrEnum):
@@ -78,13 +79,24 @@ class Result(Typeset):
 
     @property
     def printed(self) -> str:
-        """LaTeX of the first reading."""
-        return self.verdicts[0].latex
+        """LaTeX of the first reading, or of a claim in a file with the names of its definitions."""
+        return self.verdicts[0].latex if self.equation.written is None else latex(self.equation.written)
+
+    @property
+    def claim(self) -> str:
+        """Claim of a file as plain text."""
+        return "" if self.equation.written is None else written(self.equation.written)
+
+    @property
+    def domain(self) -> str:
+        """Domain that a file states for a claim, as plain text."""
+        stated = self.equation.claimed
+        return "" if stated is None or self.equation.written is None else written(stated)
 
     @property
     def corrected(self) -> str | None:
         """LaTeX of the correction of an erratum."""
-        return _latex(self.equation.corrected) if self.status is Status.ERRATUM else None
+        return _latex(self.equation.mended or self.equation.corrected) if self.status is Status.ERRATUM else None
 
     @property
     def condition(self) -> str | None:
@@ -124,8 +136,8 @@ class Result(Typeset):
             "printed": self.printed,
             "corrected": self.corrected,
             "claimed": self.claimed,
-            "stated": entry.stated and entry.stated[1],
-            "condition": self.condition,
+            "stated": entry.stated[1] if entry.stated else self.domain or None,
+            "condition": self.condition or self.found or None,
             "exact": self.exact if entry.condition is not None else None,
             "readings": [
                 {"latex": v.latex, "verdict": "true" if v.true else "false", "note": v.note} for v in self.verdicts
@@ -136,7 +148,12 @@ class Result(Typeset):
             "method": self.method,
             "anchor": self.anchor,
             "section": self.section,
-            **{name: getattr(entry, name) for name in ("line", "source", "said", "remark")},
+            "claim": self.claim or None,
+            "domain": self.domain or None,
+            "outside": self.outside and asdict(self.outside),
+            **{name: getattr(self, name) for name in ("certainty", "points", "changes", "vacuous", "needs", "cuts")},
+            **{name: getattr(entry, name) for name in ("at", "line", "source", "said", "remark")},
+            "latex": entry.printed or None,
         }
 
     def cells(self) -> dict[str, str]:
@@ -151,7 +168,8 @@ class Result(Typeset):
         }
 
     def __repr__(self) -> str:
-        return f"<Result {self.paper} ({self.equation.number}): {self.status}>"
+        label = f"{self.paper} ({self.equation.number}): " if self.paper else ""
+        return f"<Result {label}{self.status}{': ' if self.found else ''}{self.found}>"
 
     def _typeset(self) -> str:
         body = rf"\text{{({self.equation.number}) {self.status}:}}\quad {self.printed}"

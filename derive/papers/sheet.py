@@ -51,11 +51,16 @@ class Problem:
 
 @dataclass(frozen=True)
 class Sheet(Paper):
-    """Paper read from a file, with what could not be read; `text` is the file's content."""
+    """Paper read from a file, with what could not be read."""
 
     read: tuple[Entry, ...] = ()
     problems: tuple[Problem, ...] = ()
-    text: str = field(default="", repr=False)
+    request: tuple[Any, ...] = field(default=(), repr=False)  # arguments that make the sheet again in another process
+
+    @staticmethod
+    def made(request: tuple[Any, ...]) -> Sheet:
+        """Return the sheet made from a request."""
+        return sheet(*request) if len(request) == 2 else claim_alone(*request)
 
     def entries(self) -> tuple[Entry, ...]:
         return self.read
@@ -98,13 +103,15 @@ def sheet(text: str, name: str) -> Sheet:
     entries = tuple(e for number, row in enumerate(equations, 1) if (e := reader.entry(number, row, scope)) is not None)
     citation = ". ".join(part for part in (about.get("title", ""), about.get("source", "")) if part)
     return Sheet(slug=slug, short=slug, citation=citation, lost="", package="", sections=(), claims={}, reasons={},
-                 read=entries, problems=tuple(reader.problems), text=text)  # fmt: skip
+                 read=entries, problems=tuple(reader.problems), request=(text, name))  # fmt: skip
 
 
-def one(claim: str, letters: Mapping[str, str], domain: str = "") -> Entry:
-    """Return the entry of a single claim; raise ClaimError."""
+def claim_alone(claim: str, letters: Mapping[str, str], domain: str = "") -> Sheet:
+    """Return a single claim as a sheet; raise ClaimError."""
     scope = Scope({name: letter(name, kind) for name, kind in letters.items()})
-    return _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
+    entry = _entry({"number": "", "claim": claim, **({"domain": domain} if domain else {})}, scope, "")
+    return Sheet(slug="", short="claim", citation="", lost="", package="", sections=(), claims={}, reasons={},
+                 read=(entry,), request=(claim, dict(letters), domain))  # fmt: skip
 
 
 def _strings(data: Mapping[str, Any], table: str, name: str) -> dict[str, str]:
@@ -196,10 +203,11 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
             raise error if key == "claim" else ClaimError(f"{key}: {error.message}", error.column) from None
 
     written, claim = read("claim")
-    domain, correction = (read(key)[1] if key in row else None for key in ("domain", "corrected"))
+    domain = read("domain")[1] if "domain" in row else None
+    mended, correction = read("corrected") if "corrected" in row else (None, None)
     parts = [part for part in (claim, domain, correction) if part is not None]
     return Entry(
         row["number"], row.get("title", ""), 0, "", (Reading(claim),), claimed=domain, corrected=correction,
-        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written,
+        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written, mended=mended,
         abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
     )  # fmt: skip

@@ -8,10 +8,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from ...algebra import Dual, Quaternion, Structure, Tensor, matrix
 from ...algebra.element import NotExactError
+from ..numbers.balls import is_sharp, widened
 from ..numbers.fields import UndefinedError, innermost
 from ..numbers.series import Series, SeriesField
 from . import values
@@ -149,25 +151,40 @@ def _plain(a: Any) -> Any:
     return a
 
 
-NODES = 24
-"""Terms of the Taylor polynomials that an integral uses."""
-PIECES = 16
-"""Parts of the interval of an integral."""
+TERMS = 16
+"""Even terms of the Taylor polynomials that an integral uses."""
+PIECES = (2, 8, 24)
+"""Numbers of equal parts of the interval of an integral, tried in turn."""
+REMAINDER = 1024
+"""Bound on the terms left out, in sizes of the last one; for analytic functions they fall geometrically."""
 
 
 def _integral(env: Env, body: Term, letter: Term, low: Term, high: Term) -> Any:
-    """Return the integral by Taylor polynomials about the middle of equal parts of the interval."""
+    """Return the integral by Taylor polynomials about the middle of equal parts, with what they leave out as error."""
     if not env.field.ordered:
         raise NotExactError("an integral")
     a, b = env.value(low), env.value(high)
-    half = (b - a) / Fraction(2 * PIECES)
-    total: Any = None
-    for i in range(PIECES):
-        found = _expanded(env, body, letter, a + half * (2 * i + 1), 1, 2 * NODES)
-        for k in range(0, 2 * NODES, 2):
-            part = found[k] * (2 * half ** (k + 1) / Fraction(k + 1))
-            total = part if total is None else total + part
-    return total
+    for pieces in PIECES:
+        half = (b - a) / Fraction(2 * pieces)
+        parts: list[Any] = []
+        for i in range(pieces):
+            found = _expanded(env, body, letter, a + half * (2 * i + 1), 1, 2 * TERMS)
+            terms = [found[k] * (2 * half ** (k + 1) / Fraction(k + 1)) for k in range(0, 2 * TERMS, 2)]
+            parts = [reduce(values.add, pair) for pair in zip(parts or [0 * t for t in terms], terms, strict=True)]
+        result = _widened(reduce(values.add, parts), parts[-1] * REMAINDER)
+        if all(is_sharp(c) for c in values.coefficients(result)):
+            break
+    return result
+
+
+def _widened(value: Any, error: Any) -> Any:
+    """Return a value whose balls include an error of this size."""
+    if isinstance(value, Structure):
+        errors = iter(tuple(error))
+        return value.map(lambda c: _widened(c, next(errors)))
+    if isinstance(value, Dual):
+        return Dual(_widened(value.re, error.re), _widened(value.du, error.du))
+    return widened(value, error)
 
 
 jacobian = _binding("jacobian", r"\frac{{\partial}}{{\partial {1}}} {0}", "jacobian({0}, {1})", (PRODUCT, ATOM, LIST),

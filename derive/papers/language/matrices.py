@@ -10,7 +10,9 @@ from ...algebra.element import NotExactError
 from ...algebra.matrix import Matrix, part
 from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ...maps.first_principles import tensor_by_sandwich
+from ..numbers.balls import Ball, arb, flint
 from ..numbers.fields import UndefinedError, innermost
+from . import values
 from .environment import Env
 from .operator_table import define
 from .printed import ATOM, LIST, OPERATORS, POWER, PRODUCT, Apply, Term, Trait
@@ -174,7 +176,16 @@ def _exponential(env: Env, a: Any) -> Any:
         return pose(tensor_exponential(w, env.field), (Tensor.identity() + W * b + W @ W * c) @ v)
     if isinstance(a, Tensor) and env.equal(a, Tensor.skew(a.vect())):
         return tensor_exponential(a.vect(), env.field)
-    raise NotExactError("the exponential of a matrix that is neither skew nor a twist")
+    return _of_balls(a)
+
+
+def _of_balls(a: Any) -> Any:
+    """Return the exponential of any square matrix of balls, which Arb bounds."""
+    rows = [[arb(entry) for entry in row] for row in matrix.rows_of(a)]
+    if any(entry is None for row in rows for entry in row):
+        raise NotExactError("the exponential of a matrix that is neither skew nor a twist")
+    found = flint().arb_mat(rows).exp().tolist()
+    return matrix.shaped([[Ball(entry) for entry in row] for row in found])
 
 
 def _rotation_vector(env: Env, R: Any) -> Vector:

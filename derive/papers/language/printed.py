@@ -106,9 +106,10 @@ class Symbol(Term):
     """
 
     def __new__(cls, name: str, quantity: str, latex: str | None = None, text: str | None = None) -> Self:
+        name, quantity = str(name), str(quantity)  # a copy is made from the node's own arguments
         if quantity not in QUANTITIES:
             raise ValueError(f"no quantity {quantity!r}: expected {', '.join(QUANTITIES)}")
-        node: Self = super().__new__(cls, Str(name), Str(quantity), Str(latex or name), Str(text or name))
+        node: Self = super().__new__(cls, Str(name), Str(quantity), Str(str(latex or name)), Str(str(text or name)))
         return node
 
     @property

@@ -7,7 +7,7 @@ overlap that is too wide to tell raises `BlurredError`, and the caller repeats t
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import cache
@@ -125,6 +125,17 @@ def arb(value: Any) -> Any:
     return None
 
 
+def widened(a: Any, error: Any) -> Ball:
+    """Return a number as a ball that includes an error of this size."""
+    middle, size = arb(a), abs(arb(error)).upper()
+    return Ball((middle - size).union(middle + size))
+
+
+def is_sharp(a: Any) -> bool:
+    """Return whether the error of a number is far below the largest with which two numbers count as equal."""
+    return bool(arb(a).rad() < (abs(arb(a)).mid() + 1) * flint().arb(2) ** (2 * BLURRED))
+
+
 def _nonzero(a: Any) -> Any:
     if a.contains(0):
         raise ZeroDivisionError("division by zero")
@@ -152,6 +163,23 @@ class Balls(Field):
         if not gap.rad() < size * flint().arb(2) ** BLURRED:
             raise BlurredError
         return True
+
+    @staticmethod
+    def convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        """Return the first coefficients of the product of two polynomials, as many as each has."""
+        product = (flint().arb_poly(list(map(arb, a))) * flint().arb_poly(list(map(arb, b)))).coeffs()
+        return [Ball(c) for c in (*product, *[flint().arb(0)] * len(a))[: len(a)]]
+
+    @staticmethod
+    def divided(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+        """Return the first coefficients of the quotient of two power series, as many as each has."""
+        context, before = flint().ctx, flint().ctx.cap
+        context.cap = len(b)
+        try:
+            inverse = flint().arb_series(list(map(arb, b)), len(b)).inv()
+        finally:
+            context.cap = before
+        return Balls.convolved(a, [Ball(inverse[k]) for k in range(len(b))])
 
     def magnitude(self, v: Any) -> Any:
         square = v.dot(v)

@@ -53,6 +53,12 @@ class Series:
         field = other.field if isinstance(other, Series) and other.field.level > self.field.level else self.field
         return f(field.series(self), field.series(other))
 
+    def _is_constant(self, other: Any) -> bool:
+        """Return whether the other operand is a number of a lower field."""
+        if isinstance(other, Series):
+            return other.field.level < self.field.level
+        return not isinstance(other, Dual | Structure)
+
     def __add__(self, other: Any) -> Any:
         return self._both(other, lambda a, b: a._sum(b, operator.add))
 
@@ -71,6 +77,8 @@ class Series:
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, int) and other == 0:
             return 0
+        if self._is_constant(other):
+            return Series(self.field, self.order, [c * other for c in self.coefficients])
         return self._both(other, lambda a, b: a._product(b))
 
     __rmul__ = __mul__
@@ -78,9 +86,12 @@ class Series:
     def _product(self, other: Series) -> Series:
         a, b = self.coefficients, other.coefficients
         size = min(len(a), len(b))
-        return Series(self.field, self.order + other.order, [_dot(a, b, k) for k in range(size)])
+        convolved = getattr(self.field.base, "convolved", _convolved)
+        return Series(self.field, self.order + other.order, convolved(a[:size], b[:size]))
 
     def __truediv__(self, other: Any) -> Any:
+        if self._is_constant(other) and not self.field.is_zero(other):
+            return Series(self.field, self.order, [c / self.field.number(other) for c in self.coefficients])
         return self._both(other, lambda a, b: a._quotient(b))
 
     def __rtruediv__(self, other: Any) -> Any:
@@ -89,14 +100,9 @@ class Series:
     def _quotient(self, other: Series) -> Series:
         if not other.coefficients:
             raise UndefinedError("division by a series without a known term")
-        found: list[Any] = []
-        b = other.coefficients
-        for k in range(min(len(self.coefficients), len(b))):
-            rest = self.coefficients[k]
-            for i in range(k):
-                rest = rest - found[i] * b[k - i]
-            found.append(rest / b[0])
-        return Series(self.field, self.order - other.order, found)
+        size = min(len(self.coefficients), len(other.coefficients))
+        divided = getattr(self.field.base, "divided", _divided)
+        return Series(self.field, self.order - other.order, divided(self.coefficients[:size], other.coefficients[:size]))
 
     def __neg__(self) -> Series:
         return Series(self.field, self.order, [-c for c in self.coefficients])
@@ -135,12 +141,20 @@ class Series:
         return Series(self.field, 0, [constant, *found])
 
 
-def _dot(a: Sequence[Any], b: Sequence[Any], k: int) -> Any:
-    """Return ``Σ aᵢ b₍ₖ₋ᵢ₎``."""
-    total = a[0] * b[k]
-    for i in range(1, k + 1):
-        total = total + a[i] * b[k - i]
-    return total
+def _convolved(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    """Return the sums ``Σ aᵢ b₍ₖ₋ᵢ₎``."""
+    return [sum((a[i] * b[k - i] for i in range(1, k + 1)), a[0] * b[k]) for k in range(len(a))]
+
+
+def _divided(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    """Return the coefficients of a quotient, as many as each has."""
+    found: list[Any] = []
+    for k in range(len(a)):
+        rest = a[k]
+        for i in range(k):
+            rest = rest - found[i] * b[k - i]
+        found.append(rest / b[0])
+    return found
 
 
 class SeriesField(Field):

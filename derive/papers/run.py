@@ -1,0 +1,143 @@
+"""Decision of a file's equations in worker processes, each within a time limit.
+
+A worker reads requests from its standard input: what makes a sheet, and the place of an equation in it. Exact
+polynomials may take long inside one call of a library, so a worker that exceeds the limit is killed and replaced.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import queue
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ..workers import cores
+from .equation import Entry
+from .result import Result, Status, Verdict
+from .sheet import Sheet
+
+SECONDS = 60.0
+"""Time limit of an equation."""
+
+def decide_each(
+    items: Sequence[tuple[Sheet, int]], seconds: float = SECONDS, step: Callable[[str], None] = lambda line: None
+) -> list[Result]:
+    """Return the results of entries by sheet and place, in order; a slow one is undecided."""
+    waiting: queue.SimpleQueue[int] = queue.SimpleQueue()
+    for i in range(len(items)):
+        waiting.put(i)
+    results: list[Result | None] = [None] * len(items)
+    done: queue.SimpleQueue[int | BaseException] = queue.SimpleQueue()
+    stop = threading.Event()
+
+    def serve() -> None:
+        with _Worker() as worker:
+            while not stop.is_set():
+                try:
+                    i = waiting.get_nowait()
+                except queue.Empty:
+                    return
+                try:
+                    results[i] = worker.decide(*items[i], seconds)
+                    done.put(i)
+                except BaseException as error:
+                    done.put(error)
+                    return
+
+    threads = [threading.Thread(target=serve, daemon=True) for _ in range(min(cores(), len(items)))]
+    for thread in threads:
+        thread.start()
+    try:
+        for _ in items:
+            found = done.get()
+            if isinstance(found, BaseException):
+                raise found
+            sheet, place = items[found]
+            step(f"equation {sheet.entries()[place].number}")
+    finally:
+        stop.set()
+        for thread in threads:
+            thread.join(1)
+    return [result for result in results if result is not None]
+
+
+class _Worker:
+    """Process that decides one entry at a time; after its death a new one begins."""
+
+    def __init__(self) -> None:
+        self.process: subprocess.Popen[bytes] | None = None
+
+    def __enter__(self) -> _Worker:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self.process is not None:
+            self.process.kill()
+            self.process.communicate()
+
+    def decide(self, sheet: Sheet, place: int, seconds: float) -> Result:
+        """Return the result of an entry, or undecided if the worker dies or takes too long."""
+        if self.process is None:
+            paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", "-c", f"from {__name__} import serve; serve()"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                env={**os.environ, "PYTHONPATH": paths},
+            )  # fmt: skip
+        process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
+        assert process.stdin is not None and process.stdout is not None
+        late = threading.Event()
+        timer = threading.Timer(seconds, lambda: (late.set(), process.kill()))
+        try:
+            pickle.dump((sheet.request, place), process.stdin)
+            process.stdin.flush()
+            timer.start()
+            found = pickle.load(process.stdout)
+        except (EOFError, OSError, pickle.UnpicklingError):
+            self.__exit__()
+            self.process = None
+            reason = f"not decided within {seconds:g} s" if late.is_set() else "the process that decided it died"
+            return undecided(slug, entry, reason)
+        finally:
+            timer.cancel()
+        if isinstance(found, BaseException):
+            raise found
+        return replace(found, paper=slug, equation=entry)
+
+
+def undecided(slug: str, entry: Entry, reason: str) -> Result:
+    """Return the result of an entry without a decision, with the reason."""
+    verdict = Verdict(entry.readings[0].statement, "", False, reason)
+    return Result(slug, entry, Status.UNDECIDED, reason, (verdict,))
+
+
+def serve() -> None:
+    """Decide what the standard input asks for, until it ends."""
+    try:
+        _serve()
+    except (EOFError, KeyboardInterrupt, BrokenPipeError):
+        os._exit(0)
+
+
+def _serve() -> None:
+    from .judge import judge_claim
+
+    requests, answers, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
+    sheets: dict[str, Sheet] = {}
+    while True:
+        request, place = pickle.load(requests)
+        sheet = sheets.setdefault(repr(request), Sheet.made(request))
+        slug, entry = sheet.slug, sheet.entries()[place]
+        result: Any
+        try:
+            result = replace(judge_claim(slug, entry), equation=None)  # the main process has the entry
+        except Exception as error:
+            result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
+            result = replace(result, equation=None)
+        pickle.dump(result, answers)
+        answers.flush()
+
