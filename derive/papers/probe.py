@@ -18,7 +18,7 @@ from .claim import Claim, Place, kind
 from .constrained import onto
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
-from .language.printed import text as written
+from .language.written import written
 from .numbers.balls import Ball, BlurredError, arb, flint, precision
 from .numbers.fields import innermost
 from .numbers.kinds import Numbers, special
