@@ -23,9 +23,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..output.typeset import Typeset
-from .language.claims import Abbreviation, expanded
+from .language.claims import Abbreviation, contracted, expanded
 from .language.environment import Definition
-from .language.printed import Symbol, Term, latex, symbols, text
+from .language.printed import Symbol, Term, latex, symbols, text, walk
 from .numbers.draw import Draw
 
 Points = Callable[[Draw], Mapping[str, Mapping[Symbol, Any]]]
@@ -97,6 +97,13 @@ class Entry(Typeset):
     def expanded(self, statement: Term) -> Term:
         """Return a statement with the definitions of its file filled in."""
         return expanded(statement, self.abbreviations)
+
+    def contracted(self, statement: Term) -> Term:
+        """Return a part of an expanded statement in the names of its file."""
+        named = [self.written] if self.written is not None else []
+        known = [body for a in self.abbreviations.values() for kinds, (body, _) in a.known.items() if not kinds]
+        parts = [part for whole in (*named, *known) for part in walk(whole) if part.arguments]
+        return contracted(statement, {self.expanded(part): part for part in reversed(parts)})
 
     def __repr__(self) -> str:
         return f"<Equation ({self.number}): {self.title}>"

@@ -148,6 +148,15 @@ def _expanded(term: Term, abbreviations: Mapping[str, Abbreviation]) -> Term:
     return substituted(body, dict(zip(called.symbols(), arguments[1:], strict=True)))
 
 
+def contracted(term: Term, names: Mapping[Term, Term]) -> Term:
+    """Return a term in which parts stand by their names, the largest first."""
+    if term in names:
+        return names[term]
+    if not isinstance(term, Apply):
+        return term
+    return Apply(term.operator.name, *(contracted(a, names) for a in term.arguments))
+
+
 CALL = "call "
 CALLS: dict[str, tuple[Kind, ...]] = {}
 """Kinds of the arguments of an abbreviation, by the operator that calls it."""
