@@ -11,10 +11,10 @@ from ..algebra import Structure, Tensor
 from ..algebra.matrix import Matrix
 from .claim import Claim, Place, kind
 from .language.environment import Env
-from .language.operator_table import Re, conjugate, cos, norm, sin
 from .language.matrices import det, entry, stacked, trace
+from .language.operator_table import Re, conjugate, cos, norm, sin
 from .language.printed import Number, Symbol, Term, Trait, symbols, walk
-from .language.printed import text as written
+from .language.written import written
 from .numbers.balls import Ball, Balls, BlurredError, arb, precision
 from .numbers.fields import innermost
 from .probe import Probe, named, size

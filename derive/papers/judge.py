@@ -20,7 +20,7 @@ from .explore import sides
 from .language.environment import Env
 from .language.operator_table import both, implies
 from .language.printed import Symbol, Term, Trait, with_trait
-from .language.printed import text as written
+from .language.written import written
 from .language.values import coefficients
 from .numbers.balls import Ball, BlurredError, precision
 from .numbers.fields import Exact

@@ -18,7 +18,7 @@ from .claim import Claim, Place, kind
 from .constrained import onto
 from .language.operator_table import cos, norm, sin
 from .language.printed import Number, Symbol, Term, symbols, walk
-from .language.printed import text as written
+from .language.written import written
 from .numbers.balls import Ball, BlurredError, arb, flint, precision
 from .numbers.fields import innermost
 from .numbers.kinds import Numbers, special
@@ -231,7 +231,7 @@ class Probe:
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
-        same = known is None or len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True))
+        same = known is None or (len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True)))
         return (line.shown, found) if same else None
 
     def lines(self, letter: Symbol) -> Iterator[Line]:

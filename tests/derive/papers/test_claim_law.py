@@ -6,9 +6,9 @@ from itertools import product
 
 import pytest
 
+from derive.papers.claim import Claim
 from derive.papers.equation import equation
 from derive.papers.judge import decided
-from derive.papers.claim import Claim
 from derive.papers.language.claims import Scope, statement
 from derive.papers.language.kinds import letter
 from derive.papers.result import Status
