@@ -14,7 +14,7 @@ from ..algebra.mixed import MeaninglessError
 from .changes import changes, signs_and_coefficients
 from .claim import Claim, Place, RefusedError, kind, operators
 from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
-from .decide import ORDERS, steps_of
+from .decide import ORDERS, Pairs, steps_of
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
@@ -164,28 +164,38 @@ def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Findin
 # ---- proof ------------------------------------------------------------------------------------------------------
 
 
-def proved(claim: Claim) -> bool:
-    """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere."""
+def proved(claim: Claim, found: list[Pairs] | None = None) -> bool:
+    """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere.
+
+    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice.
+    """
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     sign = next((a for a in claim.letters if a.quantity is SIGN), None)
     framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
     for way in WAYS if framed else WAYS[2:]:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
+            if found is not None:
+                found.clear()
             try:
-                if all(_exact(claim, way, {order: n, sign: plus_minus}, order if every else None) for n, plus_minus in choices):
+                chosen = ({order: n, sign: plus_minus} for n, plus_minus in choices)
+                if all(_exact(claim, way, choice, order if every else None, found) for choice in chosen):
                     return True
             except NotExactError:
                 continue
     return False
 
 
-def _exact(claim: Claim, way: Mapping[str, bool], discrete: dict[Any, Any], order: Symbol | None) -> bool:
+def _exact(
+    claim: Claim, way: Mapping[str, bool], discrete: dict[Any, Any], order: Symbol | None, found: list[Pairs] | None
+) -> bool:
     lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
     letters = sorted(claim.coordinates, key=lambda a: a not in lengths)
     steps = 4 * (discrete.get(next((a for a in discrete if a and a.quantity is ORDER), None)) or 0) or steps_of(claim.statement)
     generic = Generic(letters, claim.dual, claim.depth, max(steps, 4), order=order, **way)
     values = generic.values | {a: n for a, n in discrete.items() if a is not None and n is not None}
+    generic.field.functions.lowest_terms = found is None
+    pairs: Pairs | None = None if found is None else []
     env = Env(generic.field, values, claim.entry.definitions, claim.dual, claim.depth)
     try:
         if claim.entry.claimed is not None and not env.value(claim.entry.claimed):
@@ -193,10 +203,12 @@ def _exact(claim: Claim, way: Mapping[str, bool], discrete: dict[Any, Any], orde
     except NotExactError:
         pass
     try:
-        if not env.value(claim.statement):
+        if not replace(env, found=pairs).value(claim.statement):
             raise NotExactError("other roots")
     except (ZeroDivisionError, TypeError) as error:
         raise NotExactError("no generic value") from error
+    if found is not None:
+        found.append(pairs or [])
     return not generic.field.branched
 
 

@@ -204,7 +204,7 @@ OPERATIONS: dict[str, Operation] = {
                          "pose_of(R, p)"),
     "rate": Operation(("value",), same, t.rate, "time derivative; of a constant letter 0", "rate(v)"),
     "jacobian": Operation(("value", "column"), _jacobian, calculus.jacobian,
-                          "derivative by the components of a letter", "jacobian(f, v)", binds=True),
+                          "derivative by the components of a letter", "jacobian(norm(v), v)", binds=True),
     "left_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.left_jacobian,
                                "J with ω = J v̇ in the space frame, of a rotation (3 rows) or pose (6 rows)",
                                "left_jacobian(exp(skew(v)), v)", binds=True),
