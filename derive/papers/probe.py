@@ -58,7 +58,10 @@ def size(value: Any) -> Any:
         return innermost(value.dot(value))
     if isinstance(value, Tensor):
         return innermost(value.det())
-    return innermost(matrix.det(value)) if isinstance(value, Structure) else innermost(value)
+    if isinstance(value, Structure):
+        rows, columns = matrix.shape(value)
+        return innermost(matrix.det(value) if rows == columns else sum(c * c for c in value))
+    return innermost(value)
 
 
 def singular(*statements: Term) -> Iterator[Singular]:
