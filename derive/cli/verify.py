@@ -21,7 +21,6 @@ from ..proof import citing, proofs, theorems
 from . import display, options
 from .certificates import as_lines, certified
 
-
 WRONG = (Status.ERRATUM, Status.FALSE, Status.UNDECIDED)
 """Statuses for which --strict exits with 1."""
 

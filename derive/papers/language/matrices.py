@@ -12,7 +12,6 @@ from ...maps.exponential import quaternion_exponential, tensor_exponential
 from ...maps.first_principles import tensor_by_sandwich
 from ..numbers.balls import Ball, arb, flint
 from ..numbers.fields import UndefinedError, innermost
-from . import values
 from .environment import Env
 from .operator_table import define
 from .printed import ATOM, LIST, OPERATORS, POWER, PRODUCT, Apply, Term, Trait
