@@ -36,6 +36,8 @@ def verify(
         raise click.UsageError("give files, --paper or --claim, one of them")
     if claim is None and (letters or domain):
         raise click.UsageError("--let and --domain belong to --claim")
+    if (sheets or claim is not None) and orders:
+        raise click.UsageError("-n belongs to the papers: in a file, n is a letter of the kind order")
     if check and output is None:
         raise click.UsageError("--check needs the file that -o names")
     if certificates is not None and (check or certificates == output):

@@ -14,7 +14,7 @@ from ..algebra.mixed import MeaninglessError
 from .changes import changes, signs_and_coefficients
 from .claim import Claim, Place, RefusedError, kind, operators
 from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
-from .decide import ORDERS, steps_of
+from .decide import ORDERS, Pairs, steps_of
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
@@ -165,8 +165,11 @@ def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Findin
 # ---- proof ------------------------------------------------------------------------------------------------------
 
 
-def proved(claim: Claim) -> bool:
-    """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere."""
+def proved(claim: Claim, found: list[Pairs] | None = None) -> bool:
+    """Return whether a claim is true at generic values of an exact field, whose roots are positive everywhere.
+
+    If `found` is a list, fractions are not reduced, and it receives the pairs of equal numbers for each choice.
+    """
     order = next((a for a in claim.letters if a.quantity is ORDER), None)
     sign = next((a for a in claim.letters if a.quantity is SIGN), None)
     framed = COMPONENTWISE.isdisjoint(name.split()[0] for name in operators(*claim.parts) if name)
@@ -174,19 +177,25 @@ def proved(claim: Claim) -> bool:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
             discrete = [{a: b for a, b in ((order, n), (sign, s)) if a and b} for n, s in choices]
+            if found is not None:
+                found.clear()
             try:
-                if all(_exact(claim, way, values, order if every else None) for values in discrete):
+                if all(_exact(claim, way, values, order if every else None, found) for values in discrete):
                     return True
             except NotExactError:
                 continue
     return False
 
 
-def _exact(claim: Claim, way: Mapping[str, bool], discrete: dict[Symbol, int], order: Symbol | None) -> bool:
+def _exact(
+    claim: Claim, way: Mapping[str, bool], discrete: dict[Symbol, int], order: Symbol | None, found: list[Pairs] | None
+) -> bool:
     lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
     letters = sorted(claim.coordinates, key=lambda a: a not in lengths)
     steps = max(STEPS, steps_of(claim.statement), *(4 * n for a, n in discrete.items() if a.quantity is ORDER), 0)
     generic = Generic(letters, claim.dual, claim.depth, steps, order=order, **way)
+    generic.field.functions.lowest_terms = found is None
+    pairs: Pairs | None = None if found is None else []
     env = Env(generic.field, generic.values | discrete, claim.entry.definitions, claim.dual, claim.depth)
     try:
         if claim.entry.claimed is not None and not env.value(claim.entry.claimed):
@@ -194,24 +203,21 @@ def _exact(claim: Claim, way: Mapping[str, bool], discrete: dict[Symbol, int], o
     except NotExactError:
         pass
     try:
-        if not env.value(claim.statement):
+        if not replace(env, found=pairs).value(claim.statement):
             raise NotExactError("other roots")
     except (ZeroDivisionError, TypeError) as error:
         raise NotExactError("no generic value") from error
+    if found is not None:
+        found.append(pairs or [])
     return not generic.field.branched
 
 
 # ---- what makes a claim true, or vacuous ------------------------------------------------------------------------
 
 
-def _source(claim: Claim) -> Term:
-    """Return the claim before abbreviations are expanded."""
-    return getattr(claim.entry, "written", None) or claim.statement
-
-
 def _expanded(claim: Claim, statement: Term) -> Claim:
-    expand = getattr(claim.entry, "expanded", None)
-    return claim.with_statement(expand(statement) if expand else statement)
+    """Return the claim of a statement in which abbreviations of the file occur by name."""
+    return claim.with_statement(claim.entry.expanded(statement))
 
 
 def _true_at(claim: Claim, places: Sequence[Place]) -> bool:
@@ -233,7 +239,7 @@ def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
     sample = list(islice(Probe(claim).quick(), SAMPLE))
     first = [finding.failing] if finding.failing else []
     shown: set[str] = set()  # one change of each sort, since changes of one sort are often equivalent
-    for _, sort, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
+    for _, sort, words, changed in changes(claim.entry.written or claim.statement, written)[:CANDIDATES_MAX]:
         other = _expanded(claim, changed)
         wanted = sort not in shown and len(shown) < CHANGES_MAX
         if wanted and _true_at(other, [*first, *sample]) and decided(other).holds:
@@ -243,7 +249,7 @@ def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
 
 def _vacuous(claim: Claim, finding: Finding) -> Iterator[str]:
     """Yield the terms of a true claim whose sign or coefficient does not matter."""
-    for words, changed in signs_and_coefficients(_source(claim), written):
+    for words, changed in signs_and_coefficients(claim.entry.written or claim.statement, written):
         if _true_at(_expanded(claim, changed), finding.true):
             yield words
 

@@ -133,7 +133,7 @@ class _Reader:
         self.numbers: set[str] = set()
 
     def problem(self, place: str, error: ClaimError | str) -> None:
-        column = error.column if isinstance(error, ClaimError) else None
+        column = (error.column or None) if isinstance(error, ClaimError) else None
         message = error.message if isinstance(error, ClaimError) else error
         self.problems.append(Problem(self.file, place, column, " ".join(message.split())))
 

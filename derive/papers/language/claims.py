@@ -34,14 +34,14 @@ HINTS = {"^": "a power is **", "@": "a product is *", "lambda": "", "=": "a rela
 
 
 class ClaimError(ValueError):
-    """Error for a text that is no claim, with its column, counted from 1."""
+    """Error for a text that is no claim, with its column, counted from 1; 0 for no place in a text."""
 
-    def __init__(self, message: str, column: int = 1) -> None:
+    def __init__(self, message: str, column: int = 0) -> None:
         super().__init__(message)
         self.message, self.column = message, column
 
     def __str__(self) -> str:
-        return f"column {self.column}: {self.message}"
+        return f"column {self.column}: {self.message}" if self.column else self.message
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.message, self.column)
@@ -76,7 +76,7 @@ def tree(text: str) -> ast.expr:
     """Return the checked syntax tree of a text, which may have several lines."""
     flat = re.sub(r"\s", " ", text)
     if not flat.strip():
-        raise ClaimError("a claim is expected, got nothing")
+        raise ClaimError("a claim is expected, got nothing", 1)
     shift = len(flat) - len(flat.lstrip())
     try:
         return GRAMMAR.tree(flat.strip())
@@ -123,7 +123,7 @@ def statement(text: str, scope: Scope) -> Term:
     node = tree(text)
     term, kind = Reader(text, scope).read(node)
     if kind != "truth":
-        raise ClaimError(f"a claim is a relation such as a == b, got a {operations.name(kind)}", node.col_offset + 1)
+        raise ClaimError(f"a claim is a relation such as a == b, got {operations.name(kind)}", node.col_offset + 1)
     return term
 
 
@@ -255,7 +255,7 @@ class Reader:
     def _relation(self, node: ast.expr) -> Term:
         term, kind = self.read(node)
         if kind != "truth":
-            raise self.error(f"a relation is expected, got a {operations.name(kind)}", node)
+            raise self.error(f"a relation is expected, got {operations.name(kind)}", node)
         return term
 
     def _signed(self, node: ast.UnaryOp) -> tuple[Term, Kind]:
@@ -396,7 +396,7 @@ class Reader:
         for parts, row in zip(found, rows, strict=True):
             for (_, kind), entry in zip(parts, row, strict=True):
                 if not is_number(kind):
-                    raise self.error(f"an entry is a number, got a {operations.name(kind)} (blocks: block)", entry)
+                    raise self.error(f"an entry is a number, got {operations.name(kind)} (blocks: block)", entry)
         size = len(rows), len(rows[0])
         kind: Kind = "number" if size == (1, 1) else size
         return matrices.literal("matrix", [[term for term, _ in row] for row in found]), kind
@@ -408,7 +408,7 @@ class Reader:
         for parts, row in zip(sizes, rows, strict=True):
             for size, part in zip(parts, row, strict=True):
                 if not isinstance(size, tuple):
-                    raise self.error(f"a block is a matrix, got a {operations.name(size)}", part)
+                    raise self.error(f"a block is a matrix, got {operations.name(size)}", part)
                 if size[0] != parts[0][0]:
                     raise self.error(f"blocks side by side have {parts[0][0]} and {size[0]} rows", part)
         widths = [sum(columns for _, columns in parts) for parts in sizes]
@@ -423,7 +423,7 @@ class Reader:
         (a, kind), *indices = [self.read(argument) for argument in node.args]
         size: Any = (4, 1) if kind == "quaternion" else kind
         if not isinstance(size, tuple) or (len(indices) == 1 and size[1] != 1):
-            raise self.error(f"entry takes a column and an index, or a matrix and two, got a {operations.name(kind)}",
+            raise self.error(f"entry takes a column and an index, or a matrix and two, got {operations.name(kind)}",
                              node.args[0])
         for most, (_, of), argument in zip(size, indices, node.args[1:], strict=False):
             written = _integer(argument)

@@ -29,8 +29,12 @@ class KindError(ValueError):
 
 
 def name(kind: Kind) -> str:
-    """Return a kind in words."""
-    return NAMES.get(kind, kind if isinstance(kind, str) else f"{kind[0]}x{kind[1]} matrix")
+    """Return a kind in words, with an article."""
+    return _a(NAMES.get(kind, kind if isinstance(kind, str) else f"{kind[0]}x{kind[1]} matrix"))
+
+
+def _a(words: str) -> str:
+    return f"{'an' if words[0] in 'aeiou8' else 'a'} {words}"
 
 
 def is_number(kind: Kind) -> bool:
@@ -77,7 +81,7 @@ class Operation:
         for i, kind in enumerate(kinds):
             wanted = self.takes[min(i, least - 1)]
             if not any(TESTS[word](kind) for word in wanted.split(" or ")):
-                raise KindError(f"{call} takes a {wanted}, got a {name(kind)}", i)
+                raise KindError(f"{call} takes {_a(wanted)}, got {name(kind)}", i)
         return self.gives(*kinds) if callable(self.gives) else self.gives
 
 
@@ -126,7 +130,7 @@ def _jacobian(f: Any, letter: Any, *rest: Kind) -> Kind:
     if is_number(letter):
         return (4, 1) if f == "quaternion" else _number_like(f)
     if isinstance(f, tuple) and f[1] != 1:
-        raise KindError(f"jacobian by a {name(letter)} takes a number, column or quaternion, got a {name(f)}")
+        raise KindError(f"jacobian by {name(letter)} takes a number, column or quaternion, got {name(f)}")
     return _size(f), _size(letter)
 
 
@@ -200,7 +204,7 @@ OPERATIONS: dict[str, Operation] = {
                          "pose_of(R, p)"),
     "rate": Operation(("value",), same, t.rate, "time derivative; of a constant letter 0", "rate(v)"),
     "jacobian": Operation(("value", "column"), _jacobian, calculus.jacobian,
-                          "derivative by the components of a letter", "jacobian(f, v)", binds=True),
+                          "derivative by the components of a letter", "jacobian(norm(v), v)", binds=True),
     "left_jacobian": Operation(("tensor or pose", "column"), _group_jacobian, calculus.left_jacobian,
                                "J with ω = J v̇ in the space frame, of a rotation (3 rows) or pose (6 rows)",
                                "left_jacobian(exp(skew(v)), v)", binds=True),
@@ -249,7 +253,7 @@ def sum_kind(a: Kind, b: Kind, sign: str) -> Kind:
         return "number"
     if TESTS["quaternion"](a) and TESTS["quaternion"](b):
         return "quaternion"
-    raise KindError(f"a {name(a)} {sign} a {name(b)} has no meaning")
+    raise KindError(f"{name(a)} {sign} {name(b)} has no meaning")
 
 
 def product_kind(a: Kind, b: Kind) -> Kind:
@@ -261,7 +265,7 @@ def product_kind(a: Kind, b: Kind) -> Kind:
     if isinstance(a, tuple) and isinstance(b, tuple) and a[1] == b[0]:
         return "number" if (a[0], b[1]) == (1, 1) else (a[0], b[1])
     hint = ": write dot, cross, dyad or quaternions" if a == b == VECTOR else ""
-    raise KindError(f"a {name(a)} * a {name(b)} has no meaning{hint}")
+    raise KindError(f"{name(a)} * {name(b)} has no meaning{hint}")
 
 
 def quotient_kind(a: Kind, b: Kind) -> Kind:
@@ -270,7 +274,7 @@ def quotient_kind(a: Kind, b: Kind) -> Kind:
         return _number_like(a)
     if b == "quaternion" and TESTS["quaternion"](a):
         return "quaternion"
-    raise KindError(f"a {name(a)} / a {name(b)} has no meaning: write inverse")
+    raise KindError(f"{name(a)} / {name(b)} has no meaning: write inverse")
 
 
 def power_kind(a: Kind, b: Kind) -> Kind:
@@ -281,7 +285,7 @@ def power_kind(a: Kind, b: Kind) -> Kind:
         return a
     if a == "quaternion" and is_number(b):
         return a
-    raise KindError(f"a {name(a)} ** a {name(b)} has no meaning")
+    raise KindError(f"{name(a)} ** {name(b)} has no meaning")
 
 
 def require_comparable(a: Kind, b: Kind, zero: bool, ordered: bool) -> None:
@@ -290,10 +294,10 @@ def require_comparable(a: Kind, b: Kind, zero: bool, ordered: bool) -> None:
         raise KindError("a side of a relation is a value, got a relation")
     numbers = is_number(a) and is_number(b)
     if ordered and not numbers:
-        raise KindError(f"an inequality takes numbers, got a {name(a)} and a {name(b)}")
+        raise KindError(f"an inequality takes numbers, got {name(a)} and {name(b)}")
     quaternions = "quaternion" in (a, b) and TESTS["quaternion"](a) and TESTS["quaternion"](b)
     if not (a == b or numbers or quaternions or zero):
-        raise KindError(f"a {name(a)} is compared with a {name(b)}")
+        raise KindError(f"{name(a)} is compared with {name(b)}")
 
 
 ZERO = Number(0)
