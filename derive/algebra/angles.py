@@ -52,11 +52,13 @@ class AngleField(RationalFunctions):
     def _circle(self, a: Element) -> tuple[Element, Element]:
         """Return cosine and sine of a sum of rational multiples of angles."""
         turns, *multiples = a.combination([self.symbol(name) for name in ("pi", *self.angles)])
-        steps = {name: multiple * self.angles[name] for name, multiple in zip(self.angles, multiples, strict=True) if multiple}
-        if any(part.denominator != 1 for part in (2 * turns, *steps.values())):
+        steps = [multiple * count for multiple, count in zip(multiples, self.angles.values(), strict=True)]
+        if any(part.denominator != 1 for part in (2 * turns, *steps)):
             raise NotExactError(f"no rational multiple of an angle: {a!r}")
         c, s = self._turned(None, 0, int(2 * turns) % 4)
-        for name, count in steps.items():
+        for name, count in zip(self.angles, steps, strict=True):
+            if not count:
+                continue
             cosine, sine = self._turned(name, int(count), 0)
             c, s = c * cosine - s * sine, c * sine + s * cosine
         return c, s

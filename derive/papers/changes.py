@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 from .language.matrices import inverse, transpose
 from .language.operator_table import conjugate
@@ -12,7 +13,8 @@ Change = tuple[int, str, str, Term]
 """Rank (simplest first), sort, words, and the changed claim or part."""
 Name = Callable[[Term], str]
 """Function that prints a term."""
-SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient", "atan2 of two": "arguments"}
+SWAPPED = {"cross": "cross product", "times": "product", "dyad": "dyadic product", "over": "quotient",
+           "atan2 of two": "arguments"}  # fmt: skip
 SIGNED = ("plus", "minus")
 RELATIONS = ("equal", "both", "implies", "less", "at most", "greater", "at least", "unlike", "negated", "or")
 
@@ -85,7 +87,7 @@ def _steps(node: Term, named: Name, depth: int) -> Iterator[Change]:
             yield rank + later, sort, f"{words} {shown}", form(node)
 
 
-_WRAPPED: tuple[tuple[int, str, str, Callable[[Term], Term]], ...] = (
+_WRAPPED: tuple[tuple[int, str, str, Callable[[Term], Any]], ...] = (
     (0, "sign", "sign of", lambda a: -a), (1, "transpose", "transpose of", transpose),
     (1, "inverse", "inverse of", inverse), (1, "conjugate", "conjugate of", conjugate),
     (1, "factor", "factor 1/2 at", lambda a: a / 2), (1, "factor", "factor 2 at", lambda a: 2 * a),

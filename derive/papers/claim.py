@@ -134,7 +134,8 @@ class Claim:
 
         Raise `BlurredError` if even the second precision does not tell.
         """
-        return self.evaluated(place, statement if statement is not None else self.statement, bool)
+        found: bool | None = self.evaluated(place, self.statement if statement is None else statement, bool)
+        return found
 
     def evaluated(self, place: Place, part: Term, form: Any = lambda a: a) -> Any:
         """Return the value of a term at a point, or None where it has no value."""

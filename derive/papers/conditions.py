@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import combinations
 from typing import Any
 
@@ -143,16 +144,18 @@ def values_excluded(name: str, roots: Sequence[float]) -> str:
 # ---- regions of a branch ----------------------------------------------------------------------------------------
 
 
-Number_ = Callable[[Term, Place], Any]
+Read = Callable[[Term, Place], Any]
 """Function that returns the number of a part at a point, or None."""
+Test = Callable[[Place], bool | None]
+"""Function that tells whether a condition holds at a point; None on its border or where it has no value."""
 
 
 @dataclass(frozen=True)
 class Region:
-    """Condition on a region: its words, and its truth at a point; None on its border or where it has no value."""
+    """Condition on a region, in words and as a test."""
 
     words: str
-    test: Callable[[Place], bool | None]
+    test: Test
 
     @property
     def strict(self) -> str:
@@ -187,33 +190,40 @@ def region(claim: Claim, true: Sequence[Place], false: Sequence[Place]) -> tuple
     return (max(many, key=lambda row: row[:2])[2], False) if many else (None, False)
 
 
-def _candidates(claim: Claim, number: Number_) -> Iterator[Region]:
+def _candidates(claim: Claim, number: Read) -> Iterator[Region]:
     """Yield conditions, simple ones first: bounds of letters, signs of numbers in the claim, and pairs of signs."""
     parts = [part for part in dict.fromkeys(walk(claim.statement)) if _is_number(claim, part)]
-    sizes = [letter if kind(letter).size == 1 else norm(letter) for letter in claim.coordinates if kind(letter).size in (1, 3)]
-    sizes += [norm(stacked(*(entry(a, Number(i)) for i in (1, 2, 3)))) for a in claim.coordinates if kind(a).size == 6]
-    tests = [t for a in claim.coordinates for t in _turns(a)]
+    sizes = [size for letter in claim.coordinates for size in _sizes(letter)]
+    tests = [turn for letter in claim.coordinates for turn in _turns(letter)]
     inner = [p.arguments[0] for p in parts if Trait.TRANSCENDENTAL in p.operator.traits]
-    signs = [_sign(part, relation, number) for part in dict.fromkeys([*sizes, *tests, *parts]) for relation in (">= 0", "<= 0")]
-    bounds = [_between(part, *bound, number) for part in dict.fromkeys([*sizes, *(p for p in inner if _is_number(claim, p))])
-              for bound in _BOUNDS]  # fmt: skip
+    signed, bounded = dict.fromkeys([*sizes, *tests, *parts]), dict.fromkeys([*sizes, *inner])
+    signs = [_sign(part, relation, number) for part in signed for relation in (">= 0", "<= 0")]
+    bounds = [_between(part, *bound, number) for part in bounded if _is_number(claim, part) for bound in _BOUNDS]
     yield from sorted([*signs, *bounds], key=lambda candidate: len(candidate.words))
     for one, two in combinations(signs[:16], 2):
-        yield Region(f"{one.words} and {two.words}", lambda at, one=one, two=two: _both(one.test(at), two.test(at)))
+        yield Region(f"{one.words} and {two.words}", partial(_both, one.test, two.test))
+
+
+def _sizes(letter: Symbol) -> list[Term]:
+    """Return the magnitude of a letter: of a twist, that of its first part."""
+    if kind(letter).size == 6:
+        return [norm(stacked(*(entry(letter, Number(i)) for i in (1, 2, 3))))]
+    return {1: [letter], 3: [norm(letter)]}.get(kind(letter).size, [])
 
 
 def _turns(letter: Symbol) -> list[Term]:
-    """Return the numbers of a letter whose sign tells its turn from a quarter or half turn."""
+    """Return a number of a letter whose sign tells a small turn from a large one."""
     name = letter.quantity.name
     if "quaternion" in name:
         return [letter + conjugate(letter)]
-    return [trace(letter) - 1] if "rotation" in name or "orthogonal" in name else [trace(letter) - 2] if "pose" in name else []
+    turns = {"rotation": trace(letter) - 1, "orthogonal": trace(letter) - 1, "pose": trace(letter) - 2}
+    return [turn for word, turn in turns.items() if word in name]
 
 
-_BOUNDS: tuple[tuple[float | None, float | None, str], ...] = (
-    (-0.5, 0.5, "norm({0}) <= pi/2"), (-1, 1, "norm({0}) <= pi"), (-2, 2, "norm({0}) <= 2*pi"), (0, 1, "0 <= {0} and {0} <= pi"),
-    (0, 0.5, "0 <= {0} and {0} <= pi/2"), (0, 2, "0 <= {0} and {0} <= 2*pi"), (None, 0.5, "{0} <= pi/2"),
-    (None, 1, "{0} <= pi"), (None, 2, "{0} <= 2*pi"), (-0.25, 0.25, "norm({0}) <= pi/4"),
+_BOUNDS: tuple[tuple[float | None, float, str], ...] = (
+    (-0.5, 0.5, "norm({0}) <= pi/2"), (-1, 1, "norm({0}) <= pi"), (-2, 2, "norm({0}) <= 2*pi"),
+    (0, 0.5, "0 <= {0} and {0} <= pi/2"), (0, 1, "0 <= {0} and {0} <= pi"), (0, 2, "0 <= {0} and {0} <= 2*pi"),
+    (None, 0.5, "{0} <= pi/2"), (None, 1, "{0} <= pi"), (None, 2, "{0} <= 2*pi"), (-0.25, 0.25, "norm({0}) <= pi/4"),
 )  # fmt: skip
 
 
@@ -230,7 +240,7 @@ def _is_number(claim: Claim, part: Term) -> bool:
     return False
 
 
-def _sign(part: Term, relation: str, number: Number_) -> Region:
+def _sign(part: Term, relation: str, number: Read) -> Region:
     def test(place: Place) -> bool | None:
         value = number(part, place)
         if value is None or value.contains(0):
@@ -240,7 +250,7 @@ def _sign(part: Term, relation: str, number: Number_) -> Region:
     return Region(f"{written(part)} {relation}", test)
 
 
-def _between(part: Term, low: float | None, high: float, words: str, number: Number_) -> Region:
+def _between(part: Term, low: float | None, high: float, words: str, number: Read) -> Region:
     def test(place: Place) -> bool | None:
         value = number(part, place)
         if value is None:
@@ -257,7 +267,8 @@ def _between(part: Term, low: float | None, high: float, words: str, number: Num
     return Region(words.format(shown), test)
 
 
-def _both(a: bool | None, b: bool | None) -> bool | None:
+def _both(first: Test, second: Test, place: Place) -> bool | None:
+    a, b = first(place), second(place)
     if a is False or b is False:
         return False
     return None if a is None or b is None else True
@@ -269,6 +280,6 @@ def branched(*statements: Term) -> bool:
 
 
 def _chooses(node: Term) -> bool:
-    name, arguments = node.operator.name, node.arguments
-    fraction = name == "power" and not isinstance(arguments[1], Number | Symbol) and arguments[1].operator.name in ("over", "negative")
-    return name in BRANCHED or fraction
+    """Return whether an operator chooses a branch; a power does so if its exponent is a quotient."""
+    name = node.operator.name
+    return name in BRANCHED or (name == "power" and "over" in (part.operator.name for part in walk(node.arguments[1])))

@@ -43,7 +43,7 @@ def onto(claim: Claim, place: Place) -> Place | None:
         except (ArithmeticError, BlurredError):
             return None
         width = flint().arb(2) ** -WIDTH
-        return x and moved([Ball(flint().arb(c, width)) for c in x])
+        return None if x is None else moved([Ball(flint().arb(c, width)) for c in x])
 
 
 def _gaps(claim: Claim, place: Place) -> list[Any]:

@@ -20,11 +20,11 @@ from .explore import sides
 from .language.environment import Env
 from .language.operator_table import both, implies
 from .language.printed import Symbol, Term, Trait, with_trait
-from .language.written import written
 from .language.values import coefficients
+from .language.written import written
 from .numbers.balls import Ball, BlurredError, precision
 from .numbers.fields import Exact
-from .numbers.generic import Generic
+from .numbers.generic import STEPS, Generic
 from .numbers.quantities import ORDER, SIGN
 from .probe import Probe
 from .result import Counterexample, Result, Status, Verdict
@@ -140,7 +140,8 @@ def _decided(claim: Claim) -> Finding:
             within, sharp = region(claim, true, false)
             cuts += f", all outside {within.words}" if within and sharp else ""
         if within is None:
-            return Finding(Status.FALSE, f"refuted at {false[0].label}", points, "exact", cuts=cuts * choosing, failing=false[0])
+            method, cuts = f"refuted at {false[0].label}", cuts * choosing
+            return Finding(Status.FALSE, method, points, "exact", cuts=cuts, failing=false[0])
     return _true(probe, Outcome(true, false, undefined, blurred), within, cuts)
 
 
@@ -157,8 +158,8 @@ def _true(probe: Probe, at: Outcome, within: Region | None, cuts: str) -> Findin
     evidence = f"evidence: {points} points" + f", {at.blurred} more too close to tell" * bool(at.blurred)
     outside = next(iter((*found.values(), *at.undefined, *at.false)), None)
     status = Status.HOLDS_IF if condition else Status.HOLDS
-    certainty = "exact" if exact else "evidence"
-    return Finding(status, "exact" if exact else evidence, points, certainty, condition, cuts, None, outside, tuple(at.true))
+    method, certainty = ("exact", "exact") if exact else (evidence, "evidence")
+    return Finding(status, method, points, certainty, condition, cuts, None, outside, tuple(at.true))
 
 
 # ---- proof ------------------------------------------------------------------------------------------------------
@@ -175,11 +176,11 @@ def proved(claim: Claim, found: list[Pairs] | None = None) -> bool:
     for way in WAYS if framed else WAYS[2:]:
         for every in (True, False) if order is not None else (False,):
             choices = product((None,) if every or order is None else ORDERS, (1, -1) if sign else (1,))
+            discrete = [{a: b for a, b in ((order, n), (sign, s)) if a and b} for n, s in choices]
             if found is not None:
                 found.clear()
             try:
-                chosen = ({order: n, sign: plus_minus} for n, plus_minus in choices)
-                if all(_exact(claim, way, choice, order if every else None, found) for choice in chosen):
+                if all(_exact(claim, way, values, order if every else None, found) for values in discrete):
                     return True
             except NotExactError:
                 continue
@@ -187,16 +188,15 @@ def proved(claim: Claim, found: list[Pairs] | None = None) -> bool:
 
 
 def _exact(
-    claim: Claim, way: Mapping[str, bool], discrete: dict[Any, Any], order: Symbol | None, found: list[Pairs] | None
+    claim: Claim, way: Mapping[str, bool], discrete: dict[Symbol, int], order: Symbol | None, found: list[Pairs] | None
 ) -> bool:
     lengths = {a for part in with_trait(Trait.LENGTH, *claim.parts) for a in claim.entry.free(part)}
     letters = sorted(claim.coordinates, key=lambda a: a not in lengths)
-    steps = 4 * (discrete.get(next((a for a in discrete if a and a.quantity is ORDER), None)) or 0) or steps_of(claim.statement)
-    generic = Generic(letters, claim.dual, claim.depth, max(steps, 4), order=order, **way)
-    values = generic.values | {a: n for a, n in discrete.items() if a is not None and n is not None}
+    steps = max(STEPS, steps_of(claim.statement), *(4 * n for a, n in discrete.items() if a.quantity is ORDER), 0)
+    generic = Generic(letters, claim.dual, claim.depth, steps, order=order, **way)
     generic.field.functions.lowest_terms = found is None
     pairs: Pairs | None = None if found is None else []
-    env = Env(generic.field, values, claim.entry.definitions, claim.dual, claim.depth)
+    env = Env(generic.field, generic.values | discrete, claim.entry.definitions, claim.dual, claim.depth)
     try:
         if claim.entry.claimed is not None and not env.value(claim.entry.claimed):
             return False
@@ -215,14 +215,9 @@ def _exact(
 # ---- what makes a claim true, or vacuous ------------------------------------------------------------------------
 
 
-def _source(claim: Claim) -> Term:
-    """Return the claim before abbreviations are expanded."""
-    return getattr(claim.entry, "written", None) or claim.statement
-
-
 def _expanded(claim: Claim, statement: Term) -> Claim:
-    expand = getattr(claim.entry, "expanded", None)
-    return claim.with_statement(expand(statement) if expand else statement)
+    """Return the claim of a statement in which abbreviations of the file occur by name."""
+    return claim.with_statement(claim.entry.expanded(statement))
 
 
 def _true_at(claim: Claim, places: Sequence[Place]) -> bool:
@@ -244,16 +239,17 @@ def _mended(claim: Claim, finding: Finding) -> Iterator[str]:
     sample = list(islice(Probe(claim).quick(), SAMPLE))
     first = [finding.failing] if finding.failing else []
     shown: set[str] = set()  # one change of each sort, since changes of one sort are often equivalent
-    for _, sort, words, changed in changes(_source(claim), written)[:CANDIDATES_MAX]:
+    for _, sort, words, changed in changes(claim.entry.written or claim.statement, written)[:CANDIDATES_MAX]:
         other = _expanded(claim, changed)
-        if sort not in shown and len(shown) < CHANGES_MAX and _true_at(other, [*first, *sample]) and decided(other).holds:
+        wanted = sort not in shown and len(shown) < CHANGES_MAX
+        if wanted and _true_at(other, [*first, *sample]) and decided(other).holds:
             shown.add(sort)
             yield f"{words}: {written(changed)}"
 
 
 def _vacuous(claim: Claim, finding: Finding) -> Iterator[str]:
     """Yield the terms of a true claim whose sign or coefficient does not matter."""
-    for words, changed in signs_and_coefficients(_source(claim), written):
+    for words, changed in signs_and_coefficients(claim.entry.written or claim.statement, written):
         if _true_at(_expanded(claim, changed), finding.true):
             yield words
 
@@ -306,6 +302,7 @@ def _counterexample(claim: Claim, place: Place, words: str = "") -> Counterexamp
 
 def _numbers(value: Any) -> list[str]:
     """Return the numbers of a value; none if it contains other things, or balls beside fractions."""
-    found = [a.ring.value(a.numerator) / a.ring.value(a.denominator) if isinstance(a, Element) else a for a in coefficients(value)]
+    found = [a.ring.value(a.numerator) / a.ring.value(a.denominator) if isinstance(a, Element) else a
+             for a in coefficients(value)]  # fmt: skip
     return [str(a) for a in found] if all(isinstance(a, int | Fraction | Ball) for a in found) else []
 

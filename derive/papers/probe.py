@@ -10,7 +10,9 @@ import random
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import combinations, islice, pairwise
+from math import pi
 from typing import Any
 
 from ..algebra import Quaternion, Structure, Tensor, Vector, matrix
@@ -26,7 +28,7 @@ from .numbers.quantities import ORDER, SIGN
 
 SHORT = tuple(map(Fraction, (1, 2, -1, 3, -2)))
 """Numbers of the first points, so that counterexamples are short."""
-REGIMES: tuple[tuple[int, float, float], ...] = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30.0, 1e3))
+REGIMES = ((5, 0.1, 1.0), (5, 0.5, 2.0), (5, 2.0, 12.0), (2, 1e-6, 1e-3), (2, 30.0, 1e3))
 """Number of wide points with coordinates of each size; further points mix the sizes."""
 PAIRS_MAX = 24
 """Number of points with two special letters."""
@@ -58,7 +60,10 @@ def size(value: Any) -> Any:
         return innermost(value.dot(value))
     if isinstance(value, Tensor):
         return innermost(value.det())
-    return innermost(matrix.det(value)) if isinstance(value, Structure) else innermost(value)
+    if isinstance(value, Structure):
+        rows, columns = matrix.shape(value)
+        return innermost(matrix.det(value) if rows == columns else sum(c * c for c in value))
+    return innermost(value)
 
 
 def singular(*statements: Term) -> Iterator[Singular]:
@@ -92,7 +97,9 @@ def _half_turn(value: Any) -> Any:
     """Return the number that vanishes where the logarithm of a value is singular."""
     if isinstance(value, Tensor):
         return innermost(value.trace()) + 1
-    return size(value) if not isinstance(value, matrix.Matrix) else innermost(sum(value.rows[i][i] for i in range(3))) + 1
+    if isinstance(value, matrix.Matrix):
+        return innermost(sum(value.rows[i][i] for i in range(4)))
+    return size(value)
 
 
 class Probe:
@@ -146,8 +153,8 @@ class Probe:
 
     def _near(self, place: Place) -> Place:
         """Return a point whose coordinates differ by up to a half."""
-        at = {a: [x * Fraction(self.random.randint(50, 150), 100) for x in c] if a in self.claim.coordinates and kind(a).spread != "integer" else c
-              for a, c in place.at.items()}  # fmt: skip
+        moved = [a for a in self.claim.coordinates if kind(a).spread != "integer"]
+        at = {**place.at, **{a: [c * Fraction(self.random.randint(50, 150), 100) for c in place.at[a]] for a in moved}}
         return replace(place, label=f"near {place.label}", at=at, generic=True, on="")
 
     def _inside(self, places: Iterable[Place]) -> Iterator[Place]:
@@ -170,12 +177,11 @@ class Probe:
 
     def _quick(self) -> Iterator[Place]:
         for i in range(3):
-            numbers = iter(SHORT[i:] + SHORT[:i])
             at: dict[Symbol, Any] = self._discrete()
-            for letter in self.claim.coordinates:
-                numbers = iter((*(next(numbers, SHORT[i]) for _ in range(1)), *self.random.sample(SHORT, 5)))
+            for place, letter in enumerate(self.claim.coordinates):
                 row = kind(letter)
-                free = [abs(c) if row.spread == "positive" else c for c in (next(numbers, self.random.choice(SHORT)) for _ in range(row.size))]
+                free = [SHORT[(i + place) % len(SHORT)], *self.random.choices(SHORT, k=row.size - 1)]
+                free = [abs(c) if row.spread == "positive" else c for c in free]
                 at[letter] = [Fraction(1), *free[1:]] if row.projective else free
             yield Place(f"short numbers {i + 1}", at, generic=True)
         for count, low, high in REGIMES[:3]:
@@ -231,8 +237,9 @@ class Probe:
         if line is None or not (line.radial or kind(letter).size == 1):
             return None
         found = line.roots(Singular(part, size))
-        same = known is None or (len(known) == len(found) and all(abs(a - b) < 1e-9 for a, b in zip(known, found, strict=True)))
-        return (line.shown, found) if same else None
+        if known is not None and (len(known) != len(found) or any(abs(a - b) > 1e-9 for a, b in zip(known, found))):
+            return None
+        return line.shown, found
 
     def lines(self, letter: Symbol) -> Iterator[Line]:
         """Yield lines of points: multiples of a vector, and a line through another point."""
@@ -265,8 +272,9 @@ class Line:
     @property
     def shown(self) -> str:
         """Name of t, for labels."""
-        scalar = kind(self.letter).size == 1
-        return written(norm(self.letter)) if self.radial else self.letter.name if scalar else f"t along {self.letter.name}"
+        if self.radial:
+            return written(norm(self.letter))
+        return self.letter.name if kind(self.letter).size == 1 else f"t along {self.letter.name}"
 
     def point(self, t: Any) -> dict[Symbol, Any]:
         """Return the coordinates at t."""
@@ -293,13 +301,13 @@ class Line:
                 return None
 
         seen = [(t, value(t)) for t in grid]
-        found: list[tuple[Any, Callable[[], Any]]] = [(t, lambda t=t: arb(t)) for t, f in seen if f is not None and f.contains(0)]
+        found = [(t, partial(arb, t)) for t, f in seen if f is not None and f.contains(0)]
         for (t, f), (u, g) in pairwise(seen):
             if f is not None and g is not None and f * g < 0:
-                found.append((t, lambda t=t, u=u, f=f, g=g: _zero(value, arb(t), arb(u), f, g)))
+                found.append((t, partial(_zero, value, arb(t), arb(u), f, g)))
         for (t, f), (_, g), (u, h) in zip(seen, seen[1:], seen[2:], strict=False):
             if None not in (f, g, h) and f * h > 0 and f * g > 0 and 2 * abs(g) < abs(f) + abs(h) and g * g <= f * h:
-                found.append((t, lambda t=t, u=u: _least(value, arb(t), arb(u))))
+                found.append((t, partial(_least, value, arb(t), arb(u))))
         zeros: list[Any] = []
         for _, refined in sorted(found, key=lambda row: abs(row[0])):
             t = refined()
@@ -360,12 +368,11 @@ def _least(f: Callable[[Any], Any], a: Any, b: Any) -> Any:
 
 def named(t: float) -> str:
     """Return a number in words of claims: a fraction, a multiple of π, or a decimal."""
-    from math import pi
-
     for unit, mark in ((1.0, ""), (pi, "pi")):
         part = Fraction(t / unit).limit_denominator(24)
         if abs(float(part) * unit - t) < 1e-13 * (1 + abs(t)):
-            above = str(part.numerator) if not mark else mark if part.numerator == 1 else f"{part.numerator}*{mark}" if part else "0"
-            above = "-pi" if mark and part.numerator == -1 else above
-            return above if part.denominator == 1 or not part else f"{above}/{part.denominator}"
+            above = str(part.numerator)
+            if mark and part:
+                above = {1: mark, -1: f"-{mark}"}.get(part.numerator, f"{above}*{mark}")
+            return above if part.denominator == 1 else f"{above}/{part.denominator}"
     return f"{t:.6g}"

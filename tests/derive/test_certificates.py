@@ -121,15 +121,17 @@ STEEP = [{"factor": [[1, [8192, 0]]], "point": {"x": "1"}}]
 UNTIED = [{"factor": X, "base": [[1, [0, 0]]]}]
 Y = [1, [], [[1, [0, 1]]]]
 FALSE = {
-    "an exponent that wraps": (false({"label": "p", "left": [1, [2**19], ONE[2]], "right": Y}, factors=STEEP), "malformed"),
-    "a power beyond all time": (false({"label": "p", "left": [1, [10**9], X], "right": ONE}, factors=NONZERO), "a power"),
+    "an exponent that wraps": (
+        false({"label": "p", "left": [1, [2**19], ONE[2]], "right": Y}, factors=STEEP), "malformed"),
+    "a power beyond all time": (
+        false({"label": "p", "left": [1, [10**9], X], "right": ONE}, factors=NONZERO), "a power"),
     "a negative power": (false({"label": "p", "left": [1, [-1], X], "right": ONE}, factors=NONZERO), "a power"),
     "labels of an induction": (
         false(IDENTITY, equations=[{**IDENTITY, "label": f"{stage}, p"} for stage in ("start", "law")]), "'start' by"),
     "a relation 1 = 0": (false({"label": "p", "left": ONE, "right": Y}, relations=[[[1, [0, 0]]]]), "the relations"),
     "two relations with one lead": (false(IDENTITY, relations=[X, [[1, [1, 0]], [-1, [0, 0]]]]), "the relations"),
     "a factor that is not its base": (
-        false({"label": "p", "left": [1, [1], []], "right": Y}, relations=[X], factors=UNTIED, free=[]), "untied factor"),
+        false({"label": "p", "left": [1, [1], []], "right": Y}, relations=[X], factors=UNTIED, free=[]), "untied"),
 }  # fmt: skip
 
 

@@ -154,7 +154,7 @@ def _shifts(env: Env, w: Vector) -> tuple[Any, Any]:
     """Return ``(1 − cos α)/α²`` and ``(α − sin α)/α³`` for α = |w|, or their values at 0."""
     square = w.dot(w)
     if env.field.vanishes(innermost(square)):
-        return Fraction(1, 2) + 0 * square, Fraction(1, 6) + 0 * square
+        return Fraction(1, 2) - square / Fraction(24), Fraction(1, 6) - square / Fraction(120)
     angle = env.field.sqrt(square)
     return (1 - env.field.cos(angle)) / square, (angle - env.field.sin(angle)) / (angle * square)
 

@@ -209,8 +209,8 @@ class Balls(Field):
         return Ball(low.union(high))
 
     def _acos(self, a: Any) -> Ball:
-        quarter: Ball = self.pi / 2
-        return quarter - self._asin(a)
+        angle: Ball = self.pi / 2 - self._asin(a)
+        return angle
 
     def _atan2(self, y: Any, x: Any) -> Ball:
         y, x = arb(y), arb(x)

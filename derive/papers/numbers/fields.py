@@ -176,8 +176,8 @@ class Exact(Field):
 
     def _chosen(self, root: Element) -> Element:
         """Return a root that is positive at the reference point; note whether it may be negative elsewhere."""
-        parts = [f for p in (root.numerator, root.denominator) for f, power in self.functions.library.factors(p) if power % 2]
-        self.branched |= not all(map(self._definite, parts))
+        factors = (row for part in (root.numerator, root.denominator) for row in self.functions.library.factors(part))
+        self.branched |= not all(self._definite(factor) for factor, power in factors if power % 2)
         return root
 
     def _definite(self, factor: Any) -> bool:

@@ -71,8 +71,8 @@ class Generic:
 
         def plain(part: str) -> Any:
             value = at if at is not None and not part else self.field.symbol(f"{name}{i}{part}")
-            rates = [0 * value if constant else self.field.symbol(f"{name}{i}{part}{dots}") for dots in RATES[: self.moving]]
-            return jet(value, rates)
+            rates = [self.field.symbol(f"{name}{i}{part}{dots}") for dots in RATES[: self.moving]]
+            return jet(value, [0 * rate for rate in rates] if constant else rates)
 
         return Dual(plain(""), plain("°")) if self.dual else plain("")
 

@@ -1,7 +1,7 @@
 """Kinds of letters in claims: each value is built from free real numbers, for points, exact fields and rates alike.
 
 The numbers of a letter are its coordinates. A kind lists special coordinates, at which formulas tend to fail. A
-projective kind has one coordinate too many, so that a half turn has finite coordinates; exact values set the first to 1.
+projective kind has one coordinate too many, so that a half turn has finite ones; exact values set the first to 1.
 """
 
 from __future__ import annotations
@@ -41,15 +41,17 @@ def sphere(c: Numbers) -> Vector:
     """Return the unit vector with homogeneous stereographic coordinates."""
     r, s, t = c
     square, flat = r * r, s * s + t * t
-    return Vector(2 * r * s, 2 * r * t, square - flat) / (square + flat)
+    unit: Vector = Vector(2 * r * s, 2 * r * t, square - flat) / (square + flat)
+    return unit
 
 
 def turned(c: Numbers) -> Tensor:
     """Return the rotation by a quaternion that need not be a unit."""
     s, a = c[0], Vector(*c[1:4])
     square, size = s * s, a.dot(a)
-    R: Tensor = Tensor.identity() * (square - size) + Tensor.dyad(a, a) * 2 + Tensor.skew(a) * (2 * s)
-    return R / (square + size)
+    R = Tensor.identity() * (square - size) + Tensor.dyad(a, a) * 2 + Tensor.skew(a) * (2 * s)
+    rotation: Tensor = R / (square + size)
+    return rotation
 
 
 def versor(c: Numbers) -> Quaternion:

@@ -101,6 +101,8 @@ class Series:
         if not other.coefficients:
             raise UndefinedError("division by a series without a known term")
         size = min(len(self.coefficients), len(other.coefficients))
+        if not size:  # no term is known to differ from 0
+            return Series(self.field, self.order - other.order, ())
         divided = getattr(self.field.base, "divided", _divided)
         found = divided(self.coefficients[:size], other.coefficients[:size])
         return Series(self.field, self.order - other.order, found)

@@ -1,4 +1,4 @@
-"""Law of sound verdicts: true identities of the algebra are called true, and each made false in five ways is refuted."""
+"""Law of sound verdicts: true identities are called true, and each of them made false in five ways is refuted."""
 
 from __future__ import annotations
 
@@ -55,7 +55,8 @@ SAMPLE = CASES[::7]
 
 def verdict(identity: tuple[str, str, str, str], form: str) -> Status:
     left, x, y, kind = identity
-    kinds = {"A": kind, "B": kind, "v": "vector", "w": "vector", "xi": "twist", "q": "unit quaternion", "p": "unit quaternion"}
+    units, vectors = dict.fromkeys("qp", "unit quaternion"), dict.fromkeys("vw", "vector")
+    kinds = {"A": kind, "B": kind, "xi": "twist", **vectors, **units}
     scope = Scope({name: letter(name, of) for name, of in kinds.items()})
     text = f"{left} == {form.format(x=x, y=y)}"
     return decided(Claim(equation(text, "law", 0, s := statement(text, scope)), s)).status

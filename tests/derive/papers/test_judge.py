@@ -21,46 +21,55 @@ def judged(text: str, letters: dict[str, str], domain: str = "", corrected: str 
     return judge_claim("sheet", equation("1", "a claim", 0, statement(text, scope), **rest))
 
 
+POSITIVE, TENSORS = {"x": "positive", "y": "positive"}, {"A": "tensor", "B": "tensor"}
+MOVING = ("real", "angle", "vector", "unit vector", "rotation", "pose", "twist", "unit quaternion", "dual number",
+          "dual angle", "unit dual vector", "orthogonal dual tensor")  # fmt: skip
+ROTATION = "R*transpose(R) == I and det(R) == 1"
+OF_TENSOR = {"R": "tensor", "v": "vector"}
+
 HOLDS = [
     ("rate(x*x) == 2*x*rate(x)", X), ("rate(rate(x**2)) == 2*rate(x)**2 + 2*x*rate(rate(x))", X),
     ("rate(c*x) == c*rate(x)", {"c": "constant real", **X}), ("rate(R)*transpose(R) == -R*transpose(rate(R))", R),
     ("re(rate(a)) == rate(re(a))", {"a": "dual number"}), ("rate(T)*inverse(T) == -T*rate(inverse(T))", {"T": "pose"}),
     ("sin(a + b) == sin(a)*cos(b) + cos(a)*sin(b)", {"a": "angle", "b": "angle"}),
     ("vect(rate(exp(skew(v)))*transpose(exp(skew(v)))) == dexp(v)*rate(v)", V),
-    ("sqrt(x*y) == sqrt(x)*sqrt(y)", {"x": "positive", "y": "positive"}), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
-    ("norm(v + w) <= norm(v) + norm(w)", VW), ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
+    ("sqrt(x*y) == sqrt(x)*sqrt(y)", POSITIVE), ("floor(n/2) + floor((n + 1)/2) == n", {"n": "integer"}),
+    ("norm(v + w) <= norm(v) + norm(w)", VW), ("left_jacobian(exp(xi), xi)*xi == xi", {"xi": "twist"}),
+    ("T*exp(xi)*inverse(T) == exp(adjoint(T)*xi)", {"T": "pose", "xi": "twist"}),
 ]  # fmt: skip
 FALSE = [
-    *((f"rate(a) == {n}*rate(a)", {"a": kind}) for kind in ("real", "angle", "vector", "unit vector", "rotation", "pose", "twist",
-      "unit quaternion", "dual number", "dual angle", "unit dual vector", "orthogonal dual tensor") for n in (2,)),
+    *(("rate(a) == 2*rate(a)", {"a": kind}) for kind in MOVING),
     ("rate(rate(x)) == 0", X), ("rate(c*x) == c*rate(x)", {"c": "real", **X}), ("tanh(sqrt(x**2)) == 1", X),
     ("norm(v + w) == norm(v) + norm(w)", VW), ("x**2 >= x", X), ("exp(skew(v))*exp(skew(w)) == exp(skew(v + w))", VW),
     ("log(R*S) == log(R) + log(S)", {"S": "rotation", **R}), ("sqrt(x**2) == norm(x) + 1/1000000", X),
 ]  # fmt: skip
 CONDITIONS = [
     ("sqrt((4 - x)**2) == 4 - x", X, "4 - x >= 0"), ("sqrt(cos(norm(v))**2) == cos(norm(v))", V, "cos(norm(v)) >= 0"),
-    ("sqrt((1 + trace(exp(skew(v))))/4) == cos(norm(v)/2)", V, "cos(norm(v)/2) >= 0"), ("atan(tan(a)) == a", A, "norm(a) < pi/2"),
-    ("(x - 1)**2/(x - 1)**2 == 1", X, "x != 1"), ("inverse(I - dyad(v, v))*(I - dyad(v, v)) == I", V, "norm(v) != 1"),
+    ("sqrt((1 + trace(exp(skew(v))))/4) == cos(norm(v)/2)", V, "cos(norm(v)/2) >= 0"),
+    ("atan(tan(a)) == a", A, "norm(a) < pi/2"), ("(x - 1)**2/(x - 1)**2 == 1", X, "x != 1"),
+    ("inverse(I - dyad(v, v))*(I - dyad(v, v)) == I", V, "norm(v) != 1"),
     ("log(exp(skew(v))) == skew(v)", V, "norm(v) < pi"), ("exp(log(R)) == R", R, "trace(R) != -1"),
     ("acos(cos(x)) == x", X, "0 <= x and x <= pi"), ("rate(norm(v)) == dot(v, rate(v))/norm(v)", V, "norm(v) != 0"),
-    ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"), ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"),
-    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "b != 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
+    ("inverse(dexp(v))*dexp(v) == I", V, "norm(v) != 2*k*pi for k = 1, 2, …"),
+    ("norm(x*v) == x*norm(v)", {**X, **V}, "x*norm(v) >= 0"), ("tan(a)*cos(a) == sin(a)", A, "cos(a) != 0"),
+    ("rate(b)/b*b == rate(b)", {"b": "dual number"}, "b != 0"),
 ]  # fmt: skip
-ROTATION = "R*transpose(R) == I and det(R) == 1"
 DOMAINS = [
     ("sqrt((4 - x)**2) == 4 - x", X, "x <= 4", "holds"), ("sqrt((4 - x)**2) == 4 - x", X, "x <= 5", "holds-if"),
     ("norm(q*v*conjugate(q)) == norm(v)", {"q": "quaternion", **V}, "norm(q) == 1", "holds"),
-    ("dot(v, rate(v)) == 0", V, "norm(v) == 1", "holds"), ("R*skew(v)*transpose(R) == skew(R*v)", {"R": "tensor", **V}, ROTATION, "holds"),
-    ("R*skew(v)*transpose(R) == skew(R*v)", {"R": "tensor", **V}, "R*transpose(R) == I", "false"),
+    ("dot(v, rate(v)) == 0", V, "norm(v) == 1", "holds"), ("x == x", X, "x > 1 and x < 0", "undecided"),
+    ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, ROTATION, "holds"),
+    ("R*skew(v)*transpose(R) == skew(R*v)", OF_TENSOR, "R*transpose(R) == I", "false"),
     ("norm(v + w)**2 == norm(v)**2 - norm(w)**2", VW, "dot(v, w) == 0", "false"),
-    ("x == x", X, "x > 1 and x < 0", "undecided"), ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"),
-    ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
+    ("1/x*x == 1", X, "0 < x and x < 1/1000", "holds"), ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 2", "holds-if"),
+    ("sin(a)/cos(a) == tan(a)", A, "norm(a) < 1", "holds"),
 ]  # fmt: skip
 CHANGES = [
-    ("cross(v, w) == cross(w, v)", VW, "sign of"), ("inverse(S*R) == inverse(S)*inverse(R)", {"S": "tensor", "R": "tensor"}, "product swapped in"),
-    ("exp(skew(v))*transpose(dexp(v)) == transpose(dexp(v))", V, "no transpose of"), ("cos(2*x) == 1 - sin(x)**2", X, "factor 2 at"),
-    ("exp(x + y) == exp(x)*exp(-y)", {"x": "real", "y": "real"}, "sign of"), ("R*transpose(R)*x == R", {**R, **X}, ""),
-    ("vect(rate(R)*transpose(R)) == R*vect(rate(R)*transpose(R))", R, "product swapped in"), ("rotation_of(q) == I + skew(re(x)*v)", {"q": "quaternion", **X, **V}, ""),
+    ("cross(v, w) == cross(w, v)", VW, "sign of"), ("cos(2*x) == 1 - sin(x)**2", X, "factor 2 at"),
+    ("inverse(A*B) == inverse(A)*inverse(B)", TENSORS, "product swapped in"),
+    ("exp(skew(v))*transpose(dexp(v)) == transpose(dexp(v))", V, "no transpose of"),
+    ("exp(x + y) == exp(x)*exp(-y)", POSITIVE, "sign of"), ("R*transpose(R)*x == R", {**R, **X}, ""),
+    ("vect(rate(R)*transpose(R)) == R*vect(rate(R)*transpose(R))", R, "product swapped in"),
 ]  # fmt: skip
 
 
@@ -95,12 +104,14 @@ def test_stated_domains(text: str, letters: dict[str, str], domain: str, status:
 @pytest.mark.parametrize(("text", "letters", "first"), CHANGES, ids=str)
 def test_changes_in_one_step(text: str, letters: dict[str, str], first: str) -> None:
     found = judged(text, letters)
-    assert len(found.changes) <= 3 and any(change.startswith(first) for change in found.changes) == bool(first)
+    assert len(found.changes) <= 3
+    assert any(change.startswith(first) for change in found.changes) == bool(first)
 
 
 def test_constraints_are_named() -> None:
     assert judged("dyad(n, n) == I + skew(n)**2", {"n": "unit vector"}).needs == ("norm(n) == 1",)
-    assert judged("norm(q*v*conjugate(q)) == norm(v)", {"q": "quaternion", **V}, "norm(q) == 1").needs == ("norm(q) == 1",)
+    turned = judged("norm(q*v*conjugate(q)) == norm(v)", {"q": "quaternion", **V}, "norm(q) == 1")
+    assert turned.needs == ("norm(q) == 1",)
     assert judged("dyad(n, n) == dyad(n, n)*I", {"n": "unit vector"}).needs == ()
 
 
@@ -112,7 +123,7 @@ def test_vacuous_terms_are_named() -> None:
 def test_a_correction_is_decided() -> None:
     assert str(judged("cross(v, w) == cross(w, v)", VW, corrected="cross(v, w) == -cross(w, v)").status) == "erratum"
     found = judged("cross(v, w) == cross(w, v)", VW, corrected="cross(v, w) == 2*cross(w, v)")
-    assert str(found.status) == "false" and "the correction does not hold" in found.method
+    assert (str(found.status), "the correction does not hold" in found.method) == ("false", True)
 
 
 def test_failures_on_other_branches_are_counted() -> None:
