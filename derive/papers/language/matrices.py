@@ -42,6 +42,10 @@ def stacked(*parts: Term) -> Apply:
     return literal("block", [[part] for part in parts])
 
 
+vector = define("vector", r"\begin{{bmatrix}} {0} \\ {1} \\ {2} \end{{bmatrix}}", "vector({0}, {1}, {2})", ATOM, (LIST,),
+                lambda env, *components: Vector(*map(matrix.exactly, components)))
+
+
 def _entry(env: Env, a: Any, i: Any, j: Any = 1) -> Any:
     rows = matrix.rows_of(a if not isinstance(a, Quaternion) else matrix.shaped([[c] for c in a]))
     if not (isinstance(i, int) and isinstance(j, int) and 1 <= i <= len(rows) and 1 <= j <= len(rows[0])):
