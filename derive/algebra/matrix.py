@@ -82,7 +82,8 @@ def kron(a: Any, b: Any) -> Any:
 
 def blocks(rows: Sequence[Sequence[Any]]) -> Any:
     """Return the matrix made of rows of blocks."""
-    return shaped([[e for part in parts for e in part] for row in rows for parts in zip(*map(rows_of, row), strict=True)])
+    lines = (parts for row in rows for parts in zip(*map(rows_of, row), strict=True))
+    return shaped([[entry for part in parts for entry in part] for parts in lines])
 
 
 def part(a: Any, rows: range, columns: range) -> Any:

@@ -124,7 +124,7 @@ def list_catalogue() -> None:
 @click.argument("sheets", nargs=-1, metavar="[FILE.toml]...", type=click.Path())
 @click.option("--paper", type=click.Choice(about.PAPERS), help="One paper; all by default.")
 @click.option("--claim", metavar="TEXT", help="One claim, e.g. 'R*transpose(R) == I'.")
-@click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter of --claim, e.g. R=rotation.")
+@click.option("--let", "letters", metavar="NAME=KIND", multiple=True, help="Kind of a letter, e.g. R=rotation.")
 @click.option("--domain", metavar="TEXT", help="Domain of --claim, e.g. 'norm(v) != 0'.")
 @click.option("--seconds", type=click.FloatRange(min=0, min_open=True), default=60.0, show_default=True,
               help="Time limit of each equation of a file.")  # fmt: skip

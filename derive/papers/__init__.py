@@ -87,9 +87,8 @@ def check_sheets(
     step: Callable[[str], None] = no_op,
 ) -> Listing[Result]:
     """Decide the equations of files; `numbers` chooses some, and `step` is called after each."""
-    items = [
-        (s, place) for s in sheets for place, entry in enumerate(s.entries()) if numbers is None or entry.number in numbers
-    ]
+    places = [(sheet, place, entry.number) for sheet in sheets for place, entry in enumerate(sheet.entries())]
+    items = [(sheet, place) for sheet, place, number in places if numbers is None or number in numbers]
     return Listing(decide_each(items, seconds, step))
 
 

@@ -13,7 +13,8 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from contextlib import suppress
+from dataclasses import fields
 from typing import Any
 
 from ..workers import cores
@@ -85,13 +86,22 @@ class _Worker:
         if self.process is None:
             paths = os.pathsep.join(path or os.getcwd() for path in sys.path)
             self.process = subprocess.Popen(
-                [sys.executable, "-P", "-c", f"from {__name__} import serve; serve()"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                env={**os.environ, "PYTHONPATH": paths},
+                [sys.executable, "-P", "-c", f"from {__name__} import serve; serve()"],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths},
             )  # fmt: skip
+            assert self.process.stdout is not None
+            with suppress(EOFError):
+                pickle.load(self.process.stdout)  # it is ready; loading does not count as time of an equation
         process, slug, entry = self.process, sheet.slug, sheet.entries()[place]
-        assert process.stdin is not None and process.stdout is not None
+        assert process.stdin is not None
+        assert process.stdout is not None
         late = threading.Event()
-        timer = threading.Timer(seconds, lambda: (late.set(), process.kill()))
+
+        def end() -> None:
+            late.set()
+            process.kill()
+
+        timer = threading.Timer(seconds, end)
         try:
             pickle.dump((sheet.request, place), process.stdin)
             process.stdin.flush()
@@ -104,9 +114,8 @@ class _Worker:
             return undecided(slug, entry, reason)
         finally:
             timer.cancel()
-        if isinstance(found, BaseException):
-            raise found
-        return replace(found, paper=slug, equation=entry)
+        own: dict[str, Any] = found
+        return Result(slug, entry, **own)
 
 
 def undecided(slug: str, entry: Entry, reason: str) -> Result:
@@ -128,16 +137,17 @@ def _serve() -> None:
 
     requests, answers, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
     sheets: dict[str, Sheet] = {}
+    pickle.dump("ready", answers)
+    answers.flush()
     while True:
         request, place = pickle.load(requests)
         sheet = sheets.setdefault(repr(request), Sheet.made(request))
         slug, entry = sheet.slug, sheet.entries()[place]
-        result: Any
         try:
-            result = replace(judge_claim(slug, entry), equation=None)  # the main process has the entry
+            result = judge_claim(slug, entry)
         except Exception as error:
             result = undecided(slug, entry, f"it cannot be evaluated: {type(error).__name__}: {error}")
-            result = replace(result, equation=None)
-        pickle.dump(result, answers)
+        own = {field.name: getattr(result, field.name) for field in fields(result)[2:]}  # without slug and entry
+        pickle.dump(own, answers)
         answers.flush()
 

@@ -76,7 +76,8 @@ def load(path: str | Path) -> Sheet:
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise SheetError(f"{name}: expected UTF-8 text, got the byte {content[error.start]:#x} at {error.start}") from None
+        wrong = f"the byte {content[error.start]:#x} at {error.start}"
+        raise SheetError(f"{name}: expected UTF-8 text, got {wrong}") from None
     return sheet(text, name)
 
 
@@ -208,6 +209,6 @@ def _entry(row: Mapping[str, str], scope: Scope, source: str) -> Entry:
     parts = [part for part in (claim, domain, correction) if part is not None]
     return Entry(
         row["number"], row.get("title", ""), 0, "", (Reading(claim),), claimed=domain, corrected=correction,
-        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written, mended=mended,
-        abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
+        moving=bool(with_trait(Trait.RATE, *parts)), remark=row.get("remark", ""), source=source, written=written,
+        mended=mended, abbreviations=scope.abbreviations, at=row.get("at", ""), printed=row.get("latex", ""),
     )  # fmt: skip

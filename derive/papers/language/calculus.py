@@ -80,8 +80,13 @@ def _directions(at: Any) -> Iterator[Any]:
         return
     size = len(tuple(at))
     for i in range(size):
-        places = iter(range(size))
-        yield at.map(lambda c, i=i, places=places: int(next(places) == i))
+        yield at.map(_marks(size, i))
+
+
+def _marks(size: int, i: int) -> Callable[[Any], int]:
+    """Return a function that is 1 at its call i, else 0."""
+    places = iter(range(size))
+    return lambda component: int(next(places) == i)
 
 
 def _derivatives(env: Env, body: Term, letter: Term, at: Term) -> tuple[Any, list[Any]]:

@@ -14,7 +14,7 @@ from ...maps.any_phi.grammar import Grammar, source
 from . import calculus, matrices, operations, operator_table, relations
 from .calculus import substituted
 from .operations import CONSTANTS, OPERATIONS, POSE, TENSOR, Kind, KindError, is_number
-from .printed import LIST, Apply, Number, Symbol, Term, walk
+from .printed import ATOM, LIST, Apply, Number, Symbol, Term, walk
 
 POWER_MAX = 64
 """Largest power that is a written number."""
@@ -168,7 +168,7 @@ def _call(abbreviation: Abbreviation, arguments: Sequence[Term], kinds: tuple[Ki
     if name not in CALLS:
         places = ", ".join(f"{{{i}}}" for i in range(1, len(kinds) + 1))
         shown = (rf"{{0}}\left({places}\right)", f"{{0}}({places})") if kinds else ("{0}", "{0}")
-        operator_table.define(name, *shown, operator_table.ATOM, (LIST,), _not_expanded, lazy=True)
+        operator_table.define(name, *shown, ATOM, (LIST,), _not_expanded, lazy=True)
         CALLS[name] = kinds
     return Apply(name, Symbol(abbreviation.name, "function", latex_of(abbreviation.name)), *arguments)
 
@@ -177,7 +177,11 @@ def _not_expanded(env: Any, *arguments: Term) -> Any:
     raise TypeError("a definition is filled in before a claim is evaluated")
 
 
-GREEK = ["alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Sigma", "Phi", "Psi", "Omega"]
+GREEK = re.findall(
+    r"\w+",
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau upsilon phi chi psi omega "
+    "Gamma Delta Theta Lambda Xi Sigma Phi Psi Omega",
+)
 
 
 def latex_of(name: str) -> str:
@@ -398,8 +402,8 @@ class Reader:
                 if not is_number(kind):
                     raise self.error(f"an entry is a number, got {operations.name(kind)} (blocks: block)", entry)
         size = len(rows), len(rows[0])
-        kind: Kind = "number" if size == (1, 1) else size
-        return matrices.literal("matrix", [[term for term, _ in row] for row in found]), kind
+        term = matrices.literal("matrix", [[term for term, _ in row] for row in found])
+        return term, ("number" if size == (1, 1) else size)
 
     def _block(self, node: ast.Call) -> tuple[Term, Kind]:
         rows = self._rows(node)

@@ -187,7 +187,7 @@ def _of_balls(a: Any) -> Any:
     return matrix.shaped([[Ball(entry) for entry in row] for row in found])
 
 
-def _rotation_vector(env: Env, R: Any) -> Vector:
+def _rotation_vector(env: Env, R: Any) -> Any:
     """Return the rotation vector shorter than π; a half turn has none."""
     if not env.equal(R @ R.transpose, Tensor.identity()):
         raise UndefinedError("the logarithm of a matrix that is no rotation")

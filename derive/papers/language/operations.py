@@ -94,7 +94,7 @@ def _transposed(kind: Any) -> Kind:
     return kind[1], kind[0]
 
 
-def _stacked(*kinds: Any) -> Kind:
+def _stacked(*kinds: Any) -> Any:
     sizes = [(1, 1) if is_number(kind) else kind for kind in kinds]
     if len({columns for _, columns in sizes}) > 1:
         raise KindError(f"stack takes parts with equal numbers of columns, got {', '.join(map(name, kinds))}")
@@ -105,16 +105,16 @@ def _kron(a: Any, b: Any) -> Kind:
     return a[0] * b[0], a[1] * b[1]
 
 
-def _exponential(kind: Kind) -> Kind:
+def _exponential(kind: Any) -> Any:
     """Return the kind of an exponential: that of a vector is a quaternion, that of a twist a pose."""
     return {VECTOR: "quaternion", TWIST: POSE, "integer": "number"}.get(kind, kind)
 
 
-def _number_like(kind: Kind) -> Kind:
+def _number_like(kind: Any) -> Any:
     return "number" if is_number(kind) else kind
 
 
-def _inverse(kind: Kind) -> Kind:
+def _inverse(kind: Any) -> Any:
     return "quaternion" if kind == VECTOR else _number_like(kind)
 
 
@@ -172,7 +172,7 @@ OPERATIONS: dict[str, Operation] = {
     "re": Operation(("value",), same, t.Re, "real part", "re(a)"),
     "du": Operation(("value",), same, t.Du, "dual part", "du(a)"),
     "exp": Operation(("number or quaternion or twist or square matrix",), _exponential, matrices.exp,
-                     "exponential of a number, a skew tensor, a twist or its 4x4 matrix (a pose), or a vector as a pure "
+                     "exponential of a number, skew tensor, twist or its 4x4 matrix (a pose), or vector as a pure "
                      "quaternion (a quaternion)", "exp(skew(v))"),
     "log": Operation(("number or quaternion or tensor or pose",), _number_like, matrices.log,
                      "principal logarithm of a number, quaternion, rotation (a skew tensor) or pose (a 4x4 twist "
@@ -271,7 +271,7 @@ def product_kind(a: Kind, b: Kind) -> Kind:
 def quotient_kind(a: Kind, b: Kind) -> Kind:
     """Return the kind of a quotient."""
     if is_number(b):
-        return _number_like(a)
+        return "number" if is_number(a) else a
     if b == "quaternion" and TESTS["quaternion"](a):
         return "quaternion"
     raise KindError(f"{name(a)} / {name(b)} has no meaning: write inverse")

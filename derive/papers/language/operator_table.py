@@ -67,8 +67,8 @@ def _power(env: Env, base: Term, exponent: Term) -> Any:
         return env.field.power(values.square(env.value(base.arguments[0])), e // 2)  # |v|² = v·v needs no root
     value = env.value(base)
     if isinstance(value, matrix.Matrix):
-        base = value if e > 0 else matrix.inverse(value)
-        return reduce(matrix.product, [base] * abs(e), matrix.identity(len(value.rows)))
+        factor = value if e > 0 else matrix.inverse(value)
+        return reduce(matrix.product, [factor] * abs(e), matrix.identity(len(value.rows)))
     if env.field.ordered and not isinstance(e, int | Fraction) and not isinstance(value, Structure):
         return env.field.exp(env.field.log(value) * e)
     return (lambda a: env.field.power(value(a), e)) if callable(value) else env.field.power(value, e)

@@ -79,7 +79,7 @@ floor = define("floor of number", r"\left\lfloor {0} \right\rfloor", "floor({0})
 # ---- functions of CP23 ------------------------------------------------------------------------------------------
 
 
-def _cayley(env: Env, n: Any, v: Vector) -> Tensor:
+def _cayley(env: Env, n: Any, v: Vector) -> Any:
     """Return the rotation of order n: the action of ``(1 + v)ⁿ``, divided by its norm."""
     q = env.field.power(Quaternion(1, v), n)
     return first_principles.tensor_by_sandwich(q) * (1 / env.field.power(1 + v.dot(v), n))

@@ -11,9 +11,12 @@ OR, AND, NOT, RELATION, SUM, PRODUCT, POWER, ATOM = range(8)
 
 INFIX: dict[str, tuple[str, int, int, int]] = {
     "or": (" or ", OR, OR, AND), "both": (" and ", AND, AND, NOT), "equal": (" == ", RELATION, SUM, SUM),
-    "unlike": (" != ", RELATION, SUM, SUM), "less": (" < ", RELATION, SUM, SUM), "at most": (" <= ", RELATION, SUM, SUM),
-    "greater": (" > ", RELATION, SUM, SUM), "at least": (" >= ", RELATION, SUM, SUM), "plus": (" + ", SUM, SUM, PRODUCT),
-    "minus": (" - ", SUM, SUM, PRODUCT), "times": ("*", PRODUCT, PRODUCT, POWER), "over": ("/", PRODUCT, PRODUCT, POWER),
+    "unlike": (" != ", RELATION, SUM, SUM), "less": (" < ", RELATION, SUM, SUM),
+    "at most": (" <= ", RELATION, SUM, SUM),
+    "greater": (" > ", RELATION, SUM, SUM), "at least": (" >= ", RELATION, SUM, SUM),
+    "plus": (" + ", SUM, SUM, PRODUCT),
+    "minus": (" - ", SUM, SUM, PRODUCT), "times": ("*", PRODUCT, PRODUCT, POWER),
+    "over": ("/", PRODUCT, PRODUCT, POWER),
     "power": ("**", POWER, ATOM, POWER),
 }  # fmt: skip
 """Sign, strength of the result, and least strengths of the left and right operand."""

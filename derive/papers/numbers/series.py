@@ -104,7 +104,8 @@ class Series:
         if not size:  # no term is known to differ from 0
             return Series(self.field, self.order - other.order, ())
         divided = getattr(self.field.base, "divided", _divided)
-        return Series(self.field, self.order - other.order, divided(self.coefficients[:size], other.coefficients[:size]))
+        found = divided(self.coefficients[:size], other.coefficients[:size])
+        return Series(self.field, self.order - other.order, found)
 
     def __neg__(self) -> Series:
         return Series(self.field, self.order, [-c for c in self.coefficients])
@@ -199,7 +200,7 @@ class SeriesField(Field):
 
         return of_series
 
-    def pair(self, n: Any, x: Any) -> tuple[Any, Any]:  # type: ignore[override]
+    def pair(self, n: Any, x: Any) -> tuple[Any, Any]:
         if not isinstance(n, int):
             raise NotExactError("derivatives of p_n and q_n for a symbolic n")
         return Field.pair(n, x)
@@ -240,7 +241,7 @@ class SeriesField(Field):
         start = self.base.exp(self._start(a))
         return self._circle(a, (start, start), 1)[0]
 
-    def _log(self, a: Series) -> Series:
+    def _log(self, a: Series) -> Any:
         return (a.derivative() / a).integral(self.base.log(self._start(a)))
 
     def _sqrt(self, a: Series) -> Any:
@@ -256,14 +257,14 @@ class SeriesField(Field):
             found.append((c[k] - inner) / (2 * found[0]))
         return Series(self, a.order // 2, found)
 
-    def _atan2(self, y: Series, x: Series) -> Series:
+    def _atan2(self, y: Series, x: Series) -> Any:
         low = min(y.order, x.order)
         self.one_sided |= low % 2 != 0
         return ((x * y.derivative() - y * x.derivative()) / (x * x + y * y)).integral(self.base.atan2(y[low], x[low]))
 
-    def _asin(self, a: Series) -> Series:
+    def _asin(self, a: Series) -> Any:
         slope = a.derivative() / self.sqrt(1 - a * a)
         return slope.integral(self.base.asin(self._start(a)))
 
-    def _acos(self, a: Series) -> Series:
+    def _acos(self, a: Series) -> Any:
         return (-a.derivative() / self.sqrt(1 - a * a)).integral(self.base.acos(self._start(a)))

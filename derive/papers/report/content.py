@@ -121,7 +121,8 @@ def extent(result: Result) -> str:
 
 def domain(result: Result) -> tuple[str, ...]:
     """Return one line for the condition found and one for the domain stated by the paper."""
-    found = f"{extent(result)} {result.found or plain(result.condition or '')}" if result.condition or result.found else ""
+    condition = result.found or plain(result.condition or "")
+    found = f"{extent(result)} {condition}" if condition else ""
     stated = f"for {result.domain or plain(result.claimed)}, as stated" if result.claimed else ""
     return tuple(line for line in (found, stated) if line)
 

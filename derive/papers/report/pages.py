@@ -55,9 +55,10 @@ def notes(result: Result) -> tuple[str, ...]:
 
 def differing_sides(result: Result) -> tuple[str, str]:
     """Return the printed and the corrected formula as LaTeX, with their smallest differing parts in colour."""
-    assert result.equation.corrected is not None
     entry = result.equation
-    printed, corrected = _marked(entry.written or result.verdicts[0].statement, entry.mended or entry.corrected)
+    mended = entry.corrected if entry.mended is None else entry.mended
+    assert mended is not None
+    printed, corrected = _marked(entry.written or result.verdicts[0].statement, mended)
     return latex(printed), latex(corrected)
 
 

@@ -72,10 +72,11 @@ IDENTITIES = (
     "jacobian(cross(v, w), v) == -skew(w)", "kron(A, B)*vec(R) == vec(B*R*transpose(A))",
     "limit((a*x - sin(a*x))/x**3, x, 0) == a**3/6", "limit((a*x + 1)/(x + b), x, infinity) == a",
     "series(exp(skew(v)), v, 2) == I + skew(v) + skew(v)**2/2", "integral(exp(x), x, 0, a) == exp(a) - 1",
-    "det(block([[A, zeros(3, 3)], [B, A]])) == det(A)**2", "inverse(T) == pose_of(transpose(entry(T, 4, 4)*R), p) or 1 == 1",
+    "det(block([[A, zeros(3, 3)], [B, A]])) == det(A)**2", "entry(T, 4, 4) == 1",
     "sum(k, 0, n, binomial(n, k)*x**k) == (1 + x)**n", "p(3, x) == 1 - 3*x", "cosh(x)**2 == 1 + sinh(x)**2",
     "acos(cos(b)) == b", "asin(sin(b)) == b", "floor(7/2) == 3", "atan2(sin(b), cos(b)) == b",
-    "stack(v, w) == block([[v], [w]])", "entry(A, 2, 3) == entry(transpose(A), 3, 2)", "G(2*v) == I + 4*norm(v)*skew(v)",
+    "stack(v, w) == block([[v], [w]])", "entry(A, 2, 3) == entry(transpose(A), 3, 2)",
+    "G(2*v) == I + 4*norm(v)*skew(v)",
     "sinc(x)*x == sin(x)", "log(q) == log(-(-q))", "dexp(v)*v == v", "matrix([[a, b], [c, x]])*matrix([[x], [y]]) == "
     "matrix([[a*x + b*y], [c*x + x*y]])", "left_jacobian(exp(xi), xi)*xi == xi", "x**b == exp(b*log(x))",
 )  # fmt: skip
@@ -86,8 +87,7 @@ IDENTITIES = (
 def test_identity_is_true_and_false_with_another_side(text: str) -> None:
     assert value(text)
     left, _, right = text.partition(" == ")
-    if " or " not in text:
-        assert not value(f"2*({left}) == {right}")
+    assert not value(f"2*({left}) == {right}")
 
 
 def test_derivative_is_taken_at_the_argument_of_a_definition() -> None:
@@ -152,7 +152,9 @@ def test_every_kind_of_letter_has_values(kind: str) -> None:
             "integer": not hasattr(built, "map")}.get(shape, shape == matrix.shape(built))  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "kind"), [("I", "real"), ("a b", "real"), ("a", "vectr"), ("a", "constant"), ("θ", "real")])
+@pytest.mark.parametrize(
+    ("name", "kind"), [("I", "real"), ("a b", "real"), ("a", "vectr"), ("a", "constant"), ("θ", "real")]
+)
 def test_letters_are_refused(name: str, kind: str) -> None:
     with pytest.raises(ClaimError):
         letter(name, kind)
