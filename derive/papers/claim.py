@@ -53,6 +53,7 @@ class Claim:
 
     entry: Entry
     statement: Term
+    lenient: bool = False  # whether a dual vector with real part 0 has a magnitude, as in the two papers
 
     @cached_property
     def parts(self) -> tuple[Term, ...]:
@@ -97,7 +98,7 @@ class Claim:
         values: dict[Symbol, Any] = {a: value for a, value in place.at.items() if a not in self.coordinates}
         for letter in self.coordinates:
             values[letter] = self._value(letter, place, field)
-        return Env(field or Balls(), values, self.entry.definitions, self.dual, self.depth)
+        return Env(field or Balls(self.lenient), values, self.entry.definitions, self.dual, self.depth)
 
     def further(self, letter: Symbol, place: Place) -> Numbers:
         """Return the dual parts and rates of a letter's coordinates, by a fixed seed if the point gives none."""

@@ -14,7 +14,6 @@ from ..algebra.mixed import MeaninglessError
 from .changes import changes, signs_and_coefficients
 from .claim import Claim, Place, RefusedError, kind, operators
 from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
-from .decide import ORDERS, Pairs, steps_of
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
@@ -37,6 +36,9 @@ CHANGES_MAX, CANDIDATES_MAX, SAMPLE = 3, 400, 6
 """Changes shown, changes tried, and points at which a changed claim is tried first."""
 
 
+ORDERS = (1, 2, 3, 4, 5)
+Pairs = list[tuple[Any, Any]]
+"""Pairs of equal numbers in one exact field."""
 POINTS_MIN = 6
 """Least number of points at which a claim is called true."""
 
@@ -82,12 +84,11 @@ def judge_claim(paper: str, entry: Entry) -> Result:
             status, method = Status.ERRATUM, f"{method}; correction {correction.method}"
         else:
             method += f"; the correction does not hold: {correction.method}"
-    example = finding.failing and _counterexample(claim, finding.failing)
-    verdict = Verdict(statement, "", finding.holds, finding.method, example or None)
-    outside = finding.outside and finding.holds and _counterexample(claim, finding.outside, _outside(claim, finding))
+    example = witness(claim, finding)
+    verdict = Verdict(statement, "", finding.holds, finding.method, None if finding.holds else example)
     return Result(
         paper, entry, status, method, (verdict,), certainty=finding.certainty, points=finding.points,
-        found=finding.found, outside=outside or None, cuts=finding.cuts,
+        found=finding.found, outside=example if finding.holds else None, cuts=finding.cuts,
         changes=tuple(_mended(claim, finding)) if status is Status.FALSE else (),
         vacuous=tuple(dict.fromkeys(_vacuous(claim, finding))) if finding.holds else (),
         needs=tuple(_needed(claim)) if finding.holds else (),
@@ -212,6 +213,12 @@ def _exact(
     return not generic.field.branched
 
 
+def steps_of(statement: Term) -> int:
+    """Return an integer M such that the statement contains only multiples of α/M, for each free angle α."""
+    divisors = [node.arguments[1] for node in walk(statement) if node.operator is over]
+    return 2 * lcm(2, *(d.value for d in divisors if isinstance(d, Number)))
+
+
 # ---- what makes a claim true, or vacuous ------------------------------------------------------------------------
 
 
@@ -279,9 +286,14 @@ def _relaxed(entry: Entry, free: Mapping[Symbol, Symbol]) -> Entry:
 # ---- counterexamples --------------------------------------------------------------------------------------------
 
 
-def _outside(claim: Claim, finding: Finding) -> str:
-    place = finding.outside
-    assert place is not None
+def witness(claim: Claim, finding: Finding) -> Counterexample | None:
+    """Return the point where a claim is false, or a point outside its condition."""
+    if finding.failing is not None:
+        return _counterexample(claim, finding.failing)
+    return None if finding.outside is None else _counterexample(claim, finding.outside, _outside(claim, finding.outside))
+
+
+def _outside(claim: Claim, place: Place) -> str:
     where = place.on or place.label
     admits = ", which the stated domain admits" if claim.entry.claimed is not None else ""
     undefined = claim.truth(place) is None

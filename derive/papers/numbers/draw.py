@@ -42,6 +42,14 @@ class Draw:
         """Return a coefficient, with the time derivative `slope` if symbols move."""
         return Dual(mpmath.mpf(value), mpmath.mpf(slope)) if self.moving else mpmath.mpf(value)
 
+    def scalar(self, value: Any) -> Any:
+        """Return a real number; in motion with a random rate, and with dual part 0."""
+        return self.lifted(self.plain(value, self.signed())) if self.moving else value
+
+    def lifted(self, part: Any) -> Any:
+        """Return a real part as a number: in motion, with dual part 0."""
+        return Dual(part, 0 * part) if self.moving else part
+
     def number(self, re: Any, du: Any | None = None) -> Any:
         """Return a dual number with a random dual part by default; parts of moving symbols get random rates."""
         du = self.signed() if du is None else du
@@ -64,7 +72,7 @@ class Draw:
 
     def quaternion(self, half_angle: Any) -> Quaternion:
         """Return a unit dual quaternion about a random screw axis; `half_angle` is the real part of its half angle."""
-        angle, field = Dual(mpmath.mpf(half_angle), self.signed()), Decimal60()
+        angle, field = self.number(mpmath.mpf(half_angle)), Decimal60()
         return Quaternion(field.cos(angle), self.unit() * field.sin(angle))
 
 

@@ -62,6 +62,10 @@ def _angle(half_turns: int, du: Any | None = None) -> Make:
     return lambda d: d.number(half_turns * mpmath.pi, du)
 
 
+def _scalar(half_turns: float) -> Make:
+    return lambda d: d.scalar(half_turns * mpmath.pi)
+
+
 def _half_turn(d: Draw) -> Quaternion:
     return d.quaternion(mpmath.pi / 2)
 
@@ -87,22 +91,21 @@ SIGN = Quantity("sign", lambda d: 1, {"−": lambda d: -1})
 """Sign ±, equal on both sides of an equation."""
 
 _REAL = (
-    Quantity("real", lambda d: d.signed(), {"0": lambda d: mpmath.mpf(0), "negative": lambda d: -d.real()}, 1,
+    Quantity("real", lambda d: d.scalar(d.signed()), {"0": _scalar(0), "negative": lambda d: d.scalar(-d.real())}, 1,
              lambda g, name: g.real(g.number(name)), apart=True),
-    Quantity("real angle", lambda d: d.real(0.3, 1.2),
-             {"0": lambda d: mpmath.mpf(0), "π/2": lambda d: mpmath.pi / 2, "π": lambda d: +mpmath.pi,
-              "beyond π": lambda d: d.real(3.3, 6.1), "2π": lambda d: 2 * mpmath.pi,
-              "negative": lambda d: -d.real()}, 1, lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True),
+    Quantity("real angle", lambda d: d.scalar(d.real(0.3, 1.2)),
+             {"0": _scalar(0), "π/2": _scalar(0.5), "π": _scalar(1), "2π": _scalar(2),
+              "beyond π": lambda d: d.scalar(d.real(3.3, 6.1)), "negative": lambda d: d.scalar(-d.real())}, 1, lambda g, name: g.real(g.angle(name)), role=Role.ANGLE, apart=True),
     Quantity("smooth function", lambda d: polynomial([d.signed() for _ in range(5)]),
              {"exponential": lambda d: polynomial([1 / mpmath.factorial(k) for k in range(70)]),
               "reciprocal": lambda d: Smooth(lambda a: 1 / a, lambda a: -1 / (a * a))}, 4,
              lambda g, name: polynomial([g.real(g.number(name, i)) for i in range(4)])),
-    Quantity("real vector", lambda d: Vector(*d.signed3()),
-             {"0": lambda d: Vector(mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(0))}, 3,
+    Quantity("real vector", lambda d: Vector(*d.signed3()).map(d.scalar),
+             {"0": lambda d: Vector(*map(mpmath.mpf, _ZERO)).map(d.scalar)}, 3,
              lambda g, name: g.vector(name).map(g.real), role=Role.VECTOR, apart=True),
-    Quantity("rotation", lambda d: rotation(_within(d)).re,
-             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: rotation(_half_turn(d)).re,
-              "beyond a half turn": lambda d: rotation(_beyond(d)).re}, 3,
+    Quantity("rotation", lambda d: rotation(_within(d)).re.map(d.lifted),
+             {"identity": lambda d: Tensor.identity(), "half turn": lambda d: rotation(_half_turn(d)).re.map(d.lifted),
+              "beyond a half turn": lambda d: rotation(_beyond(d)).re.map(d.lifted)}, 3,
              lambda g, name: rotation(g.turn(name)).map(g.real), role=Role.TURN),
     Quantity("real tensor", apart=True), Quantity("real quaternion", apart=True),
 )
