@@ -188,7 +188,9 @@ def _widened(value: Any, error: Any) -> Any:
     """Return a value whose balls include an error of this size."""
     if isinstance(value, Structure):
         return value.map(lambda c: _widened(c, error))
-    return Dual(_widened(value.re, error), _widened(value.du, error)) if isinstance(value, Dual) else widened(value, error)
+    if isinstance(value, Dual):
+        return Dual(_widened(value.re, error), _widened(value.du, error))
+    return widened(value, error)
 
 
 jacobian = _binding("jacobian", r"\frac{{\partial}}{{\partial {1}}} {0}", "jacobian({0}, {1})", (PRODUCT, ATOM, LIST),

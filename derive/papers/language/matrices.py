@@ -27,13 +27,15 @@ def literal(kind: str, rows: list[list[Term]]) -> Apply:
         places = iter(range(sum(sizes)))
         shown = r" \\ ".join(" & ".join(f"{{{next(places)}}}" for _ in row) for row in rows)
         places = iter(range(sum(sizes)))
-        text = ", ".join(f"[{', '.join(f'{{{next(places)}}}' for _ in row)}]" for row in rows)
+        listed = [", ".join(f"{{{next(places)}}}" for _ in row) for row in rows]
+        column = kind == "block" and set(sizes) == {1}
+        text = f"stack({', '.join(listed)})" if column else f"{kind}([[{'], ['.join(listed)}]])"
 
         def value(env: Env, *entries: Any) -> Any:
             found = iter(map(matrix.exactly, entries))
             return matrix.blocks([[next(found) for _ in range(size)] for size in sizes])
 
-        define(name, rf"\begin{{{{bmatrix}}}} {shown} \end{{{{bmatrix}}}}", f"{kind}([{text}])", ATOM, (LIST,), value)
+        define(name, rf"\begin{{{{bmatrix}}}} {shown} \end{{{{bmatrix}}}}", text, ATOM, (LIST,), value)
     return Apply(name, *(entry for row in rows for entry in row))
 
 
@@ -42,8 +44,8 @@ def stacked(*parts: Term) -> Apply:
     return literal("block", [[part] for part in parts])
 
 
-vector = define("vector", r"\begin{{bmatrix}} {0} \\ {1} \\ {2} \end{{bmatrix}}", "vector({0}, {1}, {2})", ATOM, (LIST,),
-                lambda env, *components: Vector(*map(matrix.exactly, components)))
+vector = define("vector", r"\begin{{bmatrix}} {0} \\ {1} \\ {2} \end{{bmatrix}}", "vector({0}, {1}, {2})", ATOM,
+                (LIST,), lambda env, *components: Vector(*map(matrix.exactly, components)))
 
 
 def _entry(env: Env, a: Any, i: Any, j: Any = 1) -> Any:
