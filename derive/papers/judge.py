@@ -7,6 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice, product
+from math import lcm
 from typing import Any
 
 from ..algebra.element import Element, NotExactError
@@ -17,8 +18,8 @@ from .conditions import REGION_MIN, Region, branched, exclusions, plain, region
 from .equation import Entry
 from .explore import sides
 from .language.environment import Env
-from .language.operator_table import both, implies
-from .language.printed import Symbol, Term, Trait, with_trait
+from .language.operator_table import both, implies, over
+from .language.printed import Number, Symbol, Term, Trait, walk, with_trait
 from .language.values import coefficients
 from .language.written import written
 from .numbers.balls import Ball, BlurredError, precision
